@@ -1,0 +1,174 @@
+//! The same steps as straight code on concrete types, without a call into the library, and the paper's steps
+//! taken literally.
+
+use super::samples::{DAMPING, LIMIT, Sample};
+
+macro_rules! hand {
+    ($module:ident, $real:ident) => {
+        pub(crate) mod $module {
+            use super::{DAMPING, LIMIT, Sample};
+
+            pub(crate) struct State {
+                sum: $real,
+                limit: $real,
+                damping: $real,
+            }
+
+            impl State {
+                pub(crate) fn new() -> Self {
+                    Self { sum: 0.0, limit: LIMIT as $real, damping: DAMPING as $real }
+                }
+            }
+
+            #[derive(Clone, Copy)]
+            pub(crate) struct Out<const N: usize> {
+                pub(crate) effort: [$real; N],
+                pub(crate) sum: $real,
+                pub(crate) alpha: $real,
+                pub(crate) shortfall: $real,
+                pub(crate) accepted: bool,
+            }
+
+            impl<const N: usize> Default for Out<N> {
+                fn default() -> Self {
+                    Self { effort: [0.0; N], sum: 0.0, alpha: 0.0, shortfall: 0.0, accepted: false }
+                }
+            }
+
+            #[inline(always)]
+            fn dot<const N: usize>(a: &[$real; N], b: &[$real; N]) -> $real {
+                let mut sum = a[0] * b[0];
+                for i in 1..N {
+                    sum += a[i] * b[i];
+                }
+                sum
+            }
+
+            /// Zero where all is finite, else NaN.
+            #[inline(always)]
+            fn defect<const N: usize>(a: &[$real; N]) -> $real {
+                let mut defect = a[0] - a[0];
+                for i in 1..N {
+                    defect += a[i] - a[i];
+                }
+                defect
+            }
+
+            /// α, the corrected effort and the rest, alike for both kinds of work; whether all of it is finite.
+            #[inline(always)]
+            fn correct<const N: usize>(
+                state: &State,
+                s: &Sample<$real, N>,
+                sum: $real,
+                square: $real,
+                room: $real,
+                out: &mut Out<N>,
+            ) -> bool {
+                let debt = if -sum > 0.0 { -sum } else { 0.0 };
+                let paid = if debt < room { debt } else { room };
+                let divisor =
+                    if square > $real::MIN_POSITIVE { square } else { $real::MIN_POSITIVE };
+                let least = $real::from_bits(1);
+                let alpha = paid / (divisor * (1.0 - 4.0 * $real::EPSILON))
+                    + if paid < least { paid } else { least };
+                let alpha = if alpha < state.limit { alpha } else { state.limit };
+                for i in 0..N {
+                    out.effort[i] = s.effort[i] + alpha * s.velocity[i];
+                }
+                out.sum = sum;
+                out.alpha = alpha;
+                out.shortfall = debt - paid;
+                out.accepted = defect(&[sum + square]) + defect(&out.effort) == 0.0;
+                out.accepted
+            }
+
+            /// Nothing to believe: no effort, and the sum as it was.
+            #[inline]
+            fn reject<const N: usize>(state: &mut State, sum: $real, out: &mut Out<N>) {
+                state.sum = sum;
+                let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
+                *out = Out { effort: [0.0; N], sum, alpha: 0.0, shortfall, accepted: false };
+            }
+
+            #[inline(never)]
+            pub(crate) fn sampled<const N: usize>(
+                state: &mut State,
+                samples: &[Sample<$real, N>],
+                out: &mut [Out<N>],
+            ) {
+                for (s, out) in samples.iter().zip(out) {
+                    let square = dot(&s.velocity, &s.velocity) * s.period;
+                    let energy = dot(&s.effort, &s.velocity) * s.period + state.damping * square;
+                    let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
+                    let room = state.limit * moving;
+                    let before = state.sum;
+                    let sum = before + energy;
+                    let raised = before + (energy + room);
+                    let raised = if raised < 0.0 { raised } else { 0.0 };
+                    state.sum = if raised > sum { raised } else { sum };
+                    if !correct(state, s, sum, square, room, out) {
+                        reject(state, before, out);
+                    }
+                }
+            }
+
+            #[inline(never)]
+            pub(crate) fn held<const N: usize>(
+                state: &mut State,
+                samples: &[Sample<$real, N>],
+                out: &mut [Out<N>],
+            ) {
+                for (s, out) in samples.iter().zip(out) {
+                    let square = dot(&s.velocity, &s.velocity) * s.period;
+                    let mut energy = s.work[0];
+                    for i in 1..N {
+                        energy += s.work[i];
+                    }
+                    energy += state.damping * square;
+                    let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
+                    let room = state.limit * moving;
+                    let before = state.sum;
+                    state.sum = before + energy;
+                    if !correct(state, s, state.sum, square, room, out) {
+                        reject(state, before, out);
+                    }
+                }
+            }
+
+            pub(crate) struct Literal {
+                sum: $real,
+                alpha: $real,
+                square: $real,
+                damping: $real,
+            }
+
+            impl Literal {
+                pub(crate) fn new() -> Self {
+                    Self { sum: 0.0, alpha: 0.0, square: 0.0, damping: DAMPING as $real }
+                }
+            }
+
+            /// Steps 4 to 6 as printed, with the period left out and the division on every tick.
+            #[inline(never)]
+            pub(crate) fn literal(
+                state: &mut Literal,
+                samples: &[Sample<$real, 1>],
+                forces: &mut [$real],
+            ) {
+                for (s, force) in samples.iter().zip(forces) {
+                    let (f, v) = (s.effort[0], s.velocity[0]);
+                    let square = v * v;
+                    state.sum += f * v + state.alpha * state.square + state.damping * square;
+                    // The choice stands before the division, so that no branch can skip it.
+                    let debt = if -state.sum > 0.0 { -state.sum } else { 0.0 };
+                    state.alpha = debt / square;
+                    state.square = square;
+                    *force = f + state.alpha * v;
+                }
+            }
+        }
+    };
+}
+
+hand!(f64s, f64);
+hand!(f32s, f32);

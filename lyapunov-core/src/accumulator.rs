@@ -1,0 +1,157 @@
+//! How an energy is summed over a year of ticks.
+
+use core::fmt::Debug;
+
+use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8};
+
+use crate::Scalar;
+
+/// A running sum of energies, J.
+pub trait Accumulator<T: Scalar>: Copy + Debug {
+    /// The empty sum.
+    fn zero() -> Self;
+
+    /// Adds `term`.
+    fn add(&mut self, term: T);
+
+    /// Adds `term`, then raises a negative sum towards zero by at most `room >= 0`; returns the sum between
+    /// the two.
+    fn add_and_raise(&mut self, term: T, room: T) -> T;
+
+    /// The sum, rounded to the port's scalar.
+    fn value(&self) -> T;
+}
+
+/// One number: fastest. In `f32` a sum of microjoules stops growing at 32 J.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plain<T> {
+    sum: T,
+}
+
+impl<T: Scalar> Accumulator<T> for Plain<T> {
+    #[inline]
+    fn zero() -> Self {
+        Self { sum: T::zero() }
+    }
+
+    #[inline]
+    fn add(&mut self, term: T) {
+        self.sum += term;
+    }
+
+    #[inline]
+    fn add_and_raise(&mut self, term: T, room: T) -> T {
+        // One addition, a minimum and a maximum are the shortest chain from tick to tick: the raised sum is
+        // built beside the sum, not from it, at the price of one more rounding.
+        let sum = self.sum + term;
+        self.sum = (self.sum + (term + room)).smaller(T::zero()).larger(sum);
+        sum
+    }
+
+    #[inline]
+    fn value(&self) -> T {
+        self.sum
+    }
+}
+
+/// Two numbers of the port's own scalar: the sum and the rounding errors it has made, by the error-free sum
+/// of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compensated<T> {
+    sum: T,
+    error: T,
+}
+
+impl<T: Scalar> Accumulator<T> for Compensated<T> {
+    #[inline]
+    fn zero() -> Self {
+        Self { sum: T::zero(), error: T::zero() }
+    }
+
+    #[inline]
+    fn add(&mut self, term: T) {
+        let sum = self.sum + term;
+        let share = sum - self.sum;
+        let error = (self.sum - (sum - share)) + (term - share);
+        self.sum = sum;
+        self.error += error;
+    }
+
+    #[inline]
+    fn add_and_raise(&mut self, term: T, room: T) -> T {
+        self.add(term);
+        let value = self.value();
+        let mut raised = *self;
+        raised.add(room);
+        let partly = (-value).above(room);
+        let owed = value.below(T::zero());
+        let pick = |raised, kept| T::choose(owed, T::choose(partly, raised, T::zero()), kept);
+        *self = Self { sum: pick(raised.sum, self.sum), error: pick(raised.error, self.error) };
+        value
+    }
+
+    #[inline]
+    fn value(&self) -> T {
+        self.sum + self.error
+    }
+}
+
+/// A scalar with a wider one beside it.
+pub trait Widen: Scalar {
+    /// The wider scalar, with as many lanes.
+    type Wide: Scalar;
+
+    /// The same number, wider.
+    fn widen(self) -> Self::Wide;
+
+    /// The nearest number that fits.
+    fn narrow(wide: Self::Wide) -> Self;
+}
+
+macro_rules! widen {
+    ($($narrow:ty => $wide:ty),+ $(,)?) => {$(
+        impl Widen for $narrow {
+            type Wide = $wide;
+
+            #[inline]
+            fn widen(self) -> $wide {
+                Scalar::from_lanes(|lane| self.lane(lane))
+            }
+
+            #[inline]
+            fn narrow(wide: $wide) -> Self {
+                Scalar::from_lanes(|lane| wide.lane(lane))
+            }
+        }
+    )+};
+}
+
+widen!(f32 => f64, AutoF32x4 => AutoF64x4, AutoF32x8 => AutoF64x8);
+
+/// One number wider than the port's: an `f64` sum under an `f32` port costs little and is as good as `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wide<T: Widen> {
+    sum: Plain<T::Wide>,
+}
+
+impl<T: Widen> Accumulator<T> for Wide<T> {
+    #[inline]
+    fn zero() -> Self {
+        Self { sum: Plain::zero() }
+    }
+
+    #[inline]
+    fn add(&mut self, term: T) {
+        self.sum.add(term.widen());
+    }
+
+    #[inline]
+    fn add_and_raise(&mut self, term: T, room: T) -> T {
+        T::narrow(self.sum.add_and_raise(term.widen(), room.widen()))
+    }
+
+    #[inline]
+    fn value(&self) -> T {
+        T::narrow(self.sum.value())
+    }
+}

@@ -1,0 +1,27 @@
+//! What a stabilizer did on one tick.
+
+use crate::{Mask, Scalar, Signal};
+
+/// What a stabilizer did on one tick: telemetry without strings.
+#[derive(Clone, Copy, Debug)]
+pub struct Action<V: Signal> {
+    /// The effort to command, correction included, N.
+    pub effort: V,
+    /// The observer sum `L(n)` before this tick's correction, J.
+    pub sum: V::Scalar,
+    /// The damping injected on this tick, N·s/m.
+    pub alpha: V::Scalar,
+    /// The debt that this tick's correction cannot serve, J; it stays in the sum.
+    pub shortfall: V::Scalar,
+    /// Where the sample was accepted; elsewhere the effort is zero.
+    pub accepted: <V::Scalar as Scalar>::Mask,
+}
+
+impl<V: Signal> Action<V> {
+    /// What a port without a stabilizer reports: `effort` as it is, and nothing done.
+    #[inline]
+    pub fn none(effort: V) -> Self {
+        let zero = V::Scalar::of(0.0);
+        Self { effort, sum: zero, alpha: zero, shortfall: zero, accepted: Mask::of(true) }
+    }
+}

@@ -1,0 +1,115 @@
+//! The function whose decrease an observer sums.
+
+use crate::{Drive, Scalar, Signal};
+
+/// A Lyapunov candidate `V`, known by what each drive lets it lose.
+///
+/// The observer sum of a candidate is `L(n) = Σ −ΔV`, in joules: what the port absorbed plus what the
+/// candidate credits. `L ≥ 0` is good, `L < 0` a debt. (The paper's equation 7 wants the sum of `V̇` not
+/// positive, its step 4 sums the negative of that and wants it not negative; this is step 4's sign. The
+/// paper's sums leave out the period; here it is always in, so that a sum is an energy.)
+///
+/// A candidate is a sum of terms, written as a tuple: `(PortEnergy, wall.dissipation())` is the paper's
+/// example 2. A term of one's own is one struct and one method:
+///
+/// ```
+/// use lyapunov_core::{Drive, LyapunovCandidate};
+/// /// The port's energy, with what quadratic drag must have burnt credited.
+/// struct Drag { coefficient: f64 } // N·s²/m²
+/// impl LyapunovCandidate<f64> for Drag {
+///     fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
+///         let v = drive.velocity;
+///         drive.work + self.coefficient * v.abs() * v * v * drive.period
+///     }
+/// }
+/// ```
+pub trait LyapunovCandidate<V: Signal> {
+    /// `−ΔV` over the drive, J: positive where the port absorbed or a damper burnt energy.
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar;
+}
+
+impl<V: Signal, C: LyapunovCandidate<V> + ?Sized> LyapunovCandidate<V> for &mut C {
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        (**self).decrease(drive)
+    }
+}
+
+impl<V: Signal, A, B> LyapunovCandidate<V> for (A, B)
+where
+    A: LyapunovCandidate<V>,
+    B: LyapunovCandidate<V>,
+{
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        self.0.decrease(drive) + self.1.decrease(drive)
+    }
+}
+
+impl<V: Signal, A, B, C> LyapunovCandidate<V> for (A, B, C)
+where
+    A: LyapunovCandidate<V>,
+    B: LyapunovCandidate<V>,
+    C: LyapunovCandidate<V>,
+{
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        self.0.decrease(drive) + self.1.decrease(drive) + self.2.decrease(drive)
+    }
+}
+
+/// The port's own energy, `−ΔV = Σ fᵢ Δxᵢ`: the candidate of the passivity observer, and of the paper's
+/// example 1 (equations 10 to 12), whose spring stores just what crosses its port.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PortEnergy;
+
+impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        drive.work.sum()
+    }
+}
+
+/// A candidate known as a function `V(position, velocity)`, summed by its differences.
+///
+/// `−ΔV = V(n−1) − V(n)`, which telescopes: the observer sum is `V(start) − V(n)` whatever the period,
+/// where a sum of `V̇ T` (the paper's equation 6) gathers a quadrature error on every tick. Where `V` is not
+/// finite the last finite value is kept, so that the next finite one spans the gap.
+///
+/// ```
+/// use lyapunov_core::{Drive, LyapunovCandidate, Storage};
+/// let spring = |x: f64, _v: f64| 0.5 * 100.0 * x * x;
+/// let mut candidate = Storage::starting(spring, 0.1, 0.0);
+/// let drive = Drive::new(1e-3, 0.0, -100.0, -0.1, 0.0);
+/// assert!((candidate.decrease(&drive) - 0.5).abs() < 1e-12);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Storage<F, T> {
+    function: F,
+    last: T,
+}
+
+impl<F, T: Scalar> Storage<F, T> {
+    /// `function` seen from the state the loop starts in.
+    pub fn starting<V: Signal<Scalar = T>>(function: F, position: V, velocity: V) -> Self
+    where
+        F: Fn(V, V) -> T,
+    {
+        let last = function(position, velocity);
+        Self { last: T::choose(last.finite(), last, T::zero()), function }
+    }
+}
+
+impl<V, F> LyapunovCandidate<V> for Storage<F, V::Scalar>
+where
+    V: Signal,
+    F: Fn(V, V) -> V::Scalar,
+{
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        let now = (self.function)(drive.position, drive.velocity);
+        let decrease = self.last - now;
+        self.last = V::Scalar::choose(now.finite(), now, self.last);
+        decrease
+    }
+}

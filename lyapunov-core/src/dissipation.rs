@@ -1,0 +1,77 @@
+//! What a damper must have burnt, as a term of a candidate.
+
+use crate::{Drive, LyapunovCandidate, Mask, ParameterError, Requirement, Scalar, Signal};
+
+/// When a term counts.
+pub trait Gate<V: Signal> {
+    /// Where the term counts for this drive.
+    fn open(&self, drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask;
+}
+
+/// The gate that is always open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Always;
+
+impl<V: Signal> Gate<V> for Always {
+    #[inline]
+    fn open(&self, _drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask {
+        Mask::of(true)
+    }
+}
+
+/// The gate that is open strictly beyond a surface: in contact with a one-sided wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beyond<T> {
+    /// Where the surface is, m.
+    pub position: T,
+}
+
+impl<T: Scalar> Gate<T> for Beyond<T> {
+    #[inline]
+    fn open(&self, drive: &Drive<T>) -> T::Mask {
+        drive.position.above(self.position)
+    }
+}
+
+/// The credit of a damper `b`: `b v² T` joules while its gate is open.
+///
+/// Gated by contact and given the wall's own damping it is the paper's example 2 (equations 15 to 18; the
+/// printed recursion has `b v̇²` where its derivation has `b v²`). Such a credit may be larger than what
+/// physically burns, and then a positive sum does not mean a stable loop. Open always and given the
+/// device's own viscous damping it is sound: over one tick `b ∫ v² dt ≥ b Δx² / T`, so with
+/// backward-difference velocity and no encoder the credit is a lower bound of what really burnt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dissipation<T, G = Always> {
+    damping: T,
+    gate: G,
+}
+
+impl<T: Scalar> Dissipation<T> {
+    /// The credit of a damper that always acts, in N·s/m.
+    ///
+    /// # Errors
+    /// `damping` below 0, infinite or NaN.
+    pub fn of(damping: T) -> Result<Self, ParameterError> {
+        Ok(Self { damping: Requirement::NonNegative.check("damping", damping)?, gate: Always })
+    }
+}
+
+impl<T: Copy, G> Dissipation<T, G> {
+    /// The damping that is credited, N·s/m.
+    pub fn damping(&self) -> T {
+        self.damping
+    }
+
+    /// The same credit, counted only while `gate` is open.
+    pub fn gated<H>(self, gate: H) -> Dissipation<T, H> {
+        Dissipation { damping: self.damping, gate }
+    }
+}
+
+impl<V: Signal, G: Gate<V>> LyapunovCandidate<V> for Dissipation<V::Scalar, G> {
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        let burnt = self.damping * (drive.velocity.pair(drive.velocity) * drive.period);
+        V::Scalar::choose(self.gate.open(drive), burnt, Scalar::of(0.0))
+    }
+}

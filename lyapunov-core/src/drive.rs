@@ -1,0 +1,65 @@
+//! What the other side of a port did since the last call.
+
+use crate::{Scalar, Signal};
+
+/// What the port's other side did since the last call, and the effort that really acted meanwhile.
+///
+/// The loop is closed by whoever owns the motors, and only there is it known what was measured and what
+/// force was really applied, after saturation, delay or an emergency stop. A drive carries that truth to
+/// every part of the loop, so that no part has to assume what became of its output.
+///
+/// A port carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
+/// Over one period under one held effort the work is `acted · displacement` exactly, axis by axis
+/// ([`Drive::new`]). Over several periods it is the sum of theirs ([`Drive::spanning`]), which is why it
+/// is a field: a round trip displaces nothing and still does work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive<V: Signal> {
+    /// Time since the last call, s.
+    pub period: V::Scalar,
+    /// Position now, m.
+    pub position: V,
+    /// Velocity now, m/s: the best estimate of whoever measures.
+    pub velocity: V,
+    /// Displacement since the last call, m.
+    pub displacement: V,
+    /// The effort that acted last, N.
+    pub acted: V,
+    /// Work that the acting efforts did since the last call, on each axis, J.
+    pub work: V,
+}
+
+impl<V: Signal> Drive<V> {
+    /// The drive of one period under one held effort: `work = acted · displacement`.
+    #[inline]
+    pub fn new(period: V::Scalar, position: V, velocity: V, displacement: V, acted: V) -> Self {
+        Self { period, position, velocity, displacement, acted, work: acted.times(displacement) }
+    }
+
+    /// The drive of the first tick: nothing has moved and nothing has acted yet.
+    #[inline]
+    pub fn starting(period: V::Scalar, position: V, velocity: V) -> Self {
+        Self::new(period, position, velocity, V::zero(), V::zero())
+    }
+
+    /// This drive preceded by `earlier`: the periods, displacements and works of both, the rest from now.
+    #[inline]
+    pub fn spanning(self, earlier: &Self) -> Self {
+        Self {
+            period: earlier.period + self.period,
+            displacement: earlier.displacement + self.displacement,
+            work: earlier.work + self.work,
+            ..self
+        }
+    }
+
+    /// Where every field is finite.
+    #[inline]
+    pub fn finite(&self) -> <V::Scalar as Scalar>::Mask {
+        self.period.finite()
+            & self.position.finite()
+            & self.velocity.finite()
+            & self.displacement.finite()
+            & self.acted.finite()
+            & self.work.finite()
+    }
+}

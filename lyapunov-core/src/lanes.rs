@@ -1,0 +1,130 @@
+//! Several rollouts in one number: simba's lane types as [`Scalar`]s.
+//!
+//! The `Auto` types are arrays that the compiler vectorises; the `Wide` types are written in the
+//! processor's own vectors. Both give each lane the bits of the scalar run.
+
+pub use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
+
+use simba::simd::{
+    AutoBoolx4, AutoBoolx8, SimdBool, SimdComplexField, SimdPartialOrd, SimdValue, WideBoolF32x8,
+    WideBoolF64x4,
+};
+
+use crate::{Mask, Scalar, Signal};
+
+macro_rules! mask {
+    ($($mask:ty, $like:ty);+ $(;)?) => {$(
+        impl Mask for $mask {
+            #[inline]
+            fn of(truth: bool) -> Self {
+                let one = <$like>::of(1.0);
+                if truth { (-one).below(one) } else { one.below(one) }
+            }
+
+            #[inline]
+            fn lane(self, index: usize) -> bool {
+                index < u64::BITS as usize && (self.bitmask() >> index) & 1 == 1
+            }
+
+            #[inline]
+            fn all(self) -> bool {
+                SimdBool::all(self)
+            }
+        }
+    )+};
+}
+
+macro_rules! lanes {
+    ($($lanes:ident of $count:literal $real:ident, mask $mask:ty);+ $(;)?) => {$(
+        impl Scalar for $lanes {
+            type Mask = $mask;
+
+            const LANES: usize = $count;
+
+            #[inline]
+            fn of(value: f64) -> Self {
+                <$lanes as SimdValue>::splat(value as $real)
+            }
+
+            #[inline]
+            fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
+                Self::from(core::array::from_fn::<$real, $count, _>(|lane| value(lane) as $real))
+            }
+
+            #[inline]
+            fn lane(self, index: usize) -> f64 {
+                if index < $count { self.extract(index).into() } else { f64::NAN }
+            }
+
+            #[inline]
+            fn tiny() -> Self {
+                <$lanes as SimdValue>::splat($real::MIN_POSITIVE)
+            }
+
+            #[inline]
+            fn least() -> Self {
+                <$lanes as SimdValue>::splat($real::from_bits(1))
+            }
+
+            #[inline]
+            fn largest() -> Self {
+                <$lanes as SimdValue>::splat($real::MAX)
+            }
+
+            #[inline]
+            fn epsilon() -> Self {
+                <$lanes as SimdValue>::splat($real::EPSILON)
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                SimdComplexField::simd_sqrt(self)
+            }
+
+            #[inline]
+            fn below(self, other: Self) -> $mask {
+                self.simd_lt(other)
+            }
+        }
+
+        impl Signal for $lanes {
+            type Scalar = $lanes;
+
+            #[inline]
+            fn splat(value: $lanes) -> Self {
+                value
+            }
+
+            #[inline]
+            fn zip(self, other: Self, mut f: impl FnMut($lanes, $lanes) -> $lanes) -> Self {
+                f(self, other)
+            }
+
+            #[inline]
+            fn sum(self) -> $lanes {
+                self
+            }
+
+            #[inline]
+            fn choose(mask: $mask, yes: Self, no: Self) -> Self {
+                yes.select(mask, no)
+            }
+        }
+    )+};
+}
+
+mask! {
+    AutoBoolx4, AutoF64x4;
+    AutoBoolx8, AutoF64x8;
+    WideBoolF64x4, WideF64x4;
+    WideBoolF32x8, WideF32x8;
+}
+
+lanes! {
+    AutoF32x4 of 4 f32, mask AutoBoolx4;
+    AutoF32x8 of 8 f32, mask AutoBoolx8;
+    AutoF64x4 of 4 f64, mask AutoBoolx4;
+    AutoF64x8 of 8 f64, mask AutoBoolx8;
+    WideF64x4 of 4 f64, mask WideBoolF64x4;
+    WideF32x8 of 8 f32, mask WideBoolF32x8;
+}

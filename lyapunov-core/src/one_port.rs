@@ -1,0 +1,40 @@
+//! Everything that stands at a port.
+
+use crate::{Action, Drive, Signal, Stabilized, Stabilizer};
+
+/// Something with one port: driven by a motion it responds with an effort (impedance causality).
+///
+/// A wall, a spring, a hold, a delay, a saturation, a stabilized port are all one-ports. What acts on a port
+/// owns it and is a one-port again, so they chain like iterator adaptors, innermost first.
+pub trait OnePort<V: Signal> {
+    /// The effort in answer to the drive, N, positive against motion into the environment.
+    fn respond(&mut self, drive: &Drive<V>) -> V;
+
+    /// What the stabilizer inside did on the last tick; an adaptor hands on that of the port it owns.
+    #[inline]
+    fn action(&self) -> Action<V> {
+        Action::none(V::zero())
+    }
+
+    /// This port watched and corrected by `stabilizer`, at the rate at which the result is called.
+    ///
+    /// One stabilizer per port: nested ones would serve the same debt twice.
+    fn stabilized<S: Stabilizer<V>>(self, stabilizer: S) -> Stabilized<Self, S, V>
+    where
+        Self: Sized,
+    {
+        Stabilized::new(self, stabilizer)
+    }
+}
+
+impl<V: Signal, P: OnePort<V> + ?Sized> OnePort<V> for &mut P {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        (**self).respond(drive)
+    }
+
+    #[inline]
+    fn action(&self) -> Action<V> {
+        (**self).action()
+    }
+}

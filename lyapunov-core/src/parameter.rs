@@ -1,0 +1,86 @@
+//! What a constructor refuses.
+
+use core::fmt;
+
+use crate::Scalar;
+
+/// A parameter that no block can be built with: its name, its value and what would be right.
+///
+/// ```
+/// use lyapunov_core::{ParameterError, Requirement};
+/// let refused: Result<f64, ParameterError> = Requirement::Positive.check("mass", -1.0);
+/// assert_eq!(refused.unwrap_err().to_string(), "mass is -1; it must be above 0 and finite");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterError {
+    /// The parameter's name.
+    pub parameter: &'static str,
+    /// The value that was given; of lanes, the first that is not right.
+    pub value: f64,
+    /// What the value must be.
+    pub requirement: Requirement,
+}
+
+/// What a parameter's value must be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Requirement {
+    /// Neither infinite nor NaN.
+    Finite,
+    /// Finite and above 0.
+    Positive,
+    /// Finite and not below 0.
+    NonNegative,
+    /// Not below 0; infinity means without a limit.
+    Limit,
+    /// Not above the given number.
+    AtMost(f64),
+    /// Such that what is computed from it stays within the range of the scalar.
+    InRange,
+}
+
+impl Requirement {
+    fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Finite => value.is_finite(),
+            Self::Positive => value.is_finite() && value > 0.0,
+            Self::NonNegative => value.is_finite() && value >= 0.0,
+            Self::Limit => value >= 0.0,
+            Self::AtMost(most) => value <= most,
+            Self::InRange => value.is_finite(),
+        }
+    }
+
+    /// `value` if every lane of it is right.
+    ///
+    /// # Errors
+    /// A [`ParameterError`] that names `parameter` and the first lane's value that is not right.
+    pub fn check<T: Scalar>(self, parameter: &'static str, value: T) -> Result<T, ParameterError> {
+        match (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(lane)) {
+            Some(value) => Err(ParameterError { parameter, value, requirement: self }),
+            None => Ok(value),
+        }
+    }
+}
+
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Finite => f.write_str("finite"),
+            Self::Positive => f.write_str("above 0 and finite"),
+            Self::NonNegative => f.write_str("at least 0 and finite"),
+            Self::Limit => f.write_str("at least 0 (infinity: no limit)"),
+            Self::AtMost(most) => write!(f, "at most {most}"),
+            Self::InRange => f.write_str("such that the result is within the range of the scalar"),
+        }
+    }
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { parameter, value, requirement } = self;
+        write!(f, "{parameter} is {value}; it must be {requirement}")
+    }
+}
+
+impl core::error::Error for ParameterError {}

@@ -1,0 +1,39 @@
+//! What a port is driven by.
+
+use crate::{Drive, Signal};
+
+/// The other side of the port: what moves, and is moved by the effort that acts.
+///
+/// The loop is two calls:
+///
+/// ```
+/// use lyapunov_core::{OnePort, Plant, Signal};
+/// fn run<V: Signal>(plant: &mut impl Plant<V>, port: &mut impl OnePort<V>, ticks: usize) {
+///     let mut drive = plant.start();
+///     for _ in 0..ticks {
+///         drive = plant.advance(port.respond(&drive));
+///     }
+/// }
+/// ```
+pub trait Plant<V: Signal> {
+    /// The drive of the first tick: where the plant stands, with nothing moved and nothing acted yet.
+    fn start(&self) -> Drive<V>;
+
+    /// Moves for one period under `effort`, held, and tells what happened.
+    ///
+    /// The effort is what the environment exerts against the plant: a positive one accelerates it
+    /// backwards, `m ẍ = … − effort`.
+    fn advance(&mut self, effort: V) -> Drive<V>;
+}
+
+impl<V: Signal, P: Plant<V> + ?Sized> Plant<V> for &mut P {
+    #[inline]
+    fn start(&self) -> Drive<V> {
+        (**self).start()
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        (**self).advance(effort)
+    }
+}

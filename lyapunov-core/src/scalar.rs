@@ -1,0 +1,224 @@
+//! The number a port is made of: one real value, or several lanes of them.
+
+use core::fmt::Debug;
+use core::ops::{AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, SubAssign};
+
+use num_traits::One;
+
+use crate::Signal;
+
+/// The outcome of comparing two [`Scalar`]s: `bool` for one value, a lane mask for several.
+///
+/// ```
+/// use lyapunov_core::{Mask, Scalar};
+/// let faster = 0.2_f64.above(0.1);
+/// assert!(faster.all() && !faster.lane(1));
+/// ```
+pub trait Mask:
+    Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// The same truth in every lane.
+    fn of(truth: bool) -> Self;
+
+    /// The truth of lane `index`; lanes past the last one are false.
+    fn lane(self, index: usize) -> bool;
+
+    /// Whether every lane is true.
+    fn all(self) -> bool;
+
+    /// Whether at least one lane is true.
+    fn any(self) -> bool {
+        !(!self).all()
+    }
+}
+
+/// The arithmetic a step may use, alike for `f32`, `f64` and lanes of either.
+///
+/// Everything reachable here is a correctly rounded IEEE 754 operation, a comparison or a choice, so a
+/// lane equals the scalar run bit for bit. Fused multiply-add, the library minimum and maximum and
+/// transcendental functions are left out because they do not: they belong to construction, which works
+/// lane by lane in `f64` through [`lane`](Self::lane) and [`from_lanes`](Self::from_lanes).
+///
+/// ```
+/// use lyapunov_core::Scalar;
+/// fn kinetic<T: Scalar>(mass: T, velocity: T) -> T {
+///     T::of(0.5) * mass * velocity * velocity
+/// }
+/// assert_eq!(kinetic(2.0_f32, 3.0), 9.0);
+/// ```
+pub trait Scalar:
+    Signal<Scalar = Self>
+    + One
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// What comparing two of these gives.
+    type Mask: Mask;
+
+    /// How many values travel together.
+    const LANES: usize;
+
+    /// `value` in every lane, rounded to the element type.
+    fn of(value: f64) -> Self {
+        Self::from_lanes(|_| value)
+    }
+
+    /// The scalar whose lane `i` is `value(i)`, rounded to the element type.
+    fn from_lanes(value: impl FnMut(usize) -> f64) -> Self;
+
+    /// Lane `index` as an `f64`; lanes past the last one are NaN.
+    fn lane(self, index: usize) -> f64;
+
+    /// The smallest positive normal number: the least `v² T` that a stabilizer divides by.
+    fn tiny() -> Self;
+
+    /// The smallest positive number.
+    fn least() -> Self;
+
+    /// The largest finite number.
+    fn largest() -> Self;
+
+    /// The distance from one to the next larger number.
+    fn epsilon() -> Self;
+
+    /// The square root, correctly rounded.
+    fn sqrt(self) -> Self;
+
+    /// Where `self < other`; false where either is NaN.
+    fn below(self, other: Self) -> Self::Mask;
+
+    /// Where `self > other`; false where either is NaN.
+    #[inline]
+    fn above(self, other: Self) -> Self::Mask {
+        other.below(self)
+    }
+
+    /// `self` where it is larger than `other`, else `other`: a NaN in `self` gives `other`.
+    #[inline]
+    fn larger(self, other: Self) -> Self {
+        Self::choose(self.above(other), self, other)
+    }
+
+    /// `self` where it is smaller than `other`, else `other`: a NaN in `self` gives `other`.
+    #[inline]
+    fn smaller(self, other: Self) -> Self {
+        Self::choose(self.below(other), self, other)
+    }
+
+    /// The magnitude.
+    #[inline]
+    fn magnitude(self) -> Self {
+        self.larger(-self)
+    }
+
+    /// The nearest whole number, ties away from zero.
+    #[inline]
+    fn rounded(self) -> Self {
+        // From 1 / epsilon on every number is whole, so adding it rounds, ties to even.
+        let whole = Self::one() / Self::epsilon();
+        let size = self.magnitude();
+        let even = (size + whole) - whole;
+        let not_tied_down = (size - even).below(Self::of(0.5));
+        let nearest = Self::choose(not_tied_down, even, even + Self::one());
+        let nearest = Self::choose(size.below(whole), nearest, size);
+        Self::choose(self.below(Self::zero()), -nearest, nearest)
+    }
+}
+
+impl Mask for bool {
+    #[inline]
+    fn of(truth: bool) -> Self {
+        truth
+    }
+
+    #[inline]
+    fn lane(self, index: usize) -> bool {
+        self && index == 0
+    }
+
+    #[inline]
+    fn all(self) -> bool {
+        self
+    }
+}
+
+macro_rules! real {
+    ($real:ident) => {
+        impl Scalar for $real {
+            type Mask = bool;
+
+            const LANES: usize = 1;
+
+            #[inline]
+            fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
+                value(0) as $real
+            }
+
+            #[inline]
+            fn lane(self, index: usize) -> f64 {
+                if index == 0 { self.into() } else { f64::NAN }
+            }
+
+            #[inline]
+            fn tiny() -> Self {
+                $real::MIN_POSITIVE
+            }
+
+            #[inline]
+            fn least() -> Self {
+                $real::from_bits(1)
+            }
+
+            #[inline]
+            fn largest() -> Self {
+                $real::MAX
+            }
+
+            #[inline]
+            fn epsilon() -> Self {
+                $real::EPSILON
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                num_traits::Float::sqrt(self)
+            }
+
+            #[inline]
+            fn below(self, other: Self) -> bool {
+                self < other
+            }
+        }
+
+        impl Signal for $real {
+            type Scalar = $real;
+
+            #[inline]
+            fn splat(value: $real) -> Self {
+                value
+            }
+
+            #[inline]
+            fn zip(self, other: Self, mut f: impl FnMut($real, $real) -> $real) -> Self {
+                f(self, other)
+            }
+
+            #[inline]
+            fn sum(self) -> $real {
+                self
+            }
+
+            #[inline]
+            fn choose(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+        }
+    };
+}
+
+real!(f32);
+real!(f64);

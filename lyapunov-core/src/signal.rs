@@ -1,0 +1,111 @@
+//! What can stand at a port: one axis, or several.
+
+use core::fmt::Debug;
+use core::ops::{Add, Sub};
+
+use nalgebra::SVector;
+use num_traits::Zero;
+
+use crate::Scalar;
+
+/// An effort, a flow, a position or a displacement at a port: every [`Scalar`], and nalgebra's
+/// `SVector<T, N>` of any scalar `T`.
+///
+/// ```
+/// use lyapunov_core::Signal;
+/// use nalgebra::Vector3;
+/// let (force, velocity) = (Vector3::new(1.0, 2.0, 0.0), Vector3::new(0.5, 0.25, 9.0));
+/// assert_eq!(force.pair(velocity), 1.0);
+/// ```
+pub trait Signal:
+    Copy + Debug + PartialEq + Zero + Add<Output = Self> + Sub<Output = Self> + 'static
+{
+    /// The number each axis is made of.
+    type Scalar: Scalar;
+
+    /// `value` on every axis.
+    fn splat(value: Self::Scalar) -> Self;
+
+    /// `f` of each axis of the two.
+    fn zip(self, other: Self, f: impl FnMut(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self;
+
+    /// The sum over the axes, first to last.
+    fn sum(self) -> Self::Scalar;
+
+    /// `yes` where `mask` is true, `no` elsewhere, on every axis. Both are evaluated.
+    fn choose(mask: <Self::Scalar as Scalar>::Mask, yes: Self, no: Self) -> Self;
+
+    /// `f` of each axis.
+    #[inline]
+    fn map(self, mut f: impl FnMut(Self::Scalar) -> Self::Scalar) -> Self {
+        self.zip(self, |axis, _| f(axis))
+    }
+
+    /// The products axis by axis: an effort times a displacement is the work on each axis, in joules.
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+
+    /// Every axis times `factor`.
+    #[inline]
+    fn scale(self, factor: Self::Scalar) -> Self {
+        self.map(|axis| axis * factor)
+    }
+
+    /// The power product `Σ aᵢ bᵢ`: effort paired with flow, in watts.
+    #[inline]
+    fn pair(self, other: Self) -> Self::Scalar {
+        self.times(other).sum()
+    }
+
+    /// Every axis limited to `±limit`; a NaN stays one.
+    #[inline]
+    fn limited(self, limit: Self::Scalar) -> Self {
+        let choose = <Self::Scalar as Signal>::choose;
+        self.map(|axis| {
+            let below = choose(limit.below(axis), limit, axis);
+            choose(axis.below(-limit), -limit, below)
+        })
+    }
+
+    /// Zero where every axis is finite, NaN elsewhere: added up, one comparison asks for several signals.
+    #[inline]
+    fn defect(self) -> Self::Scalar {
+        self.map(|axis| axis - axis).sum()
+    }
+
+    /// Where every axis is finite.
+    #[inline]
+    fn finite(self) -> <Self::Scalar as Scalar>::Mask {
+        self.defect().below(Self::Scalar::tiny())
+    }
+}
+
+impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
+    type Scalar = T;
+
+    #[inline]
+    fn splat(value: T) -> Self {
+        SVector::from_element(value)
+    }
+
+    #[inline]
+    fn zip(self, other: Self, f: impl FnMut(T, T) -> T) -> Self {
+        self.zip_map(&other, f)
+    }
+
+    #[inline]
+    fn sum(self) -> T {
+        let axes = &self.data.0[0];
+        match axes.split_first() {
+            Some((first, rest)) => rest.iter().fold(*first, |sum, axis| sum + *axis),
+            None => T::zero(),
+        }
+    }
+
+    #[inline]
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        yes.zip_map(&no, |a, b| T::choose(mask, a, b))
+    }
+}

@@ -1,0 +1,108 @@
+//! What the operator holds: one mass.
+
+use lyapunov_core::{Drive, ParameterError, Plant, Requirement, Scalar, Signal};
+use nalgebra::Matrix3;
+
+use crate::{Impedance, held_input};
+
+/// A mass with damping and a spring to a rest position, moved exactly over each period:
+/// `m ẍ + b ẋ + k (x − rest) = −effort`.
+///
+/// The effort is held over the period, so the motion is linear and known: `x += E₁₁ p + E₁₂ v + G₁ f` and
+/// `v += E₂₁ p + E₂₂ v + G₂ f` with `p = x − rest` and the increments of the matrix exponential, computed once
+/// ([`held_input`]). On several axes each moves like that. With `stiffness` and `rest` an operator's, mass and
+/// damping the operator's and the device's together, it is the left side of the paper's figure 2; that the two
+/// move as one is our reading, the paper does not say.
+#[derive(Clone, Copy, Debug)]
+pub struct Body<V: Signal> {
+    period: V::Scalar,
+    position_map: Row<V::Scalar>,
+    velocity_map: Row<V::Scalar>,
+    rest: V,
+    position: V,
+    velocity: V,
+}
+
+/// What one part of the state gains over a period, per unit of deflection, velocity and effort.
+#[derive(Clone, Copy, Debug)]
+struct Row<T> {
+    deflection: T,
+    velocity: T,
+    effort: T,
+}
+
+impl<T: Scalar> Row<T> {
+    fn defect(&self) -> T {
+        self.deflection.defect() + self.velocity.defect() + self.effort.defect()
+    }
+
+    fn gain<V: Signal<Scalar = T>>(&self, deflection: V, velocity: V, effort: V) -> V {
+        deflection.scale(self.deflection)
+            + velocity.scale(self.velocity)
+            + effort.scale(self.effort)
+    }
+}
+
+impl<V: Signal> Body<V> {
+    /// A body with its spring at rest at the origin, standing there, moved by `period` s at a time.
+    ///
+    /// # Errors
+    /// `mass` or `period` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass
+    /// so small against the rest that the motion is out of the scalar's range.
+    pub fn new(impedance: Impedance<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
+        let mass = Requirement::Positive.check("mass", impedance.mass)?;
+        let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
+        let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
+        let period = Requirement::Positive.check("period", period)?;
+        let map = |lane: usize| {
+            let (m, t) = (mass.lane(lane), period.lane(lane));
+            let (b, k) = (damping.lane(lane), stiffness.lane(lane));
+            held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
+        };
+        let row = |index: usize| {
+            let entry = |column| V::Scalar::from_lanes(|lane| map(lane)[(index, column)]);
+            Row { deflection: entry(0), velocity: entry(1), effort: entry(2) }
+        };
+        let (position_map, velocity_map) = (row(0), row(1));
+        let defect = position_map.defect() + velocity_map.defect();
+        if let Some(lane) = (0..V::Scalar::LANES).find(|&lane| defect.lane(lane).is_nan()) {
+            let requirement = Requirement::InRange;
+            return Err(ParameterError { parameter: "mass", value: mass.lane(lane), requirement });
+        }
+        Ok(Self {
+            period,
+            position_map,
+            velocity_map,
+            rest: V::zero(),
+            position: V::zero(),
+            velocity: V::zero(),
+        })
+    }
+
+    /// The same body with its spring at rest at `rest`, m.
+    pub fn resting_at(self, rest: V) -> Self {
+        Self { rest, ..self }
+    }
+
+    /// The same body at `position` m, moving at `velocity` m/s.
+    pub fn starting(self, position: V, velocity: V) -> Self {
+        Self { position, velocity, ..self }
+    }
+}
+
+impl<V: Signal> Plant<V> for Body<V> {
+    #[inline]
+    fn start(&self) -> Drive<V> {
+        Drive::starting(self.period, self.position, self.velocity)
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        let deflection = self.position - self.rest;
+        let before = self.position;
+        self.position = before + self.position_map.gain(deflection, self.velocity, effort);
+        self.velocity = self.velocity + self.velocity_map.gain(deflection, self.velocity, effort);
+        let displacement = self.position - before;
+        Drive::new(self.period, self.position, self.velocity, displacement, effort)
+    }
+}

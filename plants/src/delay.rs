@@ -1,0 +1,38 @@
+//! Computation and transport that take whole ticks.
+
+use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Signal};
+
+/// A port whose effort acts a number of calls late; before the first arrives nothing acts.
+///
+/// `f_act(n) = f(n − ticks)`, 0 for `n < ticks`. The number is a field within the capacity `N` of the type.
+#[derive(Clone, Copy, Debug)]
+pub struct Delay<P, V, const N: usize> {
+    port: P,
+    ticks: usize,
+    next: usize,
+    waiting: [V; N],
+}
+
+impl<P, V: Signal, const N: usize> Delay<P, V, N> {
+    pub(crate) fn new(port: P, ticks: usize) -> Result<Self, ParameterError> {
+        Requirement::AtMost(N as f64).check("delay ticks", ticks as f64)?;
+        Ok(Self { port, ticks, next: 0, waiting: [V::zero(); N] })
+    }
+}
+
+impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for Delay<P, V, N> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        let effort = self.port.respond(drive);
+        let Some(slot) = self.waiting[..self.ticks].get_mut(self.next) else {
+            return effort;
+        };
+        self.next = (self.next + 1) % self.ticks;
+        core::mem::replace(slot, effort)
+    }
+
+    #[inline]
+    fn action(&self) -> Action<V> {
+        self.port.action()
+    }
+}

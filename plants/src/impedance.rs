@@ -1,0 +1,39 @@
+//! Mass, damping and stiffness.
+
+use core::ops::Add;
+
+use lyapunov_core::{ParameterError, Requirement, Scalar};
+
+/// A mechanical impedance: what it takes to move something.
+///
+/// Two that are joined rigidly add up: an operator and a device as one mass are `operator + device`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impedance<T> {
+    /// kg.
+    pub mass: T,
+    /// N·s/m.
+    pub damping: T,
+    /// N/m.
+    pub stiffness: T,
+}
+
+impl<T: Scalar> Impedance<T> {
+    pub(crate) fn finite(self) -> Result<Self, ParameterError> {
+        Requirement::Finite.check("mass", self.mass)?;
+        Requirement::Finite.check("damping", self.damping)?;
+        Requirement::Finite.check("stiffness", self.stiffness)?;
+        Ok(self)
+    }
+}
+
+impl<T: Add<Output = T>> Add for Impedance<T> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            mass: self.mass + other.mass,
+            damping: self.damping + other.damping,
+            stiffness: self.stiffness + other.stiffness,
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! An actuator that can do so much and no more.
+
+use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+
+/// A port whose effort is clipped to `±force` on each axis; a NaN stays one.
+///
+/// The drive tells a stabilizer inside what was really applied, so nothing else is needed to book it right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Saturation<P, T> {
+    port: P,
+    force: T,
+}
+
+impl<P, T: Scalar> Saturation<P, T> {
+    pub(crate) fn new(port: P, force: T) -> Result<Self, ParameterError> {
+        Ok(Self { port, force: Requirement::Positive.check("saturation force", force)? })
+    }
+}
+
+impl<V: Signal, P: OnePort<V>> OnePort<V> for Saturation<P, V::Scalar> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        self.port.respond(drive).limited(self.force)
+    }
+
+    #[inline]
+    fn action(&self) -> Action<V> {
+        self.port.action()
+    }
+}

@@ -1,0 +1,33 @@
+//! The paper's example 1.
+
+use lyapunov_core::{Drive, OnePort, ParameterError, Requirement, Signal};
+
+/// A virtual spring, `f = k (x − position)`: the paper's example 1 (equation 9), two-sided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spring<V: Signal> {
+    stiffness: V::Scalar,
+    position: V,
+}
+
+impl<V: Signal> Spring<V> {
+    /// A spring of `stiffness` N/m, relaxed at the origin.
+    ///
+    /// # Errors
+    /// `stiffness` infinite or NaN; a negative one makes a spring that pushes away.
+    pub fn new(stiffness: V::Scalar) -> Result<Self, ParameterError> {
+        let stiffness = Requirement::Finite.check("stiffness", stiffness)?;
+        Ok(Self { stiffness, position: V::zero() })
+    }
+
+    /// The same spring, relaxed at `position`, m.
+    pub fn at(self, position: V) -> Self {
+        Self { position, ..self }
+    }
+}
+
+impl<V: Signal> OnePort<V> for Spring<V> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        (drive.position - self.position).scale(self.stiffness)
+    }
+}

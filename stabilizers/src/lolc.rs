@@ -1,0 +1,136 @@
+//! The Lyapunov observer/controller.
+
+use lyapunov_core::{
+    Accumulator, Action, Drive, Held, Ledger, LyapunovCandidate, Mask, Observer, Plain, Sampled,
+    Scalar, Signal, Stabilizer, Work,
+};
+
+use crate::DampingLimit;
+
+/// The Lyapunov observer/controller of Jafari, Etoundi and Chong.
+///
+/// `α(n) = min(−L(n) / (v(n)² T), limit)` where `L(n) < 0` and `v(n)² T` is above the smallest normal
+/// number, else 0; effort out is effort in plus `α(n) v(n)`. (The paper's steps 4 to 6 and its equations 13
+/// and 18, which leave out `T` and the limit.) The observer sum `L` is that of the candidate, the kind of
+/// work and the accumulator it is built with.
+///
+/// Served sum: `L + α v² T`. Served sum plus shortfall is never negative, and the served sum is never
+/// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
+/// few units in the last place, so that whoever recomputes this from the action finds it exactly.
+///
+/// Every choice is a select, so a step takes the same time whatever the data and runs on lanes. A sample
+/// whose effort, velocity or decrease is not finite gives a zero effort, and the action says so.
+///
+/// ```
+/// use lyapunov_core::{Dissipation, Drive, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Lolc};
+/// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T
+/// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper burns
+/// let mut lolc = Lolc::new(candidate, limit);
+/// let drive = Drive::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N acted over 0.1 mm: a debt of 0.2 mJ
+/// let action = lolc.stabilize(&drive, 0.5);
+/// assert!(action.sum < 0.0 && action.effort > 0.5 && action.shortfall == 0.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Lolc<T, C, W = Held, A = Plain<T>> {
+    observer: Observer<C, W, A>,
+    limit: DampingLimit<T>,
+}
+
+impl<T: Scalar, C> Lolc<T, C> {
+    /// A stabilizer that watches `candidate` over held work, summed in one number.
+    pub fn new(candidate: C, limit: DampingLimit<T>) -> Self {
+        Self { observer: Observer::of(candidate), limit }
+    }
+}
+
+impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
+    /// The same stabilizer over the paper's sampled work.
+    pub fn sampled(self) -> Lolc<T, C, Sampled, A> {
+        Lolc { observer: self.observer.booking(), limit: self.limit }
+    }
+
+    /// The same stabilizer with its energies summed in a `B`.
+    pub fn summed_in<B: Accumulator<T>>(self) -> Lolc<T, C, W, B> {
+        Lolc { observer: self.observer.booking(), limit: self.limit }
+    }
+}
+
+impl<V, C, W, A> Stabilizer<V> for Lolc<V::Scalar, C, W, A>
+where
+    V: Signal,
+    C: LyapunovCandidate<V>,
+    W: Work,
+    A: Accumulator<V::Scalar>,
+{
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        let before = self.observer.ledger;
+        let sample = Sample {
+            decrease: self.observer.decrease(drive, effort),
+            square: drive.velocity.pair(drive.velocity) * drive.period,
+            velocity: drive.velocity,
+            effort,
+        };
+        let action = self.correct(sample);
+        if action.accepted.all() { action } else { self.reject(before, sample, action.accepted) }
+    }
+}
+
+/// What one step works on.
+#[derive(Clone, Copy)]
+struct Sample<V: Signal> {
+    decrease: V::Scalar,
+    square: V::Scalar,
+    velocity: V,
+    effort: V,
+}
+
+impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
+    #[inline]
+    fn correct<V: Signal<Scalar = T>>(&mut self, sample: Sample<V>) -> Action<V> {
+        let Sample { decrease, square, velocity, effort } = sample;
+        let limit = self.limit.most();
+        let room = limit * T::choose(square.above(T::tiny()), square, T::zero());
+        let sum = self.observer.ledger.book(decrease, room);
+        let debt = (-sum).larger(T::zero());
+        let paid = debt.smaller(room);
+        let alpha = quotient_above(paid, square).smaller(limit);
+        let effort = effort + velocity.scale(alpha);
+        let accepted = ((sum + square).defect() + effort.defect()).below(T::tiny());
+        Action { effort, sum, alpha, shortfall: debt - paid, accepted }
+    }
+
+    /// The step again, with everything that is not sound left out.
+    ///
+    /// A way of its own, because in the step it would be five more choices on every tick for what hardly ever
+    /// happens; inlined, because a call would keep the sum and the action in memory instead of registers.
+    #[inline]
+    fn reject<V: Signal<Scalar = T>>(
+        &mut self,
+        before: Ledger<W, A>,
+        sample: Sample<V>,
+        accepted: T::Mask,
+    ) -> Action<V> {
+        let booked = accepted | before.fits(sample.decrease);
+        let sound = Sample {
+            decrease: T::choose(booked, sample.decrease, T::zero()),
+            square: T::choose(accepted, sample.square, T::zero()),
+            velocity: V::choose(accepted, sample.velocity, V::zero()),
+            effort: V::choose(accepted, sample.effort, V::zero()),
+        };
+        self.observer.ledger = before;
+        Action { accepted, ..self.correct(sound) }
+    }
+}
+
+/// `debt / square`, rounded up so that the product with `square` is never below `debt`, and 0 for no debt.
+#[inline]
+fn quotient_above<T: Scalar>(debt: T, square: T) -> T {
+    // The margin covers the rounding of the quotient, of the product and of v² T in any order; the least
+    // number keeps the divisor from 0, and covers quotients that are subnormal. Taken off the divisor, which
+    // is known before the debt, the margin costs no time on the way from effort to effort.
+    let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
+    debt / (square * margin + T::least()) + debt.smaller(T::least())
+}
