@@ -1,1 +1,38 @@
-//! Skeleton.
+//! Scene files, simulation and figures: what the command `lyapunov` is made of.
+//!
+//! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with anybody
+//! else's:
+//!
+//! ```
+//! use lyapunov::{Action, Drive, Stabilizer};
+//! use lyapunov_lab::{Rollout, Summary, paper};
+//!
+//! /// A damper that is always there, N·s/m.
+//! struct Damper(f64);
+//! impl Stabilizer<f64> for Damper {
+//!     fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
+//!         Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }
+//!     }
+//! }
+//!
+//! let scene = paper::Case::Popc8k.scene()?;
+//! let rows = Rollout::stabilized_by(&scene, Damper(5.0))?;
+//! println!("{}", Summary::of(&scene, rows));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod chart;
+mod csv;
+mod output;
+pub mod paper;
+mod port;
+mod rollout;
+pub mod scene;
+mod summary;
+
+pub use csv::{COLUMNS, Csv};
+pub use output::{Output, OutputError};
+pub use port::Port;
+pub use rollout::{Rollout, Row};
+pub use scene::Scene;
+pub use summary::Summary;

@@ -1,2 +1,11 @@
-//! Skeleton.
-fn main() {}
+//! The command `lyapunov`.
+
+mod commands;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    commands::Command::parse().run()
+}

@@ -1,0 +1,48 @@
+//! What can go wrong when a figure becomes a picture.
+
+use std::fmt;
+
+/// Why a figure could not be made into a PNG.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum ChartError {
+    /// The scale is not a positive finite number.
+    Scale {
+        /// The scale that was asked for, in pixels of the picture per unit of the drawing.
+        scale: f64,
+    },
+    /// The picture would have more pixels than [`MOST_PIXELS`](super::MOST_PIXELS).
+    TooLarge {
+        /// Width of the refused picture, in pixels.
+        width: f64,
+        /// Height of the refused picture, in pixels.
+        height: f64,
+    },
+    /// The rasteriser refused the drawing.
+    Drawing {
+        /// What the rasteriser said.
+        reason: String,
+    },
+    /// The pixels could not be encoded.
+    Encoding {
+        /// What the encoder said.
+        reason: String,
+    },
+}
+
+impl fmt::Display for ChartError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scale { scale } => {
+                write!(formatter, "scale {scale} is not a positive finite number")
+            }
+            Self::TooLarge { width, height } => {
+                write!(formatter, "a picture of {width} by {height} pixels is too large")
+            }
+            Self::Drawing { reason } => write!(formatter, "the drawing was refused: {reason}"),
+            Self::Encoding { reason } => write!(formatter, "the picture was not encoded: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for ChartError {}

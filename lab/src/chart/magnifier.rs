@@ -1,0 +1,195 @@
+//! A magnified part of a panel as it stands on the page.
+
+use super::axes::{self, Axes, Numbers, Side};
+use super::curve::Curve;
+use super::geometry::{Place, Rect};
+use super::inset::{Inset, Placement};
+use super::markup::Markup;
+use super::palette::{PAPER, Stroke};
+use super::panel::Panel;
+use super::reference;
+use super::span::Span;
+
+const SIZE: f64 = 9.5;
+const MARK: Stroke = Stroke::solid("#444444", 0.8);
+const CONNECTION: Stroke = Stroke::solid("#b0b0b0", 0.8);
+
+/// A magnified part of a panel as it stands on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Magnifier {
+    axes: Axes,
+    numbers: Numbers,
+    /// The frame with its numbers.
+    pub(super) outer: Rect,
+    /// The magnified range in the panel, if the panel shows it.
+    pub(super) mark: Option<Rect>,
+}
+
+/// Divides the room of a panel: its own axes, and the magnified part if it has one.
+pub(super) fn arrange(panel: &Panel, whole: Axes) -> (Axes, Option<Magnifier>) {
+    let ranges = panel.inset.and_then(|inset| ranges(panel, &inset, &whole));
+    let (Some(inset), Some((x, y))) = (panel.inset, ranges) else {
+        return (whole, None);
+    };
+    let has_room_beside = whole.area.width >= 200.0;
+    if inset.placement != Placement::Beside || !has_room_beside {
+        let (magnifier, hidden) = inside(panel, &whole, x, y);
+        if hidden == 0 || inset.placement == Placement::Inside || !has_room_beside {
+            return (whole, Some(magnifier));
+        }
+    }
+    let (main, magnifier) = beside(&whole, x, y);
+    (main, Some(magnifier))
+}
+
+fn ranges(panel: &Panel, inset: &Inset, whole: &Axes) -> Option<(Span, Span)> {
+    let x = Span::given(Some(inset.x_range))?;
+    let y = Span::given(inset.y_range).or_else(|| panel.data_span(x)).unwrap_or(whole.y);
+    Some((x, y))
+}
+
+/// The magnified part in the corner where it hides least, and how much it hides.
+fn inside(panel: &Panel, whole: &Axes, x: Span, y: Span) -> (Magnifier, usize) {
+    let curves = Curve::all(&panel.series, whole);
+    let room = whole.area.grown(-7.0);
+    let mark = mark(whole, x, y);
+    let mut best: Option<(Magnifier, usize)> = None;
+    for share in [0.48, 0.42, 0.36] {
+        let width = (share * room.width).max(120.0).min(room.width.max(30.0));
+        let height = (share * room.height).max(88.0).min(room.height.max(30.0));
+        let (right, bottom) = (room.right() - width, room.bottom() - height);
+        for (left, top) in
+            [(right, room.top), (right, bottom), (room.left, room.top), (room.left, bottom)]
+        {
+            let outer = Rect::new(left, top, width, height);
+            let mut hidden: usize = curves.iter().map(|curve| curve.pieces_within(&outer)).sum();
+            if mark.is_some_and(|mark| mark.grown(6.0).overlaps(&outer)) {
+                hidden += 100_000;
+            }
+            if best.as_ref().is_none_or(|(_, least)| hidden < *least) {
+                best = Some((within(outer, x, y, mark), hidden));
+            }
+        }
+    }
+    best.unwrap_or_else(|| (within(room, x, y, mark), usize::MAX))
+}
+
+fn within(outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> Magnifier {
+    let (above, below, right) = (7.0, SIZE + 8.0, 12.0);
+    let height = (outer.height - above - below).max(10.0);
+    let y_ticks = axes::y_ticks(y, height, SIZE);
+    let left = axes::widest(&y_ticks, SIZE) + 11.0;
+    let width = (outer.width - left - right).max(10.0);
+    let area = Rect::new(outer.left + left, outer.top + above, width, height);
+    Magnifier {
+        axes: Axes { area, x, y },
+        numbers: Numbers {
+            x: axes::x_ticks(x, width, SIZE),
+            y: y_ticks,
+            size: SIZE,
+            side: Side::Left,
+            halo: true,
+        },
+        outer,
+        mark,
+    }
+}
+
+/// The panel made narrower, and the magnified part to its right.
+fn beside(whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
+    const GAP: f64 = 40.0;
+    let y_ticks = axes::y_ticks(y, whole.area.height, SIZE);
+    let numbers_width = axes::widest(&y_ticks, SIZE) + 8.0;
+    let room = (whole.area.width - GAP - numbers_width).max(40.0);
+    let main = Axes { area: Rect { width: 0.6 * room, ..whole.area }, ..*whole };
+    let area = Rect { left: main.area.right() + GAP, width: 0.4 * room, ..whole.area };
+    let magnifier = Magnifier {
+        axes: Axes { area, x, y },
+        numbers: Numbers {
+            x: axes::x_ticks(x, area.width, SIZE),
+            y: y_ticks,
+            size: SIZE,
+            side: Side::Right,
+            halo: true,
+        },
+        outer: area,
+        mark: mark(&main, x, y),
+    };
+    (main, magnifier)
+}
+
+/// The magnified range on the page, large enough to be seen.
+fn mark(axes: &Axes, x: Span, y: Span) -> Option<Rect> {
+    const SMALLEST: f64 = 3.0;
+    let (left, bottom) = axes.place((x.low, y.low));
+    let (right, top) = axes.place((x.high, y.high));
+    let area = axes.area;
+    let mark = Rect::new(left, top, right - left, bottom - top);
+    if !mark.overlaps(&area) {
+        return None;
+    }
+    let (left, right) = (left.max(area.left), right.min(area.right()));
+    let (top, bottom) = (top.max(area.top), bottom.min(area.bottom()));
+    let widening = (0.5 * (SMALLEST - (right - left))).max(0.0);
+    let heightening = (0.5 * (SMALLEST - (bottom - top))).max(0.0);
+    Some(Rect::new(
+        left - widening,
+        top - heightening,
+        right - left + 2.0 * widening,
+        bottom - top + 2.0 * heightening,
+    ))
+}
+
+impl Magnifier {
+    /// Draws what leads the eye from the magnified range to the frame, beneath the curves.
+    pub(super) fn draw_connections(&self, markup: &mut Markup) {
+        markup.lines(&self.connections(), CONNECTION);
+    }
+
+    pub(super) fn draw(&self, markup: &mut Markup, panel: &Panel) {
+        if let Some(mark) = self.mark {
+            markup.outline(mark, MARK);
+        }
+        markup.area(self.outer, PAPER);
+        let hidden: Vec<(Place, Place)> = self
+            .connections()
+            .into_iter()
+            .filter_map(|(from, to)| self.outer.cut(from, to))
+            .collect();
+        markup.lines(&hidden, CONNECTION);
+        axes::draw_grid(markup, &self.axes, &self.numbers);
+        reference::draw_lines(markup, &panel.guides, &self.axes);
+        for curve in Curve::all(&panel.series, &self.axes) {
+            curve.draw(markup);
+        }
+        axes::draw_frame(markup, &self.axes, &self.numbers);
+        axes::draw_notes_inside(markup, &self.axes, &self.numbers);
+    }
+
+    fn connections(&self) -> Vec<(Place, Place)> {
+        self.mark.map(|mark| connections(mark, self.axes.area)).unwrap_or_default()
+    }
+}
+
+/// Lines between like corners of both rectangles, those that cross neither.
+fn connections(mark: Rect, frame: Rect) -> Vec<(Place, Place)> {
+    let starts_before = mark.left < frame.left;
+    let ends_before = mark.right() < frame.right();
+    let foot_is_lower = mark.bottom() > frame.bottom();
+    let head_is_lower = mark.top > frame.top;
+    let corners = [
+        (starts_before != foot_is_lower, (mark.left, mark.bottom()), (frame.left, frame.bottom())),
+        (starts_before == head_is_lower, (mark.left, mark.top), (frame.left, frame.top)),
+        (
+            ends_before == foot_is_lower,
+            (mark.right(), mark.bottom()),
+            (frame.right(), frame.bottom()),
+        ),
+        (ends_before != head_is_lower, (mark.right(), mark.top), (frame.right(), frame.top)),
+    ];
+    corners
+        .into_iter()
+        .filter(|(is_outermost, _, _)| *is_outermost)
+        .map(|(_, from, to)| (from, to))
+        .collect()
+}

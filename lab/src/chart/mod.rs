@@ -1,0 +1,57 @@
+//! Figures for print and screen: data in, SVG and PNG out.
+//!
+//! A [`Figure`] holds [`Panel`]s, a panel holds [`Series`], [`Guide`]s and at most one magnified
+//! [`Inset`]. The typeface is shipped along, so that a figure looks the same on every machine and
+//! needs neither fonts nor programs there. Curves of any length stay small: no more is written
+//! than the page can show.
+//!
+//! ```
+//! use lyapunov_lab::chart::{ChartError, Figure, Guide, Inset, Panel, Series};
+//!
+//! let swing: Vec<(f64, f64)> = (0..=2000)
+//!     .map(|tick| f64::from(tick) / 1000.0)
+//!     .map(|time| (time, 4.0 * (-2.0 * time).exp() * (40.0 * time).sin()))
+//!     .collect();
+//! let position = Panel::new("(a) position", "time, s", "position, mm")
+//!     .with_series(Series::line("measured", 0, swing))
+//!     .with_guide(Guide::horizontal(0.0, "wall surface"))
+//!     .with_inset(Inset::over(0.4, 0.6));
+//! let figure = Figure::new("Contact with a stiff wall").with_panel(position);
+//!
+//! let svg = figure.to_svg();
+//! let png = figure.to_png(2.0)?;
+//! # assert!(svg.starts_with("<svg") && png.starts_with(b"\x89PNG"));
+//! # Ok::<(), ChartError>(())
+//! ```
+
+mod axes;
+mod curve;
+mod error;
+mod figure;
+mod geometry;
+mod guide;
+mod inset;
+mod legend;
+mod magnifier;
+mod markup;
+mod page;
+mod palette;
+mod panel;
+mod raster;
+mod reference;
+mod series;
+mod span;
+#[cfg(test)]
+mod tests;
+mod text;
+mod thinning;
+mod ticks;
+
+pub use error::ChartError;
+pub use figure::Figure;
+pub use guide::{Direction, Guide};
+pub use inset::{Inset, Placement};
+pub use palette::PALETTE;
+pub use panel::Panel;
+pub use raster::MOST_PIXELS;
+pub use series::{Series, Trace};

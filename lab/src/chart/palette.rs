@@ -1,0 +1,61 @@
+//! Colours and dashes.
+
+use super::series::Series;
+
+/// Colours of the series, in the order of their index: those of Okabe and Ito that stand out on
+/// white, told apart with every common form of colour blindness.
+pub const PALETTE: [&str; 7] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
+
+/// Dash patterns, the first one solid.
+const DASHES: [&str; 4] = ["", "6 3", "2 2.5", "9 3 2 3"];
+
+pub(super) const INK: &str = "#222222";
+pub(super) const FAINT_INK: &str = "#555555";
+pub(super) const FRAME: &str = "#444444";
+pub(super) const GRID: &str = "#e4e4e4";
+pub(super) const PAPER: &str = "#ffffff";
+
+/// How a line is stroked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stroke {
+    pub(super) colour: &'static str,
+    pub(super) width: f64,
+    pub(super) dash: &'static str,
+}
+
+impl Stroke {
+    pub(super) const fn solid(colour: &'static str, width: f64) -> Self {
+        Self { colour, width, dash: DASHES[0] }
+    }
+
+    pub(super) const fn dashed(colour: &'static str, width: f64) -> Self {
+        Self { colour, width, dash: "5 3" }
+    }
+
+    pub(super) fn of(series: &Series) -> Self {
+        let round = series.colour / PALETTE.len() % DASHES.len();
+        Self {
+            colour: PALETTE[series.colour % PALETTE.len()],
+            width: 1.3,
+            dash: DASHES[(round + usize::from(series.dashed)) % DASHES.len()],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_index_has_a_look_of_its_own_until_colours_and_dashes_are_used_up() {
+        let looks: Vec<_> = (0..PALETTE.len() * DASHES.len())
+            .map(|colour| Stroke::of(&Series::line("", colour, Vec::new())))
+            .map(|stroke| (stroke.colour, stroke.dash))
+            .collect();
+        for (index, look) in looks.iter().enumerate() {
+            assert!(!looks[..index].contains(look), "{index}");
+        }
+        Stroke::of(&Series::line("", usize::MAX, Vec::new()));
+    }
+}

@@ -1,0 +1,95 @@
+//! `lyapunov run`.
+
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use lyapunov::{ParameterError, Scalar as Number};
+use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::{Csv, Output, OutputError, Rollout, Row, Summary};
+
+use super::End;
+
+/// Ticks between two looks at the clock and at interrupts.
+const BREATH: u64 = 1 << 16;
+
+/// Simulate a scene and say what it came to.
+#[derive(Args, Debug)]
+pub(crate) struct Run {
+    /// The scene file, TOML.
+    scene: PathBuf,
+    /// Write one row per servo tick to this file; `-` is standard output.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+}
+
+impl Run {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        let scene = Scene::load(&self.scene).map_err(End::input)?;
+        match &self.csv {
+            Some(path) if path == Path::new("-") => {
+                let mut csv = Csv::new(io::stdout().lock()).map_err(standard_output)?;
+                let summary = simulate(&scene, |row| csv.write(row).map_err(standard_output))?;
+                csv.into_inner().flush().map_err(standard_output)?;
+                eprintln!("{}: {summary}", self.scene.display());
+            }
+            Some(path) => {
+                let output = Output::create(path).map_err(End::input)?;
+                let refused = |error| End::input(OutputError::new(path, error));
+                let mut csv = Csv::new(output).map_err(refused)?;
+                let summary = simulate(&scene, |row| csv.write(row).map_err(refused))?;
+                csv.into_inner().keep().map_err(End::input)?;
+                self.tell(&summary)?;
+            }
+            None => self.tell(&simulate(&scene, |_| Ok(()))?)?,
+        }
+        Ok(())
+    }
+
+    fn tell(&self, summary: &Summary) -> Result<(), End> {
+        writeln!(io::stdout(), "{}: {summary}", self.scene.display()).map_err(standard_output)
+    }
+}
+
+fn standard_output(error: io::Error) -> End {
+    match error.kind() {
+        ErrorKind::BrokenPipe => End::Enough,
+        _ => End::input(OutputError::new(Path::new("standard output"), error)),
+    }
+}
+
+fn simulate(scene: &Scene, write: impl FnMut(&Row) -> Result<(), End>) -> Result<Summary, End> {
+    match scene.scalar {
+        Scalar::F64 => drain(scene, Rollout::<f64>::of(scene), write),
+        Scalar::F32 => drain(scene, Rollout::<f32>::of(scene), write),
+    }
+}
+
+fn drain<T: Number>(
+    scene: &Scene,
+    rollout: Result<Rollout<T>, ParameterError>,
+    mut write: impl FnMut(&Row) -> Result<(), End>,
+) -> Result<Summary, End> {
+    let bar = progress(scene.ticks());
+    let mut summary = Summary::new(scene);
+    for row in rollout.map_err(End::input)? {
+        if summary.rows.is_multiple_of(BREATH) {
+            End::if_interrupted()?;
+            bar.set_position(summary.rows);
+        }
+        write(&row)?;
+        summary.add(&row);
+    }
+    bar.finish_and_clear();
+    Ok(summary)
+}
+
+/// A bar for runs that take long enough to look at it; hidden where nobody looks.
+fn progress(ticks: u64) -> ProgressBar {
+    if ticks < 50 * BREATH {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
+    ProgressBar::new(ticks).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

@@ -1,0 +1,43 @@
+//! Rows as text that reads back exactly.
+
+use std::io::{self, Write};
+
+use crate::Row;
+
+/// The names of the columns.
+pub const COLUMNS: &str =
+    "t,x,x_measured,v,f_env,f_ctl,f_out,f_act,observer,alpha,shortfall,accepted";
+
+/// Writes rows as comma-separated values, the names of the columns first.
+#[derive(Debug)]
+pub struct Csv<W> {
+    writer: W,
+}
+
+impl<W: Write> Csv<W> {
+    /// Writes the names of the columns.
+    ///
+    /// # Errors
+    /// What the writer cannot take.
+    pub fn new(mut writer: W) -> io::Result<Self> {
+        writeln!(writer, "{COLUMNS}")?;
+        Ok(Self { writer })
+    }
+
+    /// Writes one row, each number with as many digits as it takes to read it back exactly.
+    ///
+    /// # Errors
+    /// What the writer cannot take.
+    pub fn write(&mut self, row: &Row) -> io::Result<()> {
+        for number in row.numbers() {
+            // The sum turns -0.0 into 0.0.
+            write!(self.writer, "{:?},", number + 0.0)?;
+        }
+        writeln!(self.writer, "{}", u8::from(row.accepted))
+    }
+
+    /// Hands back the writer.
+    pub fn into_inner(self) -> W {
+        self.writer
+    }
+}

@@ -1,0 +1,146 @@
+//! The rules between the values of a scene.
+
+use std::fmt;
+
+use super::{Scalar, Scene};
+
+/// The most ticks that one run may have.
+const MOST_TICKS: f64 = 1e9;
+
+/// How far servo_rate / environment_rate may lie from a whole number.
+const RATIO_TOLERANCE: f64 = 1e-9;
+
+/// Values of a scene that are each allowed but do not go together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Conflict {
+    key: String,
+    problem: String,
+    remedy: String,
+}
+
+impl Conflict {
+    /// The key whose value is to be changed, with its table path.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// What is wrong.
+    pub fn problem(&self) -> &str {
+        &self.problem
+    }
+
+    /// What would be right.
+    pub fn remedy(&self) -> &str {
+        &self.remedy
+    }
+}
+
+impl fmt::Display for Conflict {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}: {}", self.problem, self.remedy)
+    }
+}
+
+impl std::error::Error for Conflict {}
+
+impl Scene {
+    /// Checks the rules between values: the number of ticks, the ratio of the rates, and the range of f32 where the run
+    /// computes in it.
+    pub fn check(&self) -> Result<(), Conflict> {
+        self.check_ticks()?;
+        self.check_environment_rate()?;
+        self.check_scalar()
+    }
+
+    fn check_ticks(&self) -> Result<(), Conflict> {
+        let (duration, rate) = (self.duration.get(), self.servo_rate.get());
+        if !self.period().is_finite() {
+            return Err(Conflict {
+                key: "servo_rate".to_owned(),
+                problem: format!(
+                    "`servo_rate` = {rate:?} Hz is too small: its period 1 / servo_rate is infinite"
+                ),
+                remedy: "give a rate in Hz, for example `servo_rate = 1000.0`".to_owned(),
+            });
+        }
+        let ticks = (duration * rate).round();
+        if ticks <= MOST_TICKS {
+            return Ok(());
+        }
+        Err(Conflict {
+            key: "duration".to_owned(),
+            problem: format!(
+                "`duration` = {duration:?} s at `servo_rate` = {rate:?} Hz makes {ticks:e} ticks"
+            ),
+            remedy: format!(
+                "a run has at most 1e9 ticks: at this rate at most {:?} s",
+                MOST_TICKS / rate
+            ),
+        })
+    }
+
+    fn check_environment_rate(&self) -> Result<(), Conflict> {
+        let (servo, rate) = (self.servo_rate.get(), self.environment_rate());
+        let ratio = servo / rate;
+        let whole = ratio.round();
+        if ratio.is_finite() && whole >= 1.0 && (ratio - whole).abs() <= RATIO_TOLERANCE {
+            return Ok(());
+        }
+        let remedy = if ratio < 1.0 {
+            format!("it can be at most the servo rate, {servo:?} Hz")
+        } else if ratio.is_finite() {
+            let (fewer, more) = (ratio.floor(), ratio.ceil());
+            format!(
+                "the nearest rates that do are {:?} Hz (ratio {fewer}) and {:?} Hz (ratio {more})",
+                servo / fewer,
+                servo / more
+            )
+        } else {
+            format!("give a rate in Hz, for example `environment_rate = {servo:?}`")
+        };
+        Err(Conflict {
+            key: "environment_rate".to_owned(),
+            problem: format!(
+                "`environment_rate` = {rate:?} Hz does not divide `servo_rate` = {servo:?} Hz"
+            ),
+            remedy: format!(
+                "servo_rate / environment_rate is {ratio:?}, not a whole number of 1 or more; {remedy}"
+            ),
+        })
+    }
+
+    fn check_scalar(&self) -> Result<(), Conflict> {
+        if self.scalar != Scalar::F32 {
+            return Ok(());
+        }
+        // Walking the serialized form covers every number, also of tables that are added later.
+        let lost = toml::Value::try_from(self).ok().and_then(|scene| lost_in_f32(&scene, ""));
+        match lost {
+            None => Ok(()),
+            Some((key, value)) => Err(Conflict {
+                problem: format!("`{key}` = {value:?} is beyond the range of f32"),
+                remedy:
+                    "f32 holds sizes from 1e-45 to 3.4e38; take `scalar = \"f64\"` or another value"
+                        .to_owned(),
+                key,
+            }),
+        }
+    }
+}
+
+/// The first finite number that single precision would turn into 0 or infinity, with its key.
+fn lost_in_f32(value: &toml::Value, path: &str) -> Option<(String, f64)> {
+    match value {
+        toml::Value::Float(number) => {
+            let single = *number as f32;
+            let lost =
+                number.is_finite() && (single.is_infinite() || (single == 0.0) != (*number == 0.0));
+            lost.then(|| (path.to_owned(), *number))
+        }
+        toml::Value::Table(table) => table.iter().find_map(|(key, value)| {
+            let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+            lost_in_f32(value, &path)
+        }),
+        _ => None,
+    }
+}

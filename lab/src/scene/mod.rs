@@ -1,0 +1,135 @@
+//! Scene files: what is simulated, for how long and under which stabilizer, as TOML in SI units.
+//!
+//! [`Scene::load`] reads a file and [`Scene::parse`] a text; both give either a scene in which every rule holds, or one
+//! [`Diagnostic`] that names the key, its place, the value given and what would be right.
+//!
+//! The text is read in two steps. The `toml` crate turns it into a tree that knows the place of every key; a
+//! deserializer of this module's own then hands that tree to serde. The alternative, `toml::from_str`, reports a
+//! fault as a sentence in serde's words, from which key, value and remedy would have to be guessed back.
+//!
+//! A rule about one value lives in the type of that value ([`Positive`], [`NonNegative`], [`Finite`], [`Cap`],
+//! [`DelayTicks`]); the rules between values live in [`Scene::check`].
+//!
+//! ```
+//! use lyapunov_lab::scene::Scene;
+//!
+//! let text = "
+//! duration = 1.0
+//! servo_rate = 1000.0
+//! device.mass = 0.2
+//! environment.wall.stiffness = 8000.0
+//! ";
+//! let scene = Scene::parse(text, "wall.toml")?;
+//! assert_eq!(scene.ticks(), 1000);
+//!
+//! let fault = Scene::parse(&text.replace("stiffness", "stifness"), "wall.toml").unwrap_err();
+//! assert_eq!(fault.key(), Some("environment.wall.stifness"));
+//! assert_eq!(fault.line(), Some(5));
+//! assert!(fault.to_string().contains("did you mean `stiffness`?"));
+//! # Ok::<(), lyapunov_lab::scene::Diagnostic>(())
+//! ```
+
+mod check;
+mod choice;
+mod diagnostic;
+mod excerpt;
+mod explain;
+mod fault;
+mod keys;
+mod load;
+mod number;
+mod parts;
+mod quantity;
+mod reader;
+mod suggest;
+mod syntax;
+#[cfg(test)]
+mod tests;
+
+pub use check::Conflict;
+pub use diagnostic::Diagnostic;
+pub use parts::{
+    Candidate, Delay, Device, Effects, Encoder, Environment, Initial, Integrator, Lolc, Operator,
+    Popc, Saturation, Scalar, Stabilizer, Velocity, Wall, Work,
+};
+pub use quantity::{Cap, DelayTicks, Finite, NonNegative, OutOfRange, Positive};
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+/// One simulated run: two bodies that move as one, an environment at the port, at most one stabilizer, and the effects
+/// of the sampled loop.
+///
+/// [`Scene::parse`] and [`Scene::load`] give only scenes that pass [`Scene::check`]. Whoever changes a field afterwards
+/// calls it again before the derived quantities are used.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Simulated time in s, greater than 0; required.
+    pub duration: Positive,
+    /// Rate of the servo loop in Hz, greater than 0; required.
+    pub servo_rate: Positive,
+    /// Rate at which the environment is evaluated in Hz, the servo rate divided by a whole number; default: the servo
+    /// rate. [`Scene::environment_rate`] gives the rate with the default in place.
+    #[serde(default)]
+    pub environment_rate: Option<Positive>,
+    /// How the loop obtains the velocity; default: backward difference.
+    #[serde(default)]
+    pub velocity: Velocity,
+    /// Number type the run computes in; default: f64.
+    #[serde(default)]
+    pub scalar: Scalar,
+    /// How the plant moves between two ticks; default: exact.
+    #[serde(default)]
+    pub integrator: Integrator,
+    /// The operator's hand; default: all zero.
+    #[serde(default)]
+    pub operator: Operator,
+    /// The haptic device; required.
+    pub device: Device,
+    /// State of the plant at t = 0; default: at rest at 0.
+    #[serde(default)]
+    pub initial: Initial,
+    /// What the device touches, exactly one; required.
+    pub environment: Environment,
+    /// What keeps the loop bounded; default: none.
+    #[serde(default)]
+    pub stabilizer: Option<Stabilizer>,
+    /// Imperfections of the loop; default: none.
+    #[serde(default)]
+    pub effects: Effects,
+}
+
+impl Scene {
+    /// Reads a scene from TOML text; `name` stands for the text in messages, usually the path of its file.
+    pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
+        load::parse(text, name)
+    }
+
+    /// Reads a scene from a file of at most 1 MiB.
+    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+        load::load(path)
+    }
+
+    /// Number of the last tick, N = round(duration · servo_rate), from 0 to 1e9; the run has N + 1 ticks.
+    pub fn ticks(&self) -> u64 {
+        // The conversion saturates, so that a scene which was never checked cannot panic here.
+        (self.duration.get() * self.servo_rate.get()).round() as u64
+    }
+
+    /// Servo period T = 1 / servo_rate, in s.
+    pub fn period(&self) -> f64 {
+        self.servo_rate.get().recip()
+    }
+
+    /// Rate at which the environment is evaluated, in Hz, with its default in place.
+    pub fn environment_rate(&self) -> f64 {
+        self.environment_rate.unwrap_or(self.servo_rate).get()
+    }
+
+    /// Servo ticks from one evaluation of the environment to the next, r = servo_rate / environment_rate, at least 1.
+    pub fn environment_ratio(&self) -> u64 {
+        (self.servo_rate.get() / self.environment_rate()).round() as u64
+    }
+}

@@ -1,0 +1,30 @@
+//! The nearest of the known words.
+
+/// How alike two words must be, from 0 to 1, before one is offered for the other.
+const ALIKE: f64 = 0.5;
+
+/// The known word most like this one, if any is.
+pub(super) fn nearest(word: &str, known: &[&'static str]) -> Option<&'static str> {
+    // A word of a million letters is no misspelling, and comparing it would take a while.
+    if word.len() > 80 {
+        return None;
+    }
+    let word = plain(word);
+    known
+        .iter()
+        .map(|candidate| (likeness(&word, &plain(candidate)), *candidate))
+        .filter(|(likeness, _)| *likeness >= ALIKE)
+        .max_by(|(one, _), (other, _)| one.total_cmp(other))
+        .map(|(_, candidate)| candidate)
+}
+
+/// Without what people mix up: case, and the sign between the parts of a word.
+fn plain(word: &str) -> String {
+    word.to_lowercase().replace(['-', ' '], "_")
+}
+
+fn likeness(word: &str, candidate: &str) -> f64 {
+    let likeness = strsim::normalized_damerau_levenshtein(word, candidate);
+    let contained = word.len() >= 3 && (candidate.contains(word) || word.contains(candidate));
+    if contained { likeness.max(ALIKE) } else { likeness }
+}
