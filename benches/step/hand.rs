@@ -44,16 +44,6 @@ macro_rules! hand {
                 sum
             }
 
-            /// Zero where all is finite, else NaN.
-            #[inline(always)]
-            fn defect<const N: usize>(a: &[$real; N]) -> $real {
-                let mut defect = a[0] - a[0];
-                for i in 1..N {
-                    defect += a[i] - a[i];
-                }
-                defect
-            }
-
             /// α, the corrected effort and the rest, alike for both kinds of work; whether all of it is finite.
             #[inline(always)]
             fn correct<const N: usize>(
@@ -61,24 +51,23 @@ macro_rules! hand {
                 s: &Sample<$real, N>,
                 sum: $real,
                 square: $real,
-                room: $real,
+                most: $real,
                 out: &mut Out<N>,
             ) -> bool {
-                let debt = if -sum > 0.0 { -sum } else { 0.0 };
-                let paid = if debt < room { debt } else { room };
-                let divisor =
-                    if square > $real::MIN_POSITIVE { square } else { $real::MIN_POSITIVE };
-                let least = $real::from_bits(1);
-                let alpha = paid / (divisor * (1.0 - 4.0 * $real::EPSILON))
-                    + if paid < least { paid } else { least };
+                let debt = if sum < -0.0 { sum } else { -0.0 };
+                let paid = if debt > most { debt } else { most };
+                let margin = 1.0 - 4.0 * $real::EPSILON;
+                let alpha = paid / (square * -margin - $real::from_bits(1));
                 let alpha = if alpha < state.limit { alpha } else { state.limit };
+                let mut probe = sum + square;
                 for i in 0..N {
                     out.effort[i] = s.effort[i] + alpha * s.velocity[i];
+                    probe += out.effort[i];
                 }
                 out.sum = sum;
                 out.alpha = alpha;
-                out.shortfall = debt - paid;
-                out.accepted = defect(&[sum + square]) + defect(&out.effort) == 0.0;
+                out.shortfall = paid - debt;
+                out.accepted = probe.is_finite();
                 out.accepted
             }
 
@@ -100,13 +89,13 @@ macro_rules! hand {
                     let square = dot(&s.velocity, &s.velocity) * s.period;
                     let energy = dot(&s.effort, &s.velocity) * s.period + state.damping * square;
                     let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
-                    let room = state.limit * moving;
+                    let most = -state.limit * moving;
                     let before = state.sum;
                     let sum = before + energy;
-                    let raised = before + (energy + room);
+                    let raised = before + (energy - most);
                     let raised = if raised < 0.0 { raised } else { 0.0 };
                     state.sum = if raised > sum { raised } else { sum };
-                    if !correct(state, s, sum, square, room, out) {
+                    if !correct(state, s, sum, square, most, out) {
                         reject(state, before, out);
                     }
                 }
@@ -126,10 +115,10 @@ macro_rules! hand {
                     }
                     energy += state.damping * square;
                     let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
-                    let room = state.limit * moving;
+                    let most = -state.limit * moving;
                     let before = state.sum;
                     state.sum = before + energy;
-                    if !correct(state, s, state.sum, square, room, out) {
+                    if !correct(state, s, state.sum, square, most, out) {
                         reject(state, before, out);
                     }
                 }

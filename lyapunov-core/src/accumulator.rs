@@ -14,9 +14,9 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
     /// Adds `term`.
     fn add(&mut self, term: T);
 
-    /// Adds `term`, then raises a negative sum towards zero by at most `room >= 0`; returns the sum between
+    /// Adds `term`, then raises a negative sum towards zero by at most `-most >= 0`; returns the sum between
     /// the two.
-    fn add_and_raise(&mut self, term: T, room: T) -> T;
+    fn add_and_raise(&mut self, term: T, most: T) -> T;
 
     /// The sum, rounded to the port's scalar.
     fn value(&self) -> T;
@@ -40,11 +40,11 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
     }
 
     #[inline]
-    fn add_and_raise(&mut self, term: T, room: T) -> T {
-        // One addition, a minimum and a maximum are the shortest chain from tick to tick: the raised sum is
-        // built beside the sum, not from it, at the price of one more rounding.
+    fn add_and_raise(&mut self, term: T, most: T) -> T {
+        // An addition, a minimum and a maximum: the shortest chain from tick to tick, and the same time
+        // whatever the data. The raised sum is built beside the sum, not from it, for one more rounding.
         let sum = self.sum + term;
-        self.sum = (self.sum + (term + room)).smaller(T::zero()).larger(sum);
+        self.sum = (self.sum + (term - most)).smaller(T::zero()).larger(sum);
         sum
     }
 
@@ -78,12 +78,12 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
     }
 
     #[inline]
-    fn add_and_raise(&mut self, term: T, room: T) -> T {
+    fn add_and_raise(&mut self, term: T, most: T) -> T {
         self.add(term);
         let value = self.value();
         let mut raised = *self;
-        raised.add(room);
-        let partly = (-value).above(room);
+        raised.add(-most);
+        let partly = value.below(most);
         let owed = value.below(T::zero());
         let pick = |raised, kept| T::choose(owed, T::choose(partly, raised, T::zero()), kept);
         *self = Self { sum: pick(raised.sum, self.sum), error: pick(raised.error, self.error) };
@@ -146,8 +146,8 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
     }
 
     #[inline]
-    fn add_and_raise(&mut self, term: T, room: T) -> T {
-        T::narrow(self.sum.add_and_raise(term.widen(), room.widen()))
+    fn add_and_raise(&mut self, term: T, most: T) -> T {
+        T::narrow(self.sum.add_and_raise(term.widen(), most.widen()))
     }
 
     #[inline]

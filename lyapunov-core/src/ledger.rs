@@ -10,9 +10,9 @@ pub trait Work: Copy + Debug {
     /// The drive that the candidate's terms see, given the effort of the port behind the stabilizer.
     fn drive<V: Signal>(drive: &Drive<V>, effort: V) -> Drive<V>;
 
-    /// Books `decrease` joules and then a correction that removes at most `room` joules of a debt; returns
+    /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
     /// the sum between the two.
-    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, room: T) -> T;
+    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T;
 }
 
 /// The work that really crossed the port: the effort that acted times the displacement.
@@ -31,7 +31,7 @@ impl Work for Held {
     }
 
     #[inline]
-    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, _room: T) -> T {
+    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, _most: T) -> T {
         sum.add(decrease);
         sum.value()
     }
@@ -52,10 +52,10 @@ impl Work for Sampled {
     }
 
     #[inline]
-    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, room: T) -> T {
-        // What α burns is exactly the debt, or the room where that is less, so the sum is raised by it here
+    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T {
+        // What α burns is exactly the debt, or the most it can where that is less, so the sum is raised by it here
         // instead of carrying α and v² to the next tick: the division leaves the chain from tick to tick.
-        sum.add_and_raise(decrease, room)
+        sum.add_and_raise(decrease, most)
     }
 }
 
@@ -81,14 +81,14 @@ impl<W: Work, A> Ledger<W, A> {
         W::drive(drive, effort)
     }
 
-    /// Books `decrease` joules and then a correction that removes at most `room` joules of a debt; returns
+    /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
     /// the sum `L(n)` between the two.
     #[inline]
-    pub fn book<T: Scalar>(&mut self, decrease: T, room: T) -> T
+    pub fn book<T: Scalar>(&mut self, decrease: T, most: T) -> T
     where
         A: Accumulator<T>,
     {
-        W::book(&mut self.sum, decrease, room)
+        W::book(&mut self.sum, decrease, most)
     }
 
     /// Where `decrease` can be booked and leaves the sum finite.

@@ -216,6 +216,12 @@ macro_rules! real {
             fn choose(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }
+
+            #[inline]
+            fn finite(self) -> bool {
+                // Looks at the bits, in units of the processor that a step leaves idle.
+                self.is_finite()
+            }
         }
     };
 }

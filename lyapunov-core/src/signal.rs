@@ -69,16 +69,11 @@ pub trait Signal:
         })
     }
 
-    /// Zero where every axis is finite, NaN elsewhere: added up, one comparison asks for several signals.
-    #[inline]
-    fn defect(self) -> Self::Scalar {
-        self.map(|axis| axis - axis).sum()
-    }
-
     /// Where every axis is finite.
     #[inline]
     fn finite(self) -> <Self::Scalar as Scalar>::Mask {
-        self.defect().below(Self::Scalar::tiny())
+        // Zero times a finite number is zero, times anything else NaN, which is below nothing.
+        self.scale(Self::Scalar::zero()).sum().below(Self::Scalar::tiny())
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the operator holds: one mass.
 
-use lyapunov_core::{Drive, ParameterError, Plant, Requirement, Scalar, Signal};
+use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
 use nalgebra::Matrix3;
 
 use crate::{Impedance, held_input};
@@ -32,8 +32,8 @@ struct Row<T> {
 }
 
 impl<T: Scalar> Row<T> {
-    fn defect(&self) -> T {
-        self.deflection.defect() + self.velocity.defect() + self.effort.defect()
+    fn finite(&self) -> T::Mask {
+        self.deflection.finite() & self.velocity.finite() & self.effort.finite()
     }
 
     fn gain<V: Signal<Scalar = T>>(&self, deflection: V, velocity: V, effort: V) -> V {
@@ -64,8 +64,8 @@ impl<V: Signal> Body<V> {
             Row { deflection: entry(0), velocity: entry(1), effort: entry(2) }
         };
         let (position_map, velocity_map) = (row(0), row(1));
-        let defect = position_map.defect() + velocity_map.defect();
-        if let Some(lane) = (0..V::Scalar::LANES).find(|&lane| defect.lane(lane).is_nan()) {
+        let finite = position_map.finite() & velocity_map.finite();
+        if let Some(lane) = (0..V::Scalar::LANES).find(|&lane| !finite.lane(lane)) {
             let requirement = Requirement::InRange;
             return Err(ParameterError { parameter: "mass", value: mass.lane(lane), requirement });
         }

@@ -92,14 +92,19 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     fn correct<V: Signal<Scalar = T>>(&mut self, sample: Sample<V>) -> Action<V> {
         let Sample { decrease, square, velocity, effort } = sample;
         let limit = self.limit.most();
-        let room = limit * T::choose(square.above(T::tiny()), square, T::zero());
-        let sum = self.observer.ledger.book(decrease, room);
-        let debt = (-sum).larger(T::zero());
-        let paid = debt.smaller(room);
-        let alpha = quotient_above(paid, square).smaller(limit);
+        let moving = T::choose(square.above(T::tiny()), square, T::zero());
+        let most = -limit * moving;
+        let sum = self.observer.ledger.book(decrease, most);
+        // Debts are negative here, and -0 where there is none, which makes alpha +0.
+        let debt = sum.smaller(-T::zero());
+        let paid = debt.larger(most);
+        // The margin rounds alpha up: it covers the rounding of the quotient, of the product that a reader
+        // checks it by, and of v² T in any order. The least number keeps the divisor from 0.
+        let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
+        let alpha = (paid / (square * -margin - T::least())).smaller(limit);
         let effort = effort + velocity.scale(alpha);
-        let accepted = ((sum + square).defect() + effort.defect()).below(T::tiny());
-        Action { effort, sum, alpha, shortfall: debt - paid, accepted }
+        let accepted = (sum + square + effort.sum()).finite();
+        Action { effort, sum, alpha, shortfall: paid - debt, accepted }
     }
 
     /// The step again, with everything that is not sound left out.
@@ -123,14 +128,4 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         self.observer.ledger = before;
         Action { accepted, ..self.correct(sound) }
     }
-}
-
-/// `debt / square`, rounded up so that the product with `square` is never below `debt`, and 0 for no debt.
-#[inline]
-fn quotient_above<T: Scalar>(debt: T, square: T) -> T {
-    // The margin covers the rounding of the quotient, of the product and of v² T in any order; the least
-    // number keeps the divisor from 0, and covers quotients that are subnormal. Taken off the divisor, which
-    // is known before the debt, the margin costs no time on the way from effort to effort.
-    let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
-    debt / (square * margin + T::least()) + debt.smaller(T::least())
 }
