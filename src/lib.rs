@@ -5,7 +5,7 @@ pub use lyapunov_core::{
     Accumulator, Action, Always, Beyond, Compensated, Dissipation, Drive, Gate, Held, Ledger,
     LyapunovCandidate, Mask, Observer, OnePort, ParameterError, Plain, Plant, PortEnergy,
     Requirement, Sampled, Scalar, Signal, Stabilized, Stabilizer, Storage, Wide, Widen, Work,
-    lanes,
+    lanes, laws,
 };
 pub use lyapunov_plants::{
     Adapt, Body, Delay, Difference, Encoder, Fallback, Guard, Hold, Impedance, MassSpringDamper,

@@ -24,4 +24,15 @@ impl<V: Signal> Action<V> {
         let zero = V::Scalar::of(0.0);
         Self { effort, sum: zero, alpha: zero, shortfall: zero, accepted: Mask::of(true) }
     }
+
+    /// This action if its effort is finite; elsewhere a zero effort, not accepted.
+    #[inline]
+    pub fn checked(self) -> Self {
+        let finite = self.effort.finite();
+        Self {
+            effort: V::choose(finite, self.effort, V::zero()),
+            accepted: self.accepted & finite,
+            ..self
+        }
+    }
 }

@@ -7,6 +7,7 @@ mod candidate;
 mod dissipation;
 mod drive;
 pub mod lanes;
+pub mod laws;
 mod ledger;
 mod observer;
 mod one_port;

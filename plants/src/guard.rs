@@ -34,6 +34,7 @@ pub struct Guard<P, V: Signal> {
     period: V::Scalar,
     position: Option<V>,
     gap: Option<Gap<V>>,
+    rejected: bool,
 }
 
 /// What is known of the time since the last sound drive.
@@ -50,7 +51,15 @@ struct Gap<V: Signal> {
 impl<P, V: Signal> Guard<P, V> {
     pub(crate) fn new(port: P, fallback: Fallback) -> Self {
         let period = V::Scalar::of(0.0);
-        Self { port, fallback, effort: V::zero(), period, position: None, gap: None }
+        Self {
+            port,
+            fallback,
+            effort: V::zero(),
+            period,
+            position: None,
+            gap: None,
+            rejected: false,
+        }
     }
 
     fn answer(&self) -> V {
@@ -116,6 +125,7 @@ where
 {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
+        self.rejected = true;
         if !drive.finite() {
             self.note(drive);
             return self.answer();
@@ -130,6 +140,7 @@ where
         if !effort.finite() {
             return self.answer();
         }
+        self.rejected = false;
         self.effort = effort;
         effort
     }
@@ -137,9 +148,10 @@ where
     #[inline]
     fn action(&self) -> Action<V> {
         let action = self.port.action();
-        match self.gap {
-            Some(_) => Action { effort: self.answer(), accepted: false, ..action },
-            None => action,
+        if self.rejected {
+            Action { effort: self.answer(), accepted: false, ..action }
+        } else {
+            action
         }
     }
 }

@@ -1,0 +1,76 @@
+//! A stabilizer in one's own control loop, by plain calls: no scene, no port, no plant of ours.
+//!
+//! ```text
+//! encoder ── x ──▶ own controller ── force ──▶ stabilizer ── effort ──▶ amplifier
+//!                                                  ▲                       │
+//!                                                  └── force that acted ───┘
+//! ```
+
+use lyapunov::{DampingLimit, Dissipation, Drive, Lolc, ParameterError, PortEnergy, Stabilizer};
+
+const PERIOD: f64 = 1e-3; // s
+const MASS: f64 = 0.2; // kg: the least that moves with the device
+const DAMPING: f64 = 0.1; // N·s/m: the least viscous damping of the device
+const STRONGEST: f64 = 40.0; // N: what the amplifier can do
+
+fn main() -> Result<(), ParameterError> {
+    println!("largest swing in each half second, mm");
+    for (name, cap) in [("only observed", 0.0), ("stabilized", 0.5)] {
+        print!("{name:14}");
+        for swing in run(cap)? {
+            print!("{:9.3}", 1e3 * swing);
+        }
+        println!();
+    }
+    Ok(())
+}
+
+/// Four seconds of the loop.
+fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
+    let limit = DampingLimit::of_mass(damping_cap, MASS, PERIOD)?;
+    let mut stabilizer = Lolc::new((PortEnergy, Dissipation::of(DAMPING)?), limit);
+
+    let mut device = Device { position: 0.0, velocity: 0.02 };
+    let (mut last, mut acted) = (device.read(), 0.0);
+    let mut swings = [0.0; 8];
+    for tick in 0..4000 {
+        let position = device.read();
+        let displacement = position - last;
+        let velocity = displacement / PERIOD;
+        last = position;
+
+        // One's own controller: a spring to the origin, so stiff that at this rate it gives back more than it took.
+        let wanted = 5_000.0 * position;
+
+        // `acted` is what the amplifier did, not what it was told: the stabilizer has to know.
+        let drive = Drive::new(PERIOD, position, velocity, displacement, acted);
+        let action = stabilizer.stabilize(&drive, wanted);
+        acted = action.effort.clamp(-STRONGEST, STRONGEST);
+        device.push(acted);
+
+        let swing: &mut f64 = &mut swings[tick / 500];
+        *swing = swing.max(position.abs());
+    }
+    Ok(swings)
+}
+
+/// Stands for the hardware: a mass with some damping and an encoder of 1 µm.
+struct Device {
+    position: f64,
+    velocity: f64,
+}
+
+impl Device {
+    fn read(&self) -> f64 {
+        (self.position / 1e-6).round() * 1e-6
+    }
+
+    fn push(&mut self, force: f64) {
+        let steps = 100;
+        let step = PERIOD / f64::from(steps);
+        for _ in 0..steps {
+            self.velocity += step * (-DAMPING * self.velocity - force) / MASS;
+            self.position += step * self.velocity;
+        }
+    }
+}

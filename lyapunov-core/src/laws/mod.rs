@@ -1,0 +1,131 @@
+//! Laws that every part must keep, to be run on parts of one's own.
+//!
+//! The same functions check the parts of this workspace. Each drives a part through [`Samples`] (or any other
+//! samples) and answers with the first law that is broken, the tick and the number that broke it.
+//!
+//! ```
+//! use lyapunov_core::{Action, Drive, Stabilizer, laws};
+//! /// A damper that is always there.
+//! #[derive(Clone)]
+//! struct Damper(f64);
+//! impl Stabilizer<f64> for Damper {
+//!     fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
+//!         Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }.checked()
+//!     }
+//! }
+//! laws::stabilizer(&Damper(2.0), laws::Samples::new(1e-3))?;
+//! let broken = laws::stabilizer(&Damper(-2.0), laws::Samples::new(1e-3)).unwrap_err();
+//! assert_eq!(broken.law, laws::Law::NoNegativeDamping);
+//! # Ok::<(), laws::Violation>(())
+//! ```
+
+mod candidate;
+mod one_port;
+mod plant;
+mod samples;
+mod stabilizer;
+
+pub use candidate::candidate;
+pub use one_port::one_port;
+pub use plant::plant;
+pub use samples::Samples;
+pub use stabilizer::stabilizer;
+
+use core::fmt;
+
+use crate::{Mask, Scalar, Signal};
+
+/// What a part must keep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Law {
+    /// Finite numbers in give finite numbers out.
+    Finite,
+    /// Two copies that see the same do the same: all state is in the value.
+    Repeatable,
+    /// The damping and the shortfall told are not below 0.
+    NoNegativeDamping,
+    /// The correction feeds no power into the motion it sees: `(f_out − f_in) · v >= 0` up to rounding.
+    Opposes,
+    /// `L + α v² T + shortfall >= 0` up to rounding.
+    Served,
+    /// A sample that is not finite gives a finite effort and is told as not accepted.
+    Rejects,
+    /// After a sample that was not finite, what follows is finite again.
+    Recovers,
+    /// Where nothing moves and nothing acts, nothing is credited.
+    NothingForNothing,
+    /// The drive tells the motion: displacements lead from position to position, the work is the effort's over
+    /// them, and the effort told is the one applied.
+    TellsTheTruth,
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Finite => "finite numbers in must give finite numbers out",
+            Self::Repeatable => "two copies that see the same must do the same",
+            Self::NoNegativeDamping => "damping and shortfall must not be below 0",
+            Self::Opposes => "the correction must not feed power into the motion",
+            Self::Served => "sum, correction and shortfall together must not be below 0",
+            Self::Rejects => "a sample that is not finite must be rejected with a finite effort",
+            Self::Recovers => "after a sample that is not finite, the next must be finite again",
+            Self::NothingForNothing => "where nothing happens, nothing must be credited",
+            Self::TellsTheTruth => "the drive must tell what moved and what acted",
+        })
+    }
+}
+
+/// A law that a part breaks, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Violation {
+    /// The law.
+    pub law: Law,
+    /// The sample, counted from 0.
+    pub tick: usize,
+    /// The number that breaks it.
+    pub value: f64,
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "sample {}: {}, but {:e} was found", self.tick, self.law, self.value)
+    }
+}
+
+impl core::error::Error for Violation {}
+
+/// Collects what a law looks at on one tick.
+#[derive(Clone, Copy)]
+struct Tick(usize);
+
+impl Tick {
+    /// Breaks `law` where `kept` is false, telling that lane of `value`.
+    fn require<T: Scalar>(self, law: Law, kept: T::Mask, value: T) -> Result<(), Violation> {
+        match (0..T::LANES).find(|&lane| !kept.lane(lane)) {
+            Some(lane) => Err(Violation { law, tick: self.0, value: value.lane(lane) }),
+            None => Ok(()),
+        }
+    }
+
+    fn finite<V: Signal>(self, law: Law, signal: V) -> Result<(), Violation> {
+        self.require(law, signal.finite(), signal.sum())
+    }
+
+    /// Breaks `law` where `value` is below 0 by more than the rounding of terms as large as `size`.
+    fn not_below_zero<T: Scalar>(self, law: Law, value: T, size: T) -> Result<(), Violation> {
+        let rounding = T::of(16.0) * T::epsilon() * size + T::tiny();
+        self.require(law, !value.below(-rounding), value)
+    }
+
+    /// Breaks `law` where two signals that must be one differ; two NaN are alike.
+    fn same<V: Signal>(self, law: Law, one: V, other: V) -> Result<(), Violation> {
+        let apart = one.zip(other, |a, b| {
+            let zero = V::Scalar::of(0.0);
+            let alike = !(a.below(b) | b.below(a)) & !(a.finite() & !b.finite());
+            V::Scalar::choose(alike, zero, V::Scalar::of(1.0))
+        });
+        let zero = V::Scalar::of(0.0);
+        self.require(law, !zero.below(apart.sum()), (one - other).sum())
+    }
+}

@@ -1,0 +1,23 @@
+//! The laws of a one-port.
+
+use crate::laws::{Law, Tick, Violation};
+use crate::{Drive, OnePort, Signal};
+
+/// Checks that `port` keeps the laws [`Finite`](Law::Finite) and [`Repeatable`](Law::Repeatable) over the
+/// drives of `samples`.
+///
+/// # Errors
+/// The first law that is broken.
+pub fn one_port<V: Signal, P: OnePort<V> + Clone>(
+    port: &P,
+    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+) -> Result<(), Violation> {
+    let (mut one, mut other) = (port.clone(), port.clone());
+    for (tick, (drive, _)) in samples.into_iter().enumerate() {
+        let now = Tick(tick);
+        let effort = one.respond(&drive);
+        now.finite(Law::Finite, effort)?;
+        now.same(Law::Repeatable, effort, other.respond(&drive))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,30 @@
+//! The laws of a plant.
+
+use crate::laws::{Law, Tick, Violation};
+use crate::{Drive, Plant, Signal};
+
+/// Checks that `plant` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable) and
+/// [`TellsTheTruth`](Law::TellsTheTruth) under the efforts of `samples`.
+///
+/// # Errors
+/// The first law that is broken.
+pub fn plant<V: Signal, P: Plant<V> + Clone>(
+    plant: &P,
+    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+) -> Result<(), Violation> {
+    let (mut one, mut other) = (plant.clone(), plant.clone());
+    let mut last = one.start();
+    Tick(0).same(Law::TellsTheTruth, last.displacement, V::zero())?;
+    Tick(0).same(Law::TellsTheTruth, last.work, V::zero())?;
+    for (tick, (_, effort)) in samples.into_iter().enumerate() {
+        let now = Tick(tick);
+        let drive = one.advance(effort);
+        now.require(Law::Finite, drive.finite(), drive.position.sum())?;
+        now.same(Law::Repeatable, drive.position, other.advance(effort).position)?;
+        now.same(Law::TellsTheTruth, drive.acted, effort)?;
+        now.same(Law::TellsTheTruth, drive.displacement, drive.position - last.position)?;
+        now.same(Law::TellsTheTruth, drive.work, effort.times(drive.displacement))?;
+        last = drive;
+    }
+    Ok(())
+}

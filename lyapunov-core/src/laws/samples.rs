@@ -1,0 +1,64 @@
+//! What the laws drive a part through.
+
+use crate::{Drive, Scalar, Signal};
+
+/// How many samples there are.
+const COUNT: usize = 2000;
+
+/// Motions and efforts of many sizes: strokes to and fro, rests, and forces for and against them.
+///
+/// The same on every machine: the numbers come from splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
+#[derive(Clone, Copy, Debug)]
+pub struct Samples<V: Signal> {
+    period: V::Scalar,
+    position: V,
+    acted: V,
+    tick: usize,
+    seed: u64,
+}
+
+impl<V: Signal> Samples<V> {
+    /// Samples of a loop with this `period`, s.
+    pub fn new(period: V::Scalar) -> Self {
+        Self { period, position: V::zero(), acted: V::zero(), tick: 0, seed: 1 }
+    }
+
+    /// The same kind of samples with other numbers.
+    pub fn seeded(self, seed: u64) -> Self {
+        Self { seed, ..self }
+    }
+
+    /// Uniform in [-1, 1).
+    fn draw(&mut self) -> f64 {
+        self.seed = self.seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut bits = self.seed;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn signal(&mut self, size: f64) -> V {
+        V::zero().map(|_| V::Scalar::from_lanes(|_| size * self.draw()))
+    }
+}
+
+impl<V: Signal> Iterator for Samples<V> {
+    type Item = (Drive<V>, V);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.tick == COUNT {
+            return None;
+        }
+        // A hundred samples of one size, from micrometres and micronewtons to metres and meganewtons.
+        let size = [1e-6, 1.0, 1e-3, 1e2, 1e-1][self.tick / 100 % 5];
+        let resting = self.tick % 11 == 10;
+        let velocity = if resting { V::zero() } else { self.signal(size) };
+        let displacement = velocity.scale(self.period);
+        self.position = self.position + displacement;
+        let drive = Drive::new(self.period, self.position, velocity, displacement, self.acted);
+        let effort = self.signal(1e2 * size);
+        self.acted = effort;
+        self.tick += 1;
+        Some((drive, effort))
+    }
+}

@@ -1,0 +1,68 @@
+//! The laws of a stabilizer.
+
+use crate::laws::{Law, Tick, Violation};
+use crate::{Action, Drive, Scalar, Signal, Stabilizer};
+
+/// Checks that `stabilizer` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
+/// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
+/// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers) over `samples`.
+///
+/// # Errors
+/// The first law that is broken.
+pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
+    stabilizer: &S,
+    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+) -> Result<(), Violation> {
+    let (mut one, mut other) = (stabilizer.clone(), stabilizer.clone());
+    for (tick, (drive, effort)) in samples.into_iter().enumerate() {
+        let now = Tick(tick);
+        let action = one.stabilize(&drive, effort);
+        now.finite(Law::Finite, action.effort)?;
+        now.finite(Law::Finite, action.sum + action.alpha + action.shortfall)?;
+        now.require(Law::Finite, action.accepted, effort.sum())?;
+        keeps_its_word(now, &drive, effort, &action)?;
+
+        let again = other.stabilize(&drive, effort);
+        now.same(Law::Repeatable, action.effort, again.effort)?;
+        now.same(Law::Repeatable, action.sum, again.sum)?;
+        now.same(Law::Repeatable, action.alpha, again.alpha)?;
+
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            rejects(now, one.clone(), &drive, effort, V::Scalar::of(bad))?;
+        }
+    }
+    Ok(())
+}
+
+fn keeps_its_word<V: Signal>(
+    now: Tick,
+    drive: &Drive<V>,
+    effort: V,
+    action: &Action<V>,
+) -> Result<(), Violation> {
+    let zero = V::Scalar::of(0.0);
+    now.not_below_zero(Law::NoNegativeDamping, action.alpha, zero)?;
+    now.not_below_zero(Law::NoNegativeDamping, action.shortfall, zero)?;
+    let power = (action.effort - effort).pair(drive.velocity);
+    let size = action.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
+    now.not_below_zero(Law::Opposes, power, size.pair(drive.velocity.map(Scalar::magnitude)))?;
+    let burnt = action.alpha * (drive.velocity.pair(drive.velocity) * drive.period);
+    let served = action.sum + burnt + action.shortfall;
+    now.not_below_zero(Law::Served, served, action.sum.magnitude())
+}
+
+/// One bad sample, and then the same one sound.
+fn rejects<V: Signal>(
+    now: Tick,
+    mut stabilizer: impl Stabilizer<V>,
+    drive: &Drive<V>,
+    effort: V,
+    bad: V::Scalar,
+) -> Result<(), Violation> {
+    let rejected = stabilizer.stabilize(drive, V::splat(bad));
+    now.finite(Law::Rejects, rejected.effort)?;
+    now.require(Law::Rejects, !rejected.accepted, bad)?;
+    let accepted = stabilizer.stabilize(drive, effort);
+    now.finite(Law::Recovers, accepted.effort)?;
+    now.require(Law::Recovers, accepted.accepted, bad)
+}
