@@ -1,0 +1,170 @@
+//! The shipped laws: every part that ships keeps them, and a part that breaks one is told which.
+
+use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
+use lyapunov::laws::{self, Law, Samples};
+use lyapunov::{
+    Action, Adapt, Body, Compensated, DampingLimit, Dissipation, Drive, Fallback, Impedance, Lolc,
+    LyapunovCandidate, MassSpringDamper, OnePort, Plant, PortEnergy, Scalar, Signal, Spring,
+    Stabilizer, Storage, Wall,
+};
+use nalgebra::SVector;
+
+const PERIOD: f64 = 1e-3;
+
+fn limit<T: Scalar>(cap: f64) -> DampingLimit<T> {
+    DampingLimit::of_mass(T::of(cap), T::of(0.2), T::of(PERIOD)).expect("a limit")
+}
+
+fn stabilizers_keep_the_laws<V: Signal>(seed: u64) {
+    let of = V::Scalar::of;
+    let samples = Samples::<V>::new(of(PERIOD)).seeded(seed);
+    let damper = Dissipation::of(of(0.3)).expect("a damping");
+    for cap in [0.0, 0.5, f64::INFINITY] {
+        let popc = Lolc::new(PortEnergy, limit(cap));
+        let lolc = Lolc::new((PortEnergy, damper), limit(cap));
+        laws::stabilizer(&popc, samples).expect("POPC");
+        laws::stabilizer(&lolc, samples).expect("LOLC");
+        laws::stabilizer(&lolc.sampled(), samples).expect("LOLC, sampled work");
+        let compensated = lolc.summed_in::<Compensated<V::Scalar>>();
+        laws::stabilizer(&compensated, samples).expect("LOLC, compensated");
+        laws::stabilizer(&compensated.sampled(), samples).expect("LOLC, compensated, sampled");
+    }
+}
+
+#[test]
+fn the_stabilizers_that_ship_keep_the_laws() {
+    for seed in 0..20 {
+        stabilizers_keep_the_laws::<f64>(seed);
+        stabilizers_keep_the_laws::<f32>(seed);
+        stabilizers_keep_the_laws::<WideF64x4>(seed);
+        stabilizers_keep_the_laws::<AutoF32x8>(seed);
+        stabilizers_keep_the_laws::<SVector<f64, 3>>(seed);
+        stabilizers_keep_the_laws::<SVector<f32, 6>>(seed);
+        stabilizers_keep_the_laws::<SVector<AutoF64x4, 3>>(seed);
+    }
+}
+
+#[test]
+fn the_candidates_that_ship_keep_the_laws() {
+    let samples = Samples::<f64>::new(PERIOD);
+    let wall = Wall::new(8000.0, 2.0).expect("a wall").at(0.001);
+    let energy = |x: f64, v: f64| 0.5 * (50.0 * x * x + 0.3 * v * v);
+    laws::candidate(&PortEnergy, samples).expect("port energy");
+    laws::candidate(&(PortEnergy, wall.dissipation()), samples).expect("wall damping");
+    laws::candidate(&Storage::starting(energy, 0.0, 0.0), samples).expect("stored energy");
+}
+
+#[test]
+fn the_ports_and_plants_that_ship_keep_the_laws() {
+    let samples = Samples::<f64>::new(PERIOD);
+    let impedance = Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 };
+    let wall = Wall::new(8000.0, 2.0).expect("a wall");
+    let chain = wall
+        .held(10)
+        .and_then(|port| port.stabilized(Lolc::new(PortEnergy, limit(0.5))).saturated(8.0))
+        .and_then(|port| port.delayed::<4>(2))
+        .and_then(|port| port.differenced().encoded(1e-6))
+        .expect("a chain")
+        .guarded(Fallback::Zero);
+    laws::one_port(&Spring::new(100.0).expect("a spring"), samples).expect("spring");
+    laws::one_port(&MassSpringDamper::new(impedance).expect("one"), samples).expect("example 2");
+    laws::one_port(&wall, samples).expect("wall");
+    laws::one_port(&chain, samples).expect("chain");
+    laws::plant(&Body::<f64>::new(impedance, PERIOD).expect("a body"), samples).expect("body");
+}
+
+/// A stabilizer that does as it is told.
+#[derive(Clone)]
+struct Told<F>(F);
+
+impl<F: Fn(&Drive<f64>, f64) -> Action<f64>> Stabilizer<f64> for Told<F> {
+    fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
+        (self.0)(drive, effort)
+    }
+}
+
+fn broken(stabilize: impl Fn(&Drive<f64>, f64) -> Action<f64> + Clone) -> Law {
+    laws::stabilizer(&Told(stabilize), Samples::new(PERIOD)).expect_err("broken").law
+}
+
+#[test]
+fn each_law_of_a_stabilizer_catches_its_breach() {
+    let sound = |_: &Drive<f64>, effort| Action::none(effort).checked();
+    laws::stabilizer(&Told(sound), Samples::new(PERIOD)).expect("nothing is a stabilizer too");
+
+    assert_eq!(
+        broken(|_, f| Action { sum: f64::INFINITY, ..Action::none(f).checked() }),
+        Law::Finite
+    );
+    assert_eq!(
+        broken(|_, f| Action { alpha: -1.0, ..Action::none(f).checked() }),
+        Law::NoNegativeDamping
+    );
+    assert_eq!(broken(|d, f| Action::none(f - d.velocity).checked()), Law::Opposes);
+    assert_eq!(broken(|_, f| Action { sum: -1.0, ..Action::none(f).checked() }), Law::Served);
+    assert_eq!(broken(|_, f| Action::none(f)), Law::Rejects);
+}
+
+/// A stabilizer, candidate, port and plant with something wrong in its state.
+#[derive(Clone, Default)]
+struct Faulty<'a> {
+    sum: f64,
+    shared: Option<&'a std::cell::Cell<f64>>,
+}
+
+impl Stabilizer<f64> for Faulty<'_> {
+    fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
+        if let Some(shared) = self.shared {
+            shared.set(shared.get() + 1.0);
+            return Action::none(effort + shared.get() * drive.velocity).checked();
+        }
+        self.sum += effort;
+        let accepted = self.sum.is_finite();
+        Action { accepted, ..Action::none(if accepted { effort } else { 0.0 }) }
+    }
+}
+
+impl LyapunovCandidate<f64> for Faulty<'_> {
+    fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
+        self.sum += drive.work;
+        drive.work + drive.period * 1e-9
+    }
+}
+
+impl OnePort<f64> for Faulty<'_> {
+    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
+        1.0 / drive.velocity
+    }
+}
+
+impl Plant<f64> for Faulty<'_> {
+    fn start(&self) -> Drive<f64> {
+        Drive::starting(PERIOD, 0.0, 0.0)
+    }
+
+    fn advance(&mut self, effort: f64) -> Drive<f64> {
+        self.sum += 1e-6;
+        Drive::new(PERIOD, self.sum, 0.0, 0.0, effort)
+    }
+}
+
+#[test]
+fn what_is_wrong_in_the_state_is_caught() {
+    let samples = Samples::new(PERIOD);
+    let faulty = Faulty::default();
+    let shared = std::cell::Cell::new(0.0);
+    let sharing = Faulty { shared: Some(&shared), ..Faulty::default() };
+    let law = |result: Result<(), laws::Violation>| result.expect_err("broken").law;
+    assert_eq!(law(laws::stabilizer(&faulty, samples)), Law::Recovers);
+    assert_eq!(law(laws::stabilizer(&sharing, samples)), Law::Repeatable);
+    assert_eq!(law(laws::candidate(&faulty, samples)), Law::NothingForNothing);
+    assert_eq!(law(laws::one_port(&faulty, samples)), Law::Finite);
+    assert_eq!(law(laws::plant(&faulty, samples)), Law::TellsTheTruth);
+}
+
+#[test]
+fn a_violation_reads_well() {
+    let told = Told(|d: &Drive<f64>, f| Action::none(f - d.velocity).checked());
+    let violation = laws::stabilizer(&told, Samples::new(PERIOD)).expect_err("broken");
+    assert!(violation.to_string().starts_with("sample 0: the correction must not feed power"));
+}
