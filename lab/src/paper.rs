@@ -115,19 +115,19 @@ causes!(
 
 impl std::error::Error for PaperError {}
 
-/// The paper's figures 6 to 9 by name, each with the cases it is drawn from.
+/// The paper's figures 6 to 9 by name.
 ///
 /// # Errors
 /// None as long as the scene files that ship are right.
-pub fn figures() -> Result<[(&'static str, Figure, Vec<Case>); 4], PaperError> {
+pub fn figures() -> Result<[(&'static str, Figure); 4], PaperError> {
     let plain8k = Case::Plain8k.rows()?;
     let lolc8k = Case::Lolc8k.rows()?;
     let (popc50k, lolc50k) = (Case::Popc50k.rows()?, Case::Lolc50k.rows()?);
     Ok([
-        ("figure-6", figure_6(&plain8k), vec![Case::Plain8k]),
-        ("figure-7", figure_7(&lolc8k), vec![Case::Lolc8k]),
-        ("figure-8", figure_8(&popc50k, &lolc50k), vec![Case::Popc50k, Case::Lolc50k]),
-        ("figure-9", figure_9(&popc50k, &lolc50k), vec![Case::Popc50k, Case::Lolc50k]),
+        ("figure-6", figure_6(&plain8k)),
+        ("figure-7", figure_7(&lolc8k)),
+        ("figure-8", figure_8(&popc50k, &lolc50k)),
+        ("figure-9", figure_9(&popc50k, &lolc50k)),
     ])
 }
 
@@ -143,7 +143,7 @@ pub fn write(folder: &Path) -> Result<(), PaperError> {
         Ok(output.keep()?)
     };
     std::fs::create_dir_all(folder).map_err(|error| OutputError::new(folder, error))?;
-    for (name, figure, _) in figures()? {
+    for (name, figure) in figures()? {
         put(format!("{name}.svg"), figure.to_svg().as_bytes())?;
         put(format!("{name}.png"), &figure.to_png(2.0)?)?;
     }

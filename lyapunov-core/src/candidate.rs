@@ -9,8 +9,8 @@ use crate::{Drive, Scalar, Signal};
 /// positive, its step 4 sums the negative of that and wants it not negative; this is step 4's sign. The
 /// paper's sums leave out the period; here it is always in, so that a sum is an energy.)
 ///
-/// A candidate is a sum of terms, written as a tuple: `(PortEnergy, wall.dissipation())` is the paper's
-/// example 2. A term of one's own is one struct and one method:
+/// A candidate is a sum of terms, written as a tuple: `(PortEnergy, wall.dissipation())` is what the paper's
+/// example 2 prints in its step 4. A term of one's own is one struct and one method:
 ///
 /// ```
 /// use lyapunov_core::{Drive, LyapunovCandidate};

@@ -35,9 +35,9 @@ impl<T: Scalar> Gate<T> for Beyond<T> {
 
 /// The credit of a damper `b`: `b v² T` joules while its gate is open.
 ///
-/// Gated by contact and given the wall's own damping it is the paper's example 2 (equations 15 to 18; the
-/// printed recursion has `b v̇²` where its derivation has `b v²`). Such a credit may be larger than what
-/// physically burns, and then a positive sum does not mean a stable loop. Open always and given the
+/// Gated by contact and given the wall's own damping it is step 4 of the paper's example 2 (which prints `b v̇²`
+/// where its derivation has `b v²`). Such a credit is no decrease of an energy and may be larger than what
+/// physically burns; then a positive sum does not mean a stable loop. Open always and given the
 /// device's own viscous damping it is sound: over one tick `b ∫ v² dt ≥ b Δx² / T`, so with
 /// backward-difference velocity and no encoder the credit is a lower bound of what really burnt.
 #[derive(Clone, Copy, Debug, PartialEq)]

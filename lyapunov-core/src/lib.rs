@@ -1,4 +1,16 @@
-//! Scalars, ports, Lyapunov candidates, ledgers and the traits of a stabilized loop.
+//! The traits of a stabilized sampled loop, and the parts that every stabilizer is made of.
+//!
+//! A **port** carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
+//! A [`Plant`] moves and tells a [`Drive`]: what moved, and which effort really acted. A [`OnePort`] answers
+//! with the next effort. In between a [`Stabilizer`] watches an [`Observer`]: the sum of what a
+//! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. Everything is generic over the [`Scalar`] (`f32`,
+//! `f64`, [`lanes`] of either) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
+//! an allocator, and does not panic. [`laws`] checks parts of one's own.
+//!
+//! Only impedance causality is here: motion in, effort out. The names leave room for the other: what is said of
+//! a `Drive` and an effort would be said of a load and a flow.
+//!
+//! Not here: scheduling, clocks, threads, names of signals at run time, graphs of blocks. The caller calls.
 #![no_std]
 
 mod accumulator;

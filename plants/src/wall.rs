@@ -46,9 +46,8 @@ impl<T: Scalar> OnePort<T> for Wall<T> {
     fn respond(&mut self, drive: &Drive<T>) -> T {
         let depth = drive.position - self.position;
         let force = self.stiffness * depth + self.damper.damping() * drive.velocity;
-        let contact = depth.above(T::zero());
-        // A NaN must not pass for "no contact": it stays one, for a guard or a stabilizer to turn away.
-        let pushing = T::choose(force.below(T::zero()), T::zero(), force);
-        T::choose(contact, pushing, depth - depth)
+        // Asked this way round, a NaN does not pass for "no contact": it stays one, to be turned away.
+        let free = depth.below(T::least()) | force.below(T::zero());
+        T::choose(free, T::zero(), force)
     }
 }

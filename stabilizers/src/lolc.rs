@@ -16,10 +16,13 @@ use crate::DampingLimit;
 ///
 /// Served sum: `L + α v² T`. Served sum plus shortfall is never negative, and the served sum is never
 /// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
-/// few units in the last place, so that whoever recomputes this from the action finds it exactly.
+/// few units in the last place, so that whoever recomputes this as `α · ((v · v) · T)` finds it exactly, as
+/// long as `α` is a normal number.
 ///
-/// Every choice is a select, so a step takes the same time whatever the data and runs on lanes. A sample
-/// whose effort, velocity or decrease is not finite gives a zero effort, and the action says so.
+/// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
+/// code. A sample is rejected where its sum, `v² T` and corrected effort do not add up to a finite number: it
+/// gives a zero effort, the action says so, and the ledger books its decrease if that is finite, as the past it
+/// tells of did happen.
 ///
 /// ```
 /// use lyapunov_core::{Dissipation, Drive, PortEnergy, Stabilizer};
