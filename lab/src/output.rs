@@ -43,46 +43,55 @@ impl OutputError {
 
 impl fmt::Display for OutputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} cannot be written: {}", self.path.display(), self.source)?;
-        let remedy = match self.source.kind() {
-            io::ErrorKind::NotFound => "create the folder first, or name one that exists",
-            io::ErrorKind::IsADirectory => "give the name of a file, not of a folder",
-            io::ErrorKind::NotADirectory => "part of the path is a file; name a folder there",
-            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-                "choose a place that you may write to"
+        let path = self.path.display();
+        let (problem, remedy) = match self.source.kind() {
+            io::ErrorKind::NotFound => {
+                ("its folder is not there", "create the folder first, or name one that exists")
             }
-            io::ErrorKind::StorageFull => "free some space there, or choose another place",
-            _ => return Ok(()),
+            io::ErrorKind::IsADirectory => {
+                ("this is a folder", "give the name of a file, not of a folder")
+            }
+            io::ErrorKind::NotADirectory => {
+                ("part of the path is a file", "name a folder there, or another path")
+            }
+            io::ErrorKind::PermissionDenied => {
+                ("it may not be written", "choose a place that you may write to")
+            }
+            io::ErrorKind::ReadOnlyFilesystem => {
+                ("its place is read-only", "choose a place that you may write to")
+            }
+            io::ErrorKind::StorageFull => {
+                ("no space is left there", "free some space there, or choose another place")
+            }
+            _ => {
+                let remedy = "choose another name or another place";
+                return write!(f, "{path} cannot be written: {}\n  = {remedy}", self.source);
+            }
         };
-        write!(f, "\n  = {remedy}")
+        write!(f, "{path} cannot be written: {problem}\n  = {remedy}")
     }
 }
 
 impl std::error::Error for OutputError {}
 
 impl Output {
+    /// Whether what is at `path` is written to directly: it is there already and no regular file.
+    pub fn is_direct(path: &Path) -> bool {
+        fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
+    }
+
     /// Opens `path` for writing; nothing is there under that name until [`Output::keep`].
     ///
     /// # Errors
     /// A folder that is missing or not writable, or a folder under that name.
     pub fn create(path: &Path) -> Result<Self, OutputError> {
         let refuse = |source| OutputError::new(path, source);
-        let target = match fs::metadata(path) {
-            Ok(found) if found.is_dir() => {
-                return Err(refuse(io::ErrorKind::IsADirectory.into()));
-            }
-            Ok(found) if !found.is_file() => {
-                let file = File::options().write(true).open(path).map_err(refuse)?;
-                Target::Direct(BufWriter::new(file))
-            }
-            found => {
-                // Through a link, the file it points to is replaced, not the link.
-                let place = match found {
-                    Ok(_) => fs::canonicalize(path).map_err(refuse)?,
-                    Err(_) => path.to_owned(),
-                };
-                Target::Replace(BufWriter::new(beside(&place).map_err(refuse)?), place)
-            }
+        let target = if Self::is_direct(path) {
+            let file = File::options().write(true).open(path).map_err(refuse)?;
+            Target::Direct(BufWriter::new(file))
+        } else {
+            let place = resolved(path).map_err(refuse)?;
+            Target::Replace(BufWriter::new(beside(&place).map_err(refuse)?), place)
         };
         Ok(Self { path: path.to_owned(), target })
     }
@@ -112,17 +121,43 @@ impl Output {
     }
 }
 
-/// A file without a name of its own yet, in the folder of `place`, with the rights that a new file has.
-fn beside(place: &Path) -> io::Result<NamedTempFile> {
-    let folder = match place.parent() {
+/// Where the file is or will be: through a link, the file it points to is replaced, not the link.
+fn resolved(path: &Path) -> io::Result<PathBuf> {
+    // `new/` is a path without a file's name too, although its last part would pass for one.
+    let last = path.as_os_str().as_encoded_bytes().last().copied().map(char::from);
+    if path.is_dir() || last.is_some_and(std::path::is_separator) {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    match fs::canonicalize(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => match fs::read_link(path) {
+            // The system has followed the chain of links to its end already, so there is one.
+            Ok(target) => resolved(&folder_of(path).join(target)),
+            Err(_) => Ok(path.to_owned()),
+        },
+        found => found,
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    };
+    }
+}
+
+/// A file without a name of its own yet, in the folder of `place`, with the rights that a new file has.
+fn beside(place: &Path) -> io::Result<NamedTempFile> {
+    let folder = folder_of(place);
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lyapunov-");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    builder.tempfile_in(folder).map_err(|error| match error.kind() {
+        // Some folders of the system are there and take no files.
+        io::ErrorKind::NotFound if folder.is_dir() => io::ErrorKind::PermissionDenied.into(),
+        // The error names the file without a name, which means nothing to anybody.
+        kind => kind.into(),
+    })
 }
 
 impl Write for Output {

@@ -3,10 +3,15 @@
 use std::fmt;
 
 use crate::Row;
-use crate::scene::{Candidate, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Work};
+use crate::scene::{
+    Candidate, Cap, Effects, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
+};
 
 /// Settled means within this share of the starting swing about the equilibrium.
 const BAND: f64 = 0.05;
+
+/// Lengths and energies are told in thousandths of their units.
+const MILLI: f64 = 1e3;
 
 /// What a run came to, summed up row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +21,7 @@ pub struct Summary {
     pub rows: u64,
     /// The last row.
     pub last: Option<Row>,
-    /// Where the operator's spring and the environment balance, m; none where no spring pulls.
+    /// Where the operator's spring and the environment balance, m; none where no spring pulls, or only out of range.
     pub equilibrium: Option<f64>,
     /// Half the width of the band about the equilibrium that counts as settled, m.
     pub band: f64,
@@ -26,13 +31,14 @@ pub struct Summary {
     pub environment_peak: f64,
     /// Largest magnitude of the force that acted on the plant, N.
     pub acting_peak: f64,
-    /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J.
+    /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J; infinite from where
+    /// it leaves the range of f64.
     pub absorbed: f64,
     /// Least value of the observer sum, J.
     pub observer_least: f64,
     /// Largest value of the observer sum, J.
     pub observer_most: f64,
-    /// Energy that the controller set out to burn, `Σ α v² T`, J.
+    /// Energy that the controller set out to burn, `Σ α v² T`, J; infinite from where it leaves the range of f64.
     pub injected: f64,
     /// Largest debt that a tick could not serve, J.
     pub shortfall: f64,
@@ -43,13 +49,15 @@ pub struct Summary {
 impl Summary {
     /// The summary of no row yet.
     pub fn new(scene: &Scene) -> Self {
-        let equilibrium = equilibrium(scene);
+        let rest = equilibrium(scene).map(|rest| (rest, BAND * swing(scene, rest)));
+        let shown = |metres: f64| (MILLI * metres).is_finite();
+        let (equilibrium, band) = rest.filter(|(rest, band)| shown(*rest) && shown(*band)).unzip();
         Self {
             scene: *scene,
             rows: 0,
             last: None,
             equilibrium,
-            band: BAND * equilibrium.map_or(0.0, |rest| swing(scene, rest)),
+            band: band.unwrap_or_default(),
             settled: None,
             environment_peak: 0.0,
             acting_peak: 0.0,
@@ -72,7 +80,7 @@ impl Summary {
     /// Sums up one more row.
     pub fn add(&mut self, row: &Row) {
         if let Some(last) = self.last {
-            self.absorbed += last.f_act * (row.x - last.x);
+            self.absorbed = sum(self.absorbed, last.f_act, row.x - last.x);
         }
         let inside = self.equilibrium.is_some_and(|rest| (row.x - rest).abs() <= self.band);
         self.settled = if inside { self.settled.or(Some(row.t)) } else { None };
@@ -80,7 +88,7 @@ impl Summary {
         self.acting_peak = self.acting_peak.max(row.f_act.abs());
         self.observer_least = self.observer_least.min(row.observer);
         self.observer_most = self.observer_most.max(row.observer);
-        self.injected += row.f_ctl * row.v * self.scene.period();
+        self.injected = sum(self.injected, row.f_ctl, row.v * self.scene.period());
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
         self.rows += 1;
@@ -92,6 +100,12 @@ impl Summary {
         let complete = self.rows == self.scene.ticks() + 1;
         (!complete).then(|| self.last.map_or(0.0, |row| row.t))
     }
+}
+
+/// A sum of work with one more piece; once infinite it stays so, and it is never NaN.
+fn sum(total: f64, force: f64, way: f64) -> f64 {
+    // Two positions can lie so far apart that the way between them is infinite.
+    if total.is_finite() && force != 0.0 { total + force * way } else { total }
 }
 
 /// Where the operator's spring and a one-sided wall balance.
@@ -113,103 +127,176 @@ fn swing(scene: &Scene, rest: f64) -> f64 {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}", Described(&self.scene))?;
-        let millimetres = |metres: f64| Number(1e3 * metres);
-        match (self.left_range(), self.settled, self.equilibrium) {
-            (Some(time), ..) => writeln!(
-                f,
-                "  settled      no: the motion left the range of the scalar after t = {} s",
-                Number(time)
-            )?,
-            (None, Some(time), Some(rest)) => writeln!(
-                f,
-                "  settled      yes, from t = {} s on within {} mm of x = {} mm",
-                Number(time),
-                millimetres(self.band),
-                millimetres(rest)
-            )?,
-            (None, _, Some(rest)) => writeln!(
-                f,
-                "  settled      no: at the end not within {} mm of x = {} mm",
-                millimetres(self.band),
-                millimetres(rest)
-            )?,
-            (None, _, None) => writeln!(f, "  settled      no: no spring pulls it anywhere")?,
+        self.write_scene(f)?;
+        if let Some(time) = self.left_range() {
+            let scalar = if self.scene.scalar == Scalar::F32 { "f32" } else { "f64" };
+            match self.rows {
+                0 => write!(f, "\n  cut short    at t = 0 s, before the first row")?,
+                _ => write!(f, "\n  cut short    after t = {} s", given(time))?,
+            }
+            write!(f, ": the motion left the range of {scalar}")?;
         }
-        writeln!(
-            f,
-            "  peak force   {} N from the environment, {} N on the plant",
-            Number(self.environment_peak),
-            Number(self.acting_peak)
-        )?;
-        write!(f, "  energy       {} mJ into the port", Number(1e3 * self.absorbed))?;
-        if self.scene.stabilizer.is_none() {
-            return Ok(());
-        }
-        let share = 100.0 * self.active as f64 / self.rows.max(1) as f64;
-        let last = self.last.map_or(0.0, |row| row.observer);
-        writeln!(
-            f,
-            "; observer from {} to {} mJ, at the end {} mJ",
-            Number(1e3 * self.observer_least),
-            Number(1e3 * self.observer_most),
-            Number(1e3 * last)
-        )?;
+        self.write_settling(f)?;
         write!(
             f,
-            "  controller   active on {share:.1} % of ticks, {} mJ injected, shortfall up to {} mJ",
-            Number(1e3 * self.injected),
-            Number(1e3 * self.shortfall)
-        )
-    }
-}
-
-/// A number with four significant digits.
-struct Number(f64);
-
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = self.0.abs();
-        if size == 0.0 {
-            f.write_str("0")
-        } else if (1e-3..1e5).contains(&size) {
-            let decimals = (3 - size.log10().floor() as i32).clamp(0, 6) as usize;
-            write!(f, "{:.decimals$}", self.0)
-        } else {
-            write!(f, "{:.3e}", self.0)
+            "\n  peak force   {} N from the environment, {} N on the plant",
+            found(self.environment_peak),
+            found(self.acting_peak)
+        )?;
+        write!(f, "\n  energy       {} mJ into the port", found(MILLI * self.absorbed))?;
+        if self.absorbed < 0.0 {
+            f.write_str(": more came out than went in")?;
         }
+        if self.scene.stabilizer.is_some() { self.write_stabilizer(f) } else { Ok(()) }
     }
 }
 
-/// A scene in one line.
-struct Described<'a>(&'a Scene);
-
-impl fmt::Display for Described<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let scene = self.0;
+impl Summary {
+    /// The scene, as far as it is not the same for every scene.
+    fn write_scene(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scene = &self.scene;
         let Environment::Wall(wall) = scene.environment;
-        let number = |value: f64| Number(value).to_string();
-        write!(f, "{} s at {} Hz", scene.duration.get(), scene.servo_rate.get())?;
+        write!(
+            f,
+            "  run          {} s at {} Hz",
+            given(scene.duration.get()),
+            given(scene.servo_rate.get())
+        )?;
         if scene.environment_ratio() > 1 {
-            write!(f, " over {} Hz", scene.environment_rate())?;
+            write!(f, ", environment at {} Hz", given(scene.environment_rate()))?;
         }
-        write!(f, ", wall {} N/m", wall.stiffness.get())?;
-        write!(f, " {} N.s/m", number(wall.damping.get()))?;
-        let work = |work| if work == Work::Held { "held" } else { "sampled" };
+        if scene.velocity == Velocity::Exact {
+            f.write_str(", exact velocity")?;
+        }
+        if scene.scalar == Scalar::F32 {
+            f.write_str(", in f32")?;
+        }
+        let (stiffness, damping) = (given(wall.stiffness.get()), given(wall.damping.get()));
+        write!(f, "\n  wall         {stiffness} N/m, {damping} N.s/m")?;
         match scene.stabilizer {
-            None => write!(f, ", no stabilizer")?,
-            Some(Stabilizer::Popc(Popc { work: kind, damping_cap })) => {
-                write!(f, ", POPC ({} work, cap {})", work(kind), damping_cap.get())?;
+            None => f.write_str("\n  stabilizer   none")?,
+            Some(Stabilizer::Popc(Popc { work, damping_cap })) => {
+                write!(f, "\n  stabilizer   POPC: {}", Booking(work, damping_cap))?;
             }
-            Some(Stabilizer::Lolc(Lolc { work: kind, candidate, damping_cap })) => {
+            Some(Stabilizer::Lolc(Lolc { work, candidate, damping_cap })) => {
                 let candidate = match candidate {
                     Candidate::MassSpringDamper => "mass-spring-damper",
                     Candidate::DeviceDamping => "device-damping",
                     Candidate::Spring => "spring",
                 };
-                write!(f, ", LOLC ({candidate}, {} work, cap {})", work(kind), damping_cap.get())?;
+                let booking = Booking(work, damping_cap);
+                write!(f, "\n  stabilizer   LOLC: {candidate}, {booking}")?;
             }
         }
-        if scene.scalar == Scalar::F32 { f.write_str(", f32") } else { Ok(()) }
+        write_effects(&scene.effects, f)
     }
+
+    fn write_settling(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("\n  settled      ")?;
+        let millimetres = |metres: f64| found(MILLI * metres);
+        let (rest, last) = match (self.equilibrium, self.last, self.left_range()) {
+            (_, None, _) | (_, _, Some(_)) => return f.write_str("no"),
+            (None, ..) if self.scene.operator.stiffness.get() == 0.0 => {
+                return f
+                    .write_str("no: without an operator's spring there is no place to settle at");
+            }
+            (None, ..) => return f.write_str("no: the place to settle at is out of range"),
+            (Some(rest), Some(last), None) => (rest, last),
+        };
+        let (band, place) = (millimetres(self.band), millimetres(rest));
+        match self.settled {
+            Some(time) => {
+                write!(f, "yes: from t = {} s on within {band} mm of x = {place} mm", given(time))
+            }
+            None => {
+                let away = millimetres((last.x - rest).abs());
+                write!(f, "no: at the end {away} mm from x = {place} mm, not within {band} mm")
+            }
+        }
+    }
+
+    fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let share = 100.0 * self.active as f64 / self.rows.max(1) as f64;
+        let last = self.last.map_or(0.0, |row| row.observer);
+        write!(
+            f,
+            "\n  observer     from {} to {} mJ, at the end {} mJ",
+            found(MILLI * self.observer_least),
+            found(MILLI * self.observer_most),
+            found(MILLI * last)
+        )?;
+        write!(
+            f,
+            "\n  controller   active on {share:.1} % of ticks, {} mJ injected, shortfall up to {} mJ",
+            found(MILLI * self.injected),
+            found(MILLI * self.shortfall)
+        )
+    }
+}
+
+fn write_effects(effects: &Effects, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let effects: Vec<String> = [
+        effects.encoder.map(|it| format!("encoder {} m", given(it.resolution.get()))),
+        effects.delay.map(|it| format!("delay {} ticks", it.ticks.get())),
+        effects.saturation.map(|it| format!("saturation {} N", given(it.force.get()))),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    if effects.is_empty() { Ok(()) } else { write!(f, "\n  effects      {}", effects.join(", ")) }
+}
+
+/// How a stabilizer books work, and how much it may inject.
+struct Booking(Work, Cap);
+
+impl fmt::Display for Booking {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let work = if self.0 == Work::Held { "held" } else { "sampled" };
+        let cap = self.1.get();
+        if cap.is_infinite() {
+            write!(f, "{work} work, no damping cap")
+        } else {
+            write!(f, "{work} work, damping cap {} m / T", given(cap))
+        }
+    }
+}
+
+/// A number that was computed: four digits tell all that matters.
+fn found(value: f64) -> Number {
+    Number { value, digits: 4 }
+}
+
+/// A number from the scene, or a time: close to what was written there, and still short.
+fn given(value: f64) -> Number {
+    Number { value, digits: 9 }
+}
+
+/// A number rounded to some significant digits, whole parts to no fewer than they have, without final zeros.
+struct Number {
+    value: f64,
+    digits: usize,
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (value, size) = (self.value, self.value.abs());
+        if size.is_infinite() {
+            f.write_str(if value > 0.0 { "over 1.797e308" } else { "under -1.797e308" })
+        } else if size == 0.0 {
+            f.write_str("0")
+        } else if (1e-3..1e6).contains(&size) {
+            let decimals = (self.digits as i32 - 1 - size.log10().floor() as i32).max(0) as usize;
+            f.write_str(trimmed(&format!("{value:.decimals$}")))
+        } else {
+            let decimals = self.digits - 1;
+            let text = format!("{value:.decimals$e}");
+            let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            write!(f, "{}e{exponent}", trimmed(digits))
+        }
+    }
+}
+
+/// Without the zeros at the end of a fraction.
+fn trimmed(number: &str) -> &str {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
 }

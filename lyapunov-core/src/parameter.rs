@@ -9,7 +9,7 @@ use crate::Scalar;
 /// ```
 /// use lyapunov_core::{ParameterError, Requirement};
 /// let refused: Result<f64, ParameterError> = Requirement::Positive.check("mass", -1.0);
-/// assert_eq!(refused.unwrap_err().to_string(), "mass is -1; it must be above 0 and finite");
+/// assert_eq!(refused.unwrap_err().to_string(), "mass is -1.0; it must be above 0 and finite");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterError {
@@ -79,7 +79,7 @@ impl fmt::Display for Requirement {
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { parameter, value, requirement } = self;
-        write!(f, "{parameter} is {value}; it must be {requirement}")
+        write!(f, "{parameter} is {value:?}; it must be {requirement}")
     }
 }
 

@@ -4,16 +4,22 @@ mod paper;
 mod run;
 
 use std::fmt::Display;
-use std::process::ExitCode;
+use std::io::{self, Write};
+use std::process::{self, ExitCode};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
 
 use clap::Parser;
 
 /// Simulate sampled loops under stabilizers that watch a Lyapunov candidate.
-///
-/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Debug, Parser)]
-#[command(name = "lyapunov", version, max_term_width = 100)]
+#[command(
+    name = "lyapunov",
+    version,
+    max_term_width = 100,
+    after_help = "Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted."
+)]
 pub(crate) enum Command {
     Run(run::Run),
     Paper(paper::Paper),
@@ -21,20 +27,41 @@ pub(crate) enum Command {
 
 impl Command {
     pub(crate) fn run(self) -> ExitCode {
-        // Without the handler an interrupt ends the process at once, which loses nothing but tidiness.
-        let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Paper(paper) => paper.run(),
         };
         match end {
             Ok(()) => ExitCode::SUCCESS,
-            Err(end) => end.report(),
+            Err(end) => ExitCode::from(end.report()),
         }
     }
 }
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// How long a command that leaves nothing behind may take to end after an interrupt.
+const GRACE: Duration = Duration::from_millis(500);
+
+/// From here on an interrupt lets the command end in its own way, through [`End::if_interrupted`].
+///
+/// A command that is not `tidying` up after itself is ended before long in any case: a write that nobody takes
+/// never comes back to look.
+pub(crate) fn heed_interrupts(tidying: bool) {
+    // Without the handler an interrupt ends the process at once, which loses nothing but tidiness.
+    let _ = ctrlc::set_handler(move || {
+        INTERRUPTED.store(true, Ordering::Relaxed);
+        if !tidying {
+            thread::sleep(GRACE);
+            process::exit(End::Interrupted.report().into());
+        }
+    });
+}
+
+/// Says something on standard error; where that is closed or full, nobody listens, and the exit status says it.
+pub(crate) fn say(message: impl Display) {
+    let _ = writeln!(io::stderr(), "{message}");
+}
 
 /// Why a command ends before it is done.
 #[derive(Debug)]
@@ -66,20 +93,21 @@ impl End {
         if INTERRUPTED.load(Ordering::Relaxed) { Err(Self::Interrupted) } else { Ok(()) }
     }
 
-    fn report(self) -> ExitCode {
+    /// Tells why, and gives the exit status.
+    fn report(self) -> u8 {
         match self {
-            Self::Enough => ExitCode::SUCCESS,
+            Self::Enough => 0,
             Self::Input(message) => {
-                eprintln!("error: {message}");
-                ExitCode::from(2)
+                say(format_args!("error: {message}"));
+                2
             }
             Self::Internal(message) => {
-                eprintln!("internal error: {message}");
-                ExitCode::from(1)
+                say(format_args!("internal error: {message}"));
+                1
             }
             Self::Interrupted => {
-                eprintln!("interrupted; nothing was written");
-                ExitCode::from(130)
+                say("interrupted; no file was written");
+                130
             }
         }
     }

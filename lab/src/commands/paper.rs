@@ -9,9 +9,7 @@ use lyapunov_lab::{Rollout, Summary};
 
 use super::End;
 
-/// Run the scenes of the paper's section IV and draw its figures 6 to 9.
-///
-/// Writes each figure as SVG and PNG, and the rows behind them as CSV.
+/// Draw the paper's figures 6 to 9 as SVG and PNG, with the rows behind them as CSV.
 #[derive(Args, Debug)]
 pub(crate) struct Paper {
     /// The folder for figures and rows; made if it is not there.
@@ -20,6 +18,7 @@ pub(crate) struct Paper {
 }
 
 impl Paper {
+    /// Takes a moment and leaves each file whole, so an interrupt may end it anywhere.
     pub(crate) fn run(&self) -> Result<(), End> {
         paper::write(&self.out).map_err(|error| match error {
             PaperError::Output(error) => End::input(error),
@@ -28,10 +27,9 @@ impl Paper {
         let mut out = io::stdout().lock();
         let mut tell = |text: String| writeln!(out, "{text}").map_err(|_| End::Enough);
         for case in Case::ALL {
-            End::if_interrupted()?;
             let scene = case.scene().map_err(End::internal)?;
             let rows = Rollout::<f64>::of(&scene).map_err(End::internal)?;
-            tell(format!("{}: {}", case.name(), Summary::of(&scene, rows)))?;
+            tell(format!("{}\n{}\n", case.name(), Summary::of(&scene, rows)))?;
         }
         tell(format!("figures 6 to 9 and the rows behind them are in {}", self.out.display()))
     }

@@ -1,6 +1,7 @@
 //! `lyapunov run`.
 
-use std::io::{self, ErrorKind, Write};
+use std::fs;
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -9,7 +10,7 @@ use lyapunov::{ParameterError, Scalar as Number};
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Csv, Output, OutputError, Rollout, Row, Summary};
 
-use super::End;
+use super::{End, heed_interrupts, say};
 
 /// Ticks between two looks at the clock and at interrupts.
 const BREATH: u64 = 1 << 16;
@@ -29,12 +30,17 @@ impl Run {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         match &self.csv {
             Some(path) if path == Path::new("-") => {
-                let mut csv = Csv::new(io::stdout().lock()).map_err(standard_output)?;
+                heed_interrupts(false);
+                // Standard output by itself hands on every line alone.
+                let output = BufWriter::new(io::stdout().lock());
+                let mut csv = Csv::new(output).map_err(standard_output)?;
                 let summary = simulate(&scene, |row| csv.write(row).map_err(standard_output))?;
                 csv.into_inner().flush().map_err(standard_output)?;
-                eprintln!("{}: {summary}", self.scene.display());
+                say(format_args!("{}\n{summary}", self.scene.display()));
             }
             Some(path) => {
+                self.spare_scene(path)?;
+                heed_interrupts(!Output::is_direct(path));
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::new(output).map_err(refused)?;
@@ -42,13 +48,30 @@ impl Run {
                 csv.into_inner().keep().map_err(End::input)?;
                 self.tell(&summary)?;
             }
-            None => self.tell(&simulate(&scene, |_| Ok(()))?)?,
+            None => {
+                heed_interrupts(false);
+                self.tell(&simulate(&scene, |_| Ok(()))?)?;
+            }
         }
         Ok(())
     }
 
+    /// Refuses to put the rows where the scene is.
+    fn spare_scene(&self, csv: &Path) -> Result<(), End> {
+        match (fs::canonicalize(&self.scene), fs::canonicalize(csv)) {
+            (Ok(scene), Ok(place)) if scene == place && place.is_file() => {
+                let csv = csv.display();
+                Err(End::input(format_args!(
+                    "--csv {csv}: this is the scene itself, and the rows would replace it\n  \
+                     = give the rows a file of their own"
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn tell(&self, summary: &Summary) -> Result<(), End> {
-        writeln!(io::stdout(), "{}: {summary}", self.scene.display()).map_err(standard_output)
+        writeln!(io::stdout(), "{}\n{summary}", self.scene.display()).map_err(standard_output)
     }
 }
 

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
+use lyapunov::{ParameterError, Requirement};
+
 use super::{Scalar, Scene};
+use crate::Rollout;
 
 /// The most ticks that one run may have.
 const MOST_TICKS: f64 = 1e9;
@@ -44,12 +47,13 @@ impl fmt::Display for Conflict {
 impl std::error::Error for Conflict {}
 
 impl Scene {
-    /// Checks the rules between values: the number of ticks, the ratio of the rates, and the range of f32 where the run
-    /// computes in it.
+    /// Checks the rules between values: the number of ticks, the ratio of the rates, the range of f32 where the run
+    /// computes in it, and what the blocks of the loop take.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_ticks()?;
         self.check_environment_rate()?;
-        self.check_scalar()
+        self.check_scalar()?;
+        self.check_blocks()
     }
 
     fn check_ticks(&self) -> Result<(), Conflict> {
@@ -124,6 +128,49 @@ impl Scene {
                         .to_owned(),
                 key,
             }),
+        }
+    }
+
+    /// Builds the loop, because values that are each allowed may join to one that is not.
+    fn check_blocks(&self) -> Result<(), Conflict> {
+        let (refused, scalar) = match self.scalar {
+            Scalar::F64 => (Rollout::<f64>::of(self).err(), "f64"),
+            Scalar::F32 => (Rollout::<f32>::of(self).err(), "f32"),
+        };
+        refused.map_or(Ok(()), |error| Err(self.out_of_range(&error, scalar)))
+    }
+
+    fn out_of_range(&self, error: &ParameterError, scalar: &str) -> Conflict {
+        let (operator, device) = (&self.operator, &self.device);
+        let mass = ("device.mass", device.mass.get());
+        let damping = ("device.damping", device.damping.get());
+        let theirs = [
+            ("operator.mass", operator.mass.get()),
+            ("operator.damping", operator.damping.get()),
+            ("operator.stiffness", operator.stiffness.get()),
+        ];
+        let rate = ("servo_rate", self.servo_rate.get());
+        let sum = |one: &str, other: &str| {
+            format!("`{one}` and `{other}` together are beyond the range of {scalar}")
+        };
+        let (keys, problem) = match (error.parameter, error.requirement) {
+            ("mass", Requirement::InRange) => (
+                vec![mass, damping, theirs[0], theirs[1], theirs[2], rate],
+                format!("the motion within one period is beyond the range of {scalar}"),
+            ),
+            ("mass", _) => (vec![mass, theirs[0]], sum(theirs[0].0, mass.0)),
+            ("damping", _) => (vec![damping, theirs[1]], sum(theirs[1].0, damping.0)),
+            ("period", _) => (vec![rate], format!("`servo_rate` gives no period within {scalar}")),
+            _ => (vec![rate], error.to_string()),
+        };
+        // Any of them may be wrong; the one of the most unusual size is the most likely.
+        let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
+        let key = keys.into_iter().max_by(|one, other| odd(one.1).total_cmp(&odd(other.1)));
+        let (key, value) = key.unwrap_or(rate);
+        Conflict {
+            key: key.to_owned(),
+            problem,
+            remedy: format!("`{key}` = {value:?} stands out; give a value nearer to 1"),
         }
     }
 }

@@ -30,18 +30,20 @@ impl<'tree, 'text> Choice<'tree, 'text> {
         known: &'static [&'static str],
     ) -> Result<Self, Fault> {
         let entries = in_order(table);
+        let known_there = entries.iter().any(|(key, _)| known.contains(&key.get_ref().as_ref()));
         match entries.as_slice() {
             [] => Err(Fault::new(Problem::NoneChosen { known }).at(place)),
-            [(key, value)] => Ok(Self {
-                word: key.get_ref(),
-                place: place.child(key.get_ref(), key.span()),
-                content: Some(value),
-            }),
-            [_, (second, _), ..] => {
+            [_, (second, _), ..] if known_there => {
                 let chosen = entries.iter().map(|(key, _)| key.get_ref().to_string());
                 let problem = Problem::SeveralChosen { chosen: chosen.collect(), known };
                 Err(Fault::new(problem).at(&place.spanning(second.span())))
             }
+            // Of several unknown names the first is the fault: most likely they are keys of a table further inside.
+            [(key, value), ..] => Ok(Self {
+                word: key.get_ref(),
+                place: place.child(key.get_ref(), key.span()),
+                content: Some(value),
+            }),
         }
     }
 }

@@ -56,6 +56,8 @@ const CASES: &[Case] = &[
     ("[environment.wall]", "[[environment.wall]]", "environment.wall", &["must be a table, not a list", "single brackets"]),
     ("[environment.wall]", "[environment.spring]\n[environment.wall]", "environment",
         &["two environments", "`spring`", "`wall`", "there is no environment `spring`"]),
+    ("[environment.wall]           # one-sided\nposition = 0.0", "[environment]\nposition = 0.0", "environment.position",
+        &["unknown key `position` in [environment]", "key of [initial], [environment.wall]", "known keys here: wall"]),
     ("work = \"held\"", "work = \"hold\"", "stabilizer.lolc.work", &["\"hold\"", "did you mean \"held\"", "\"sampled\""]),
     ("\"mass-spring-damper\"", "\"mass_spring_damper\"", "stabilizer.lolc.candidate",
         &["did you mean \"mass-spring-damper\"", "\"device-damping\", \"spring\""]),
@@ -74,6 +76,7 @@ const CASES: &[Case] = &[
     ("ticks = 2 ", "ticks = 99999999999999999999 ", "effects.delay.ticks", &["99999999999999999999", "0 to 1024"]),
     ("ticks = 2 ", "ticks = \"2\" ", "effects.delay.ticks", &["must be a whole number, not the text \"2\""]),
     ("force = 8.0", "force = -8.0", "effects.saturation.force", &["greater than 0", "-8.0", "unit is N"]),
+    ("stiffness = 50.0", "stiffness = 1e300", "operator.stiffness", &["within one period", "1e300 stands out"]),
     ("force = 8.0", "force = 0x", "effects.saturation.force", &["64 bits"]),
 ];
 

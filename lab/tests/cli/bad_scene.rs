@@ -1,0 +1,132 @@
+//! Scenes that are wrong, and things that are no scenes.
+
+use std::ffi::OsStr;
+use std::fs::{self, File};
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::fs::symlink;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+use crate::place::{Place, SCENE};
+use crate::said::{Said, Start};
+
+/// A part of the shipped scene, what stands there instead, and what must be said of it: the line, the key, the value
+/// and what would be right.
+type Case = (&'static str, &'static str, &'static [&'static str]);
+
+#[rustfmt::skip]
+const CASES: &[Case] = &[
+    ("servo_rate", "sevro_rate", &["scene.toml:4:1", "sevro_rate = 100.0", "did you mean `servo_rate`?"]),
+    ("mass = 0.2", "mas = 0.2", &["scene.toml:12:1", "mas = 0.2", "unknown key `mas` in [device]", "did you mean `mass`?"]),
+    ("mass = 0.2", "mass = -0.2", &["scene.toml:12:8", "`device.mass`", "greater than 0", "not -0.2", "kg"]),
+    ("mass = 0.2", "mass = 0", &["`device.mass`", "greater than 0"]),
+    ("mass = 0.2", "mass = nan", &["scene.toml:12:8", "`device.mass`", "finite", "not NaN"]),
+    ("mass = 0.2", "mass = \"0.2\"", &["must be a number, not the text \"0.2\""]),
+    ("mass = 0.2", "mass = 0,2", &["`0,2` is not a number", "0.5"]),
+    ("mass = 0.2", "mass =", &["scene.toml:12", "a value is missing"]),
+    ("stiffness = 50.0", "stiffness = inf", &["scene.toml:9:13", "`operator.stiffness`", "finite", "not inf"]),
+    ("duration = 10.0", "duration = 1e8", &["scene.toml:3:12", "1e10 ticks", "at most 1e9 ticks", "10000000.0 s"]),
+    ("duration = 10.0", "duration = -1", &["`duration`", "greater than 0", "not -1.0"]),
+    ("duration = 10.0\n", "", &["missing key `duration`", "duration = 10.0 # s"]),
+    ("duration = 10.0", "duration = 10.0\nduration = 5.0", &["scene.toml:4:1", "given twice"]),
+    ("duration = 10.0", "duration = 10.0\nenvironment_rate = 30",
+        &["scene.toml:4:20", "`environment_rate` = 30.0 Hz does not divide `servo_rate` = 100.0 Hz", "25.0 Hz (ratio 4)"]),
+    ("duration = 10.0", "duration = 10.0\nscalar = \"f16\"", &["scene.toml:4:10", "\"f16\"", "\"f64\", \"f32\""]),
+    ("[stabilizer.lolc]", "[stabilizer.popc]\n[stabilizer.lolc]", &["scene.toml:23:13", "two stabilizers, `popc` and `lolc`", "keep one"]),
+    ("[stabilizer.lolc]", "[stabilizer]", &["scene.toml:23:1", "unknown key `work` in [stabilizer]", "[stabilizer.lolc]"]),
+    ("[environment.wall]", "[environment.sphere]\n[environment.wall]", &["scene.toml:19:14", "two environments, `sphere` and `wall`", "known: wall"]),
+    ("[environment.wall]\nstiffness = 8000.0\ndamping = 2.0\n", "", &["missing key `environment.wall.stiffness`", "[environment.wall]"]),
+    ("[environment.wall]", "[environment]", &["scene.toml:19:1", "`stiffness` is a key of [operator], [environment.wall]"]),
+    ("candidate = \"mass-spring-damper\"", "candidate = \"device\"", &["scene.toml:24:13", "\"device\"", "did you mean \"device-damping\"?"]),
+    ("damping_cap = 0.5", "damping_cap = -0.5", &["scene.toml:25:15", "`stabilizer.lolc.damping_cap`", "0 or greater", "not -0.5"]),
+    ("damping_cap = 0.5", "damping_cap = 0.5\n[effects.delay]\nticks = 1025", &["scene.toml:27:9", "0 to 1024", "not 1025"]),
+    ("damping_cap = 0.5", "damping_cap = 0.5\n[effects.delay]\nticks = 0.5", &["`effects.delay.ticks`", "whole number", "0.5"]),
+    ("stiffness = 50.0", "stiffness = 1e300",
+        &["scene.toml:9:13", "motion within one period is beyond the range of f64", "`operator.stiffness` = 1e300 stands out"]),
+    ("mass = 0.1\ndamping = 0.2\nstiffness = 50.0\n\n[device]\nmass = 0.2", "mass = 1e308\n[device]\nmass = 1e308",
+        &["`operator.mass` and `device.mass` together", "1e308 stands out"]),
+    ("damping = 0.2\nstiffness = 50.0\n\n[device]\nmass = 0.2\ndamping = 0.001", "damping = 1e308\n[device]\nmass = 1\ndamping = 1.5e308",
+        &["scene.toml:11:11", "`operator.damping` and `device.damping` together", "`device.damping` = 1.5e308 stands out"]),
+    ("servo_rate = 100.0", "scalar = \"f32\"\nservo_rate = 1e-40", &["scene.toml:5:14", "no period within f32"]),
+    ("[device]", "[device", &["scene.toml:11", "lacks its closing `]`"]),
+];
+
+#[test]
+fn a_wrong_scene_is_refused_with_its_line_and_what_would_be_right() {
+    for (from, to, words) in CASES {
+        let place = Place::new();
+        place.put_scene("scene.toml", from, to);
+        place.put("rows.csv", "rows of another run");
+        for csv in ["rows.csv", "new.csv", "-"] {
+            place.refuses(["run", "scene.toml", "--csv", csv], words);
+        }
+    }
+}
+
+#[test]
+fn what_is_no_text_in_toml_is_refused() {
+    let place = Place::new();
+    place.put("empty", "");
+    place.put("blank", "\n \n# nothing\n");
+    place.put("prose", "Once upon a time there was a wall.\n");
+    place.put("binary", [0x7f, b'E', b'L', b'F', 0, 1, 2, 0xff]);
+    place.put("latin", b"# gr\xf6\xdfe\nduration = 1.0\n");
+    place.put("utf-16", SCENE.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>());
+    place.put("deep", "a = ".to_owned() + &"[".repeat(100_000));
+    fs::create_dir(place.path("folder")).unwrap();
+    symlink("nowhere", place.path("dangling")).unwrap();
+    symlink("circle", place.path("circle")).unwrap();
+    File::create(place.path("huge")).unwrap().set_len(1 << 30).unwrap();
+    let this = env!("CARGO_BIN_EXE_lyapunov");
+    let cases: &[(&str, &[&str])] = &[
+        ("missing.toml", &["missing.toml: there is no such file", "check the path"]),
+        ("empty", &["empty: the scene is empty", "[environment.wall]"]),
+        ("blank", &["blank: the scene is empty"]),
+        ("prose", &["prose:1", "key = value"]),
+        ("binary", &["binary: this file is not text in UTF-8", "offset"]),
+        ("latin", &["latin: this file is not text in UTF-8: byte 0xf6 at offset 4"]),
+        ("utf-16", &["utf-16: this file is not text in UTF-8"]),
+        ("deep", &["nested too deeply"]),
+        ("folder", &["folder: this is a folder", "give the path of a scene file"]),
+        ("dangling", &["dangling: there is no such file"]),
+        ("circle", &["circle: this file cannot be read"]),
+        ("prose/scene.toml", &["prose/scene.toml: this file cannot be read"]),
+        ("huge", &["huge: this file is too large for a scene: 1073741824 bytes", "1048576"]),
+        ("/dev/zero", &["/dev/zero: this file is too large for a scene", "1048576"]),
+        ("/dev/null", &["/dev/null: the scene is empty"]),
+        (this, &["too large"]),
+    ];
+    for (scene, words) in cases {
+        place.refuses(["run", scene, "--csv", "rows.csv"], words);
+    }
+}
+
+#[test]
+fn any_name_of_a_scene_will_do() {
+    let place = Place::new();
+    for name in
+        [&b"with spaces.toml"[..], b"not-\xff-text.toml", "größe.toml".as_bytes(), b"no ending"]
+    {
+        let name = OsStr::from_bytes(name);
+        place.put(name, SCENE);
+        let said = place.run([OsStr::new("run"), name]);
+        said.ended(0, &["peak force"]);
+        assert!(said.out.starts_with(&format!("{}\n", name.display())), "{}", said.out);
+        place.put(name, SCENE.replacen("duration", "duratoin", 1));
+        place.refuses([OsStr::new("run"), name], &[&format!("{}:3:1", name.display())]);
+    }
+}
+
+/// A pipe in the file system is read like any file, once somebody writes to it.
+#[test]
+fn a_scene_may_come_from_a_pipe() {
+    let place = Place::new();
+    let pipe = place.path("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let mut child = place.command(["run", "pipe"]).start(Stdio::piped());
+    thread::sleep(Duration::from_millis(50));
+    assert_eq!(child.try_wait().unwrap(), None);
+    fs::write(&pipe, SCENE).unwrap();
+    Said::by_child(child).ended(0, &["pipe run", "peak force"]);
+}

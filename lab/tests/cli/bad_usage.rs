@@ -1,0 +1,58 @@
+//! Arguments that are wrong, and the help that says which are right.
+
+use crate::place::Place;
+
+#[test]
+fn wrong_arguments_are_refused() {
+    let place = Place::with_scene();
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["run"], &["<SCENE>", "Usage: lyapunov run"]),
+        (&["run", "--csv", "rows.csv"], &["<SCENE>"]),
+        (&["run", ""], &["'<SCENE>'"]),
+        (&["run", "scene.toml", "scene.toml"], &["unexpected argument 'scene.toml'"]),
+        (&["run", "scene.toml", "--csv"], &["'--csv <FILE>'"]),
+        (&["run", "scene.toml", "--csv", ""], &["'--csv <FILE>'"]),
+        (
+            &["run", "scene.toml", "--csv", "a.csv", "--csv", "b.csv"],
+            &["'--csv <FILE>'", "multiple"],
+        ),
+        (&["run", "scene.toml", "--csvv", "a.csv"], &["'--csvv'", "'--csv'"]),
+        (&["run", "scene.toml", "--out", "a"], &["'--out'"]),
+        (&["runn", "scene.toml"], &["'runn'", "'run'"]),
+        (&["paper", "scene.toml"], &["'scene.toml'"]),
+        (&["paper", "--out"], &["'--out <DIR>'"]),
+        (&["paper", "--out", "a", "--out", "b"], &["'--out <DIR>'", "multiple"]),
+    ];
+    for (arguments, words) in cases {
+        place.refuses(*arguments, words).fits();
+    }
+}
+
+#[test]
+fn no_argument_gets_help_and_status_2() {
+    let place = Place::new();
+    let said = place.run::<&str>([]);
+    said.ended(2, &["Usage: lyapunov <COMMAND>", "run", "paper"]);
+    assert!(place.contents().is_empty());
+}
+
+#[test]
+fn help_fits_and_names_everything() {
+    let place = Place::new();
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["--help"], &["run", "paper", "Exit status: 0", "2 bad input", "130 interrupted"]),
+        (&["-h"], &["run", "paper"]),
+        (&["help", "run"], &["<SCENE>", "--csv <FILE>"]),
+        (&["run", "--help"], &["<SCENE>", "--csv <FILE>", "`-` is standard output"]),
+        (&["paper", "--help"], &["figures 6 to 9", "--out <DIR>", "[default: paper]"]),
+        (&["--version"], &[concat!("lyapunov ", env!("CARGO_PKG_VERSION"))]),
+    ];
+    for (arguments, words) in cases {
+        let said = place.run(*arguments);
+        said.ended(0, words);
+        said.fits();
+        assert_eq!(said.err, "");
+        assert!(said.out.lines().all(|line| line == line.trim_end()), "{}", said.out);
+    }
+    assert!(place.contents().is_empty());
+}

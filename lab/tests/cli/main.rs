@@ -1,0 +1,15 @@
+//! The command line from outside: what it says, what it writes and what it leaves alone, with which exit status.
+
+// Devices, pipes, signals and names that are no text.
+#![cfg(unix)]
+
+mod bad_output;
+mod bad_scene;
+mod bad_usage;
+mod interrupt;
+mod paper;
+mod place;
+mod range;
+mod said;
+mod streams;
+mod summary;
