@@ -1,19 +1,21 @@
-//! A candidate of one's own on the paper's wall: quadratic drag of the device, credited as burnt.
+//! A candidate of one's own on the paper's wall: energy that was absorbed long ago is no credit any more.
 
 use lyapunov::{
     Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, OnePort, ParameterError,
     Plant, Wall,
 };
 
-/// `−ΔV`: the port's energy, and what a drag `c |v| v` must have burnt, J.
-struct Drag {
-    coefficient: f64, // N·s²/m²
+/// The port's energy, of which a surplus is forgotten with a time constant.
+struct Forgetful {
+    surplus: f64, // J
+    time: f64,    // s
 }
 
-impl LyapunovCandidate<f64> for Drag {
+impl LyapunovCandidate<f64> for Forgetful {
     fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
-        let v = drive.velocity;
-        drive.work + self.coefficient * v.abs() * v * v * drive.period
+        let forgotten = self.surplus.max(0.0) * drive.period / self.time;
+        self.surplus += drive.work - forgotten;
+        drive.work - forgotten
     }
 }
 
@@ -22,17 +24,15 @@ fn main() -> Result<(), ParameterError> {
     let hand = Impedance { mass, damping: 0.201, stiffness: 50.0 };
     let mut plant = Body::new(hand, period)?.starting(-0.004, 0.0);
     let limit = DampingLimit::of_mass(0.5, mass, period)?;
-    let stabilizer = Lolc::new(Drag { coefficient: 0.5 }, limit);
+    let stabilizer = Lolc::new(Forgetful { surplus: 0.0, time: 0.05 }, limit);
     // The wall answers at 100 Hz, the stabilizer watches at 1 kHz.
     let mut port = Wall::new(8000.0, 2.0)?.held(10)?.stabilized(stabilizer).differenced();
-
     let mut drive = plant.start();
-    for tick in 0..=5000 {
-        let force = port.respond(&drive);
+    for tick in 0..=8000 {
         if tick % 1000 == 0 {
-            println!("t {} s  x {:8.4} mm  f {force:7.3} N", tick / 1000, 1e3 * drive.position);
+            println!("t {} s  x {:8.4} mm", tick / 1000, 1e3 * drive.position);
         }
-        drive = plant.advance(force);
+        drive = plant.advance(port.respond(&drive));
     }
     Ok(())
 }

@@ -71,9 +71,15 @@ macro_rules! hand {
                 out.accepted
             }
 
-            /// Nothing to believe: no effort, and the sum as it was.
+            /// Nothing to believe but a finite past: no effort, and its energy booked.
             #[inline]
-            fn reject<const N: usize>(state: &mut State, sum: $real, out: &mut Out<N>) {
+            fn reject<const N: usize>(
+                state: &mut State,
+                before: $real,
+                energy: $real,
+                out: &mut Out<N>,
+            ) {
+                let sum = if (before + energy).is_finite() { before + energy } else { before };
                 state.sum = sum;
                 let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
                 *out = Out { effort: [0.0; N], sum, alpha: 0.0, shortfall, accepted: false };
@@ -96,7 +102,7 @@ macro_rules! hand {
                     let raised = if raised < 0.0 { raised } else { 0.0 };
                     state.sum = if raised > sum { raised } else { sum };
                     if !correct(state, s, sum, square, most, out) {
-                        reject(state, before, out);
+                        reject(state, before, energy, out);
                     }
                 }
             }
@@ -119,7 +125,7 @@ macro_rules! hand {
                     let before = state.sum;
                     state.sum = before + energy;
                     if !correct(state, s, state.sum, square, most, out) {
-                        reject(state, before, out);
+                        reject(state, before, energy, out);
                     }
                 }
             }

@@ -9,11 +9,11 @@ pub struct Action<V: Signal> {
     pub effort: V,
     /// The observer sum `L(n)` before this tick's correction, J.
     pub sum: V::Scalar,
-    /// The damping injected on this tick, N·s/m.
+    /// The damping injected on this tick, N·s/m; of a stabilizer that corrects in another way, 0.
     pub alpha: V::Scalar,
     /// The debt that this tick's correction cannot serve, J; it stays in the sum.
     pub shortfall: V::Scalar,
-    /// Where the sample was accepted; elsewhere the effort is zero.
+    /// Where the sample was accepted; elsewhere a stabilizer gives a zero effort, a guard its fallback.
     pub accepted: <V::Scalar as Scalar>::Mask,
 }
 
@@ -25,12 +25,13 @@ impl<V: Signal> Action<V> {
         Self { effort, sum: zero, alpha: zero, shortfall: zero, accepted: Mask::of(true) }
     }
 
-    /// This action if its effort is finite; elsewhere a zero effort, not accepted.
+    /// This action if its effort is finite; elsewhere a zero effort without damping, not accepted.
     #[inline]
     pub fn checked(self) -> Self {
         let finite = self.effort.finite();
         Self {
             effort: V::choose(finite, self.effort, V::zero()),
+            alpha: V::Scalar::choose(finite, self.alpha, V::Scalar::of(0.0)),
             accepted: self.accepted & finite,
             ..self
         }

@@ -73,15 +73,20 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 /// A candidate known as a function `V(position, velocity)`, summed by its differences.
 ///
 /// `−ΔV = V(n−1) − V(n)`, which telescopes: the observer sum is `V(start) − V(n)` whatever the period,
-/// where a sum of `V̇ T` (the paper's equation 6) gathers a quadrature error on every tick. Where `V` is not
-/// finite the last finite value is kept, so that the next finite one spans the gap.
+/// where a sum of `V̇ T` (the paper's equation 6) gathers a quadrature error on every tick.
+///
+/// `V` is the energy of what drives the port: when it falls, the port absorbed. It is the other side of
+/// [`PortEnergy`], which counts what the environment stores as positive; the energy of a virtual spring at the
+/// port therefore goes in with a minus sign. Where `V` is not finite the last finite value is kept, so that the next
+/// finite one spans the gap; in a sum of terms only this one does.
 ///
 /// ```
 /// use lyapunov_core::{Drive, LyapunovCandidate, Storage};
-/// let spring = |x: f64, _v: f64| 0.5 * 100.0 * x * x;
-/// let mut candidate = Storage::starting(spring, 0.1, 0.0);
-/// let drive = Drive::new(1e-3, 0.0, -100.0, -0.1, 0.0);
-/// assert!((candidate.decrease(&drive) - 0.5).abs() < 1e-12);
+/// // A hand of 0.3 kg with a spring of 50 N/m.
+/// let energy = |x: f64, v: f64| 0.5 * (0.3 * v * v + 50.0 * x * x);
+/// let mut candidate = Storage::starting(energy, 0.1, 0.0);
+/// let drive = Drive::new(1e-3, 0.0, 0.0, -0.1, 0.0);
+/// assert!((candidate.decrease(&drive) - 0.25).abs() < 1e-12);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Storage<F, T> {

@@ -112,7 +112,7 @@ pub trait Scalar:
     /// The magnitude.
     #[inline]
     fn magnitude(self) -> Self {
-        self.larger(-self)
+        Self::choose(self.above(Self::zero()), self, Self::zero() - self)
     }
 
     /// The nearest whole number, ties away from zero.

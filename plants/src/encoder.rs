@@ -27,8 +27,10 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Encoder<P, V> {
         let position = drive.position.map(|x| (x / self.resolution).rounded() * self.resolution);
         let displacement = position - self.last.unwrap_or(position);
         self.last = Some(position);
-        let Drive { period, velocity, acted, .. } = *drive;
-        self.port.respond(&Drive::new(period, position, velocity, displacement, acted))
+        // What several periods under other efforts did is kept; of a single one this is exactly zero.
+        let others = drive.work - drive.acted.times(drive.displacement);
+        let work = drive.acted.times(displacement) + others;
+        self.port.respond(&Drive { position, displacement, work, ..*drive })
     }
 
     #[inline]

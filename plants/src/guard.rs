@@ -14,15 +14,16 @@ pub enum Fallback {
 /// A port that is called with finite drives only, and answers with finite efforts only.
 ///
 /// A drive with a NaN or an infinity in any field is turned away before anything inside is touched; the
-/// answer is the [`Fallback`], and the action says `accepted: false`. The next sound drive that is handed on
+/// answer is the [`Fallback`], and the action says `accepted: false`, that effort and no damping. The next sound drive that is handed on
 /// spans the gap: the periods add up, the displacement is the difference of the two sound positions.
 ///
-/// **The ledger never overstates what was absorbed meanwhile.** The work of ticks that were known is kept.
+/// **A ledger of held work never overstates what was absorbed meanwhile.** The work of ticks that were known is kept.
 /// Over the unknown part of the displacement `S` the work is taken to be the least of `f S` over the efforts
 /// `f` that acted there, axis by axis: exact if one effort acted throughout (as under [`Fallback::Hold`]), a
 /// lower bound if the motion did not turn round inside the gap. The velocity handed on is, axis by axis, the
-/// smaller in magnitude of the measured and the mean over the gap, so that no damper is credited for more than
-/// the mean motion burnt.
+/// smaller in magnitude of the measured and the mean over the gap, and 0 where they disagree about the direction,
+/// so that no damper is credited for more than the mean motion burnt and no correction pushes along. Before the
+/// first sound sample there is no position to count from: what is unknown until then is not booked.
 ///
 /// A gap is one of time, and lanes would have to be out of step with each other over it, so a guard stands on
 /// ports of one value at a time (`f32`, `f64` and vectors of them).
@@ -31,6 +32,7 @@ pub struct Guard<P, V: Signal> {
     port: P,
     fallback: Fallback,
     effort: V,
+    told: V,
     period: V::Scalar,
     position: Option<V>,
     gap: Option<Gap<V>>,
@@ -50,12 +52,12 @@ struct Gap<V: Signal> {
 
 impl<P, V: Signal> Guard<P, V> {
     pub(crate) fn new(port: P, fallback: Fallback) -> Self {
-        let period = V::Scalar::of(0.0);
         Self {
             port,
             fallback,
             effort: V::zero(),
-            period,
+            told: V::zero(),
+            period: V::Scalar::of(0.0),
             position: None,
             gap: None,
             rejected: false,
@@ -87,7 +89,7 @@ where
             gap.work = gap.work + drive.work;
             gap.moved = gap.moved + drive.displacement;
         } else {
-            let acted = if drive.acted.finite() { drive.acted } else { self.answer() };
+            let acted = if drive.acted.finite() { drive.acted } else { self.told };
             let (least, most) = gap.unknown.unwrap_or((acted, acted));
             gap.unknown =
                 Some((least.zip(acted, Scalar::smaller), most.zip(acted, Scalar::larger)));
@@ -95,25 +97,40 @@ where
         self.gap = Some(gap);
     }
 
+    /// What the port inside answers to a sound drive, if that is sound.
+    fn ask(&mut self, drive: &Drive<V>) -> Option<V>
+    where
+        P: OnePort<V>,
+    {
+        let whole = match self.gap.take() {
+            Some(gap) => self.span(drive, &gap),
+            None => *drive,
+        };
+        self.period = drive.period;
+        self.position = Some(drive.position);
+        Some(self.port.respond(&whole)).filter(|effort| effort.finite())
+    }
+
     /// The sound drive `now` with what happened since the last one.
     fn span(&self, now: &Drive<V>, gap: &Gap<V>) -> Drive<V> {
+        let period = gap.period + now.period;
+        let known = gap.work + now.work;
         let Some(position) = self.position else {
-            return Drive {
-                acted: now.acted,
-                ..Drive::starting(now.period, now.position, now.velocity)
-            };
+            let displacement = gap.moved + now.displacement;
+            return Drive { period, displacement, work: known, ..*now };
         };
         let displacement = now.position - position;
         let unseen = displacement - gap.moved - now.displacement;
         let (least, most) = gap.unknown.unwrap_or((V::zero(), V::zero()));
         let unseen_work = least.times(unseen).zip(most.times(unseen), Scalar::smaller);
-        let period = gap.period + now.period;
         let velocity = now.velocity.zip(displacement, |measured, moved| {
             let mean = moved / period;
-            V::Scalar::choose(mean.magnitude().below(measured.magnitude()), mean, measured)
+            let slower = mean.magnitude().below(measured.magnitude());
+            let turned = (mean * measured).below(V::Scalar::of(0.0));
+            let careful = V::Scalar::choose(slower, mean, measured);
+            V::Scalar::choose(turned, V::Scalar::of(0.0), careful)
         });
-        let work = gap.work + unseen_work + now.work;
-        Drive { period, velocity, displacement, work, ..*now }
+        Drive { period, velocity, displacement, work: known + unseen_work, ..*now }
     }
 }
 
@@ -125,33 +142,26 @@ where
 {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.rejected = true;
-        if !drive.finite() {
+        let effort = if drive.finite() {
+            self.ask(drive)
+        } else {
             self.note(drive);
-            return self.answer();
-        }
-        let whole = match self.gap.take() {
-            Some(gap) => self.span(drive, &gap),
-            None => *drive,
+            None
         };
-        self.period = drive.period;
-        self.position = Some(drive.position);
-        let effort = self.port.respond(&whole);
-        if !effort.finite() {
-            return self.answer();
-        }
-        self.rejected = false;
-        self.effort = effort;
-        effort
+        self.rejected = effort.is_none();
+        self.effort = effort.unwrap_or(self.effort);
+        self.told = effort.unwrap_or(self.answer());
+        self.told
     }
 
     #[inline]
     fn action(&self) -> Action<V> {
         let action = self.port.action();
-        if self.rejected {
-            Action { effort: self.answer(), accepted: false, ..action }
-        } else {
-            action
+        if !self.rejected {
+            return action;
         }
+        let zero = V::Scalar::of(0.0);
+        let shortfall = (zero - action.sum).larger(zero);
+        Action { effort: self.told, alpha: zero, shortfall, accepted: false, ..action }
     }
 }

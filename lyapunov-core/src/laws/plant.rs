@@ -1,7 +1,7 @@
 //! The laws of a plant.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Drive, Plant, Signal};
+use crate::{Drive, Plant, Scalar, Signal};
 
 /// Checks that `plant` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable) and
 /// [`TellsTheTruth`](Law::TellsTheTruth) under the efforts of `samples`.
@@ -22,7 +22,10 @@ pub fn plant<V: Signal, P: Plant<V> + Clone>(
         now.require(Law::Finite, drive.finite(), drive.position.sum())?;
         now.same(Law::Repeatable, drive.position, other.advance(effort).position)?;
         now.same(Law::TellsTheTruth, drive.acted, effort)?;
-        now.same(Law::TellsTheTruth, drive.displacement, drive.position - last.position)?;
+        let apart = (drive.position - last.position - drive.displacement).map(Scalar::magnitude);
+        let size = drive.position.map(Scalar::magnitude) + last.position.map(Scalar::magnitude);
+        let zero = V::Scalar::of(0.0);
+        now.not_below_zero(Law::TellsTheTruth, zero - apart.sum(), size.sum())?;
         now.same(Law::TellsTheTruth, drive.work, effort.times(drive.displacement))?;
         last = drive;
     }

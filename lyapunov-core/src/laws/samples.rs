@@ -49,7 +49,7 @@ impl<V: Signal> Iterator for Samples<V> {
         if self.tick == COUNT {
             return None;
         }
-        // A hundred samples of one size, from micrometres and micronewtons to metres and meganewtons.
+        // A hundred samples of one size: velocities from 1e-6 to 1e2 m/s, efforts from 1e-4 to 1e4 N.
         let size = [1e-6, 1.0, 1e-3, 1e2, 1e-1][self.tick / 100 % 5];
         let resting = self.tick % 11 == 10;
         let velocity = if resting { V::zero() } else { self.signal(size) };

@@ -7,6 +7,10 @@ use crate::{Action, Drive, Scalar, Signal, Stabilizer};
 /// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
 /// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers) over `samples`.
 ///
+/// They check honesty (finite, passive, with debts told), not that a loop becomes stable: run a scene for that.
+/// What a stabilizer tells of its damping is taken on trust. A limit of the actuator belongs outside of it, where
+/// the next drive tells what acted: an effort clipped inside may feed power into the motion by what it cuts off.
+///
 /// # Errors
 /// The first law that is broken.
 pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
@@ -29,6 +33,7 @@ pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
 
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             rejects(now, one.clone(), &drive, effort, V::Scalar::of(bad))?;
+            survives(now, &one, &drive, effort, V::Scalar::of(bad))?;
         }
     }
     Ok(())
@@ -51,7 +56,33 @@ fn keeps_its_word<V: Signal>(
     now.not_below_zero(Law::Served, served, action.sum.magnitude())
 }
 
-/// One bad sample, and then the same one sound.
+/// Each field of the drive bad, and then a sound sample.
+fn survives<V: Signal, S: Stabilizer<V> + Clone>(
+    now: Tick,
+    stabilizer: &S,
+    drive: &Drive<V>,
+    effort: V,
+    bad: V::Scalar,
+) -> Result<(), Violation> {
+    let spoilt = V::splat(bad);
+    for flawed in [
+        Drive { period: bad, ..*drive },
+        Drive { position: spoilt, ..*drive },
+        Drive { velocity: spoilt, ..*drive },
+        Drive { displacement: spoilt, ..*drive },
+        Drive { acted: spoilt, ..*drive },
+        Drive { work: spoilt, ..*drive },
+    ] {
+        let mut stabilizer = stabilizer.clone();
+        now.finite(Law::Rejects, stabilizer.stabilize(&flawed, effort).effort)?;
+        let accepted = stabilizer.stabilize(drive, effort);
+        now.finite(Law::Recovers, accepted.effort)?;
+        now.require(Law::Recovers, accepted.accepted, bad)?;
+    }
+    Ok(())
+}
+
+/// One bad effort, and then the same sample sound.
 fn rejects<V: Signal>(
     now: Tick,
     mut stabilizer: impl Stabilizer<V>,
