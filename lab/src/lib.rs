@@ -15,9 +15,9 @@
 //!     }
 //! }
 //!
-//! let scene = paper::Case::Popc8k.scene()?;
-//! let rows = Rollout::stabilized_by(&scene, Damper(5.0))?;
-//! println!("{}", Summary::of(&scene, rows));
+//! let scene = paper::Case::Plain8k.scene()?;
+//! let summary = Summary::of(&scene, Rollout::stabilized_by(&scene, Damper(5.0))?);
+//! assert!(summary.settled.is_some_and(|time| time < 2.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -34,11 +34,6 @@ impl OutputError {
     pub fn new(path: &Path, source: io::Error) -> Self {
         Self { path: path.to_owned(), source }
     }
-
-    /// What the system said.
-    pub fn source(&self) -> &io::Error {
-        &self.source
-    }
 }
 
 impl fmt::Display for OutputError {
@@ -72,7 +67,11 @@ impl fmt::Display for OutputError {
     }
 }
 
-impl std::error::Error for OutputError {}
+impl std::error::Error for OutputError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.source)
+    }
+}
 
 impl Output {
     /// Whether what is at `path` is written to directly: it is there already and no regular file.

@@ -9,6 +9,8 @@ use crate::scene::{
 
 /// Settled means within this share of the starting swing about the equilibrium.
 const BAND: f64 = 0.05;
+/// Settled in the last tenth of a run is not yet settled.
+const LATE: f64 = 0.9;
 
 /// Lengths and energies are told in thousandths of their units.
 const MILLI: f64 = 1e3;
@@ -205,6 +207,11 @@ impl Summary {
         };
         let (band, place) = (millimetres(self.band), millimetres(rest));
         match self.settled {
+            // One last swing through the band is no rest.
+            Some(time) if time > LATE * last.t => {
+                let since = given(time);
+                write!(f, "not yet: within {band} mm of x = {place} mm only since t = {since} s")
+            }
             Some(time) => {
                 write!(f, "yes: from t = {} s on within {band} mm of x = {place} mm", given(time))
             }
@@ -227,7 +234,7 @@ impl Summary {
         )?;
         write!(
             f,
-            "\n  controller   active on {share:.1} % of ticks, {} mJ injected, shortfall up to {} mJ",
+            "\n  controller   active on {share:.1} % of ticks, {} mJ asked for, shortfall up to {} mJ",
             found(MILLI * self.injected),
             found(MILLI * self.shortfall)
         )

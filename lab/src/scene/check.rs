@@ -49,6 +49,9 @@ impl std::error::Error for Conflict {}
 impl Scene {
     /// Checks the rules between values: the number of ticks, the ratio of the rates, the range of f32 where the run
     /// computes in it, and what the blocks of the loop take.
+    ///
+    /// # Errors
+    /// The first rule that is broken, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_ticks()?;
         self.check_environment_rate()?;

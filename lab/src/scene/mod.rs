@@ -103,11 +103,17 @@ pub struct Scene {
 
 impl Scene {
     /// Reads a scene from TOML text; `name` stands for the text in messages, usually the path of its file.
+    ///
+    /// # Errors
+    /// The first rule that is broken, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
         load::parse(text, name)
     }
 
     /// Reads a scene from a file of at most 1 MiB.
+    ///
+    /// # Errors
+    /// As [`Scene::parse`], and a file that cannot be read or is no text.
     pub fn load(path: &Path) -> Result<Self, Diagnostic> {
         load::load(path)
     }

@@ -38,6 +38,9 @@ macro_rules! quantity {
 
         impl $name {
             #[doc = concat!("Accepts a value that is ", $rule, ".")]
+            ///
+            /// # Errors
+            /// Any other value.
             pub fn new(value: f64) -> Result<Self, OutOfRange> {
                 let accepts: fn(f64) -> bool = $accepts;
                 if accepts(value) {
@@ -117,6 +120,9 @@ impl DelayTicks {
     pub const MOST: u16 = 1024;
 
     /// Accepts a whole number from 0 to 1024.
+    ///
+    /// # Errors
+    /// Any other number.
     pub fn new(ticks: i64) -> Result<Self, OutOfRange> {
         match u16::try_from(ticks) {
             Ok(ticks) if ticks <= Self::MOST => Ok(Self(ticks)),
