@@ -57,7 +57,9 @@ macro_rules! hand {
                 let debt = if sum < -0.0 { sum } else { -0.0 };
                 let paid = if debt > most { debt } else { most };
                 let margin = 1.0 - 4.0 * $real::EPSILON;
-                let alpha = paid / (square * -margin - $real::from_bits(1));
+                let divisor = square * -margin;
+                let least = -$real::MIN_POSITIVE;
+                let alpha = paid / if divisor < least { divisor } else { least };
                 let alpha = if alpha < state.limit { alpha } else { state.limit };
                 let mut probe = sum + square;
                 for i in 0..N {

@@ -54,7 +54,7 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
     }
 }
 
-/// Two numbers of the port's own scalar: the sum and the rounding errors it has made, by the error-free sum
+/// Two numbers of the port's own scalar: the sum and the rounding error it has made, by the error-free sum
 /// of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensated<T> {
@@ -70,11 +70,12 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
 
     #[inline]
     fn add(&mut self, term: T) {
+        // The error goes in with the next term: kept apart it would stop growing like any plain sum.
+        let term = term + self.error;
         let sum = self.sum + term;
         let share = sum - self.sum;
-        let error = (self.sum - (sum - share)) + (term - share);
+        self.error = (self.sum - (sum - share)) + (term - share);
         self.sum = sum;
-        self.error += error;
     }
 
     #[inline]

@@ -17,7 +17,7 @@ use crate::DampingLimit;
 /// Served sum: `L + α v² T`. Served sum plus shortfall is never negative, and the served sum is never
 /// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
 /// few units in the last place, so that whoever recomputes this as `α · ((v · v) · T)` finds it exactly, as
-/// long as `α` is a normal number.
+/// long as `α` and that product are normal numbers.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
 /// code. A sample is rejected where its sum, `v² T` and corrected effort do not add up to a finite number: it
@@ -102,9 +102,10 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         let debt = sum.smaller(-T::zero());
         let paid = debt.larger(most);
         // The margin rounds alpha up: it covers the rounding of the quotient, of the product that a reader
-        // checks it by, and of v² T in any order. The least number keeps the divisor from 0.
+        // checks it by, and of v² T in any order. The divisor stays normal: 0 would give NaN, and a subnormal one
+        // takes several times as long.
         let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
-        let alpha = (paid / (square * -margin - T::least())).smaller(limit);
+        let alpha = (paid / (square * -margin).smaller(-T::tiny())).smaller(limit);
         let effort = effort + velocity.scale(alpha);
         let accepted = (sum + square + effort.sum()).finite();
         Action { effort, sum, alpha, shortfall: paid - debt, accepted }

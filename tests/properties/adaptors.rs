@@ -1,0 +1,315 @@
+//! What acts on a port does what it says, and nothing at its neutral value.
+
+use proptest::array::{uniform4, uniform16};
+use proptest::collection::vec;
+use proptest::prelude::any;
+use proptest::prop_assert;
+use proptest::test_runner::TestCaseResult;
+
+use lyapunov::{Adapt, DampingLimit, Drive, Lolc, OnePort, PortEnergy, Scalar, Spring};
+
+use crate::support::{
+    Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, hostile, ordinary, same, same_axes,
+};
+
+type Samples = Vec<[Bits; 16]>;
+
+fn samples() -> impl proptest::strategy::Strategy<Value = Samples> {
+    vec(uniform16(any::<Bits>()), 1..24)
+}
+
+/// Drives and efforts of ordinary or of hostile numbers, with one period throughout.
+fn sequence<V: Port>(samples: &[[Bits; 16]]) -> (Vec<Drive<V>>, Vec<V>) {
+    let period = V::Scalar::of(1e-3);
+    samples
+        .iter()
+        .map(|bits| drive_of::<V>(*bits, samples[0][15].is_multiple_of(2), period))
+        .unzip()
+}
+
+fn same_drive<V: Port>(a: &Drive<V>, b: &Drive<V>) -> bool {
+    same(a.period.f64(), b.period.f64())
+        && same_axes(a.position, b.position)
+        && same_axes(a.velocity, b.velocity)
+        && same_axes(a.displacement, b.displacement)
+        && same_axes(a.acted, b.acted)
+        && same_axes(a.work, b.work)
+}
+
+mod check {
+    use super::*;
+
+    /// `held(1)`, `delayed(0)` and a saturation above any force change no bit, by themselves or together.
+    pub(super) fn neutral_values_change_nothing<V: Port>() {
+        hold(CASES, samples(), |samples| {
+            let largest = V::Scalar::largest();
+            let (drives, efforts) = sequence::<V>(&samples);
+            let mut spies: [_; 4] = std::array::from_fn(|_| Spy::on(Scripted::of(efforts.clone())));
+            let [one, two, three, four] = &mut spies;
+            let mut held = one.held(1).expect("a hold");
+            let mut delayed = two.delayed::<3>(0).expect("a delay");
+            let mut saturated = three.saturated(largest).expect("a saturation");
+            let mut all = four
+                .held(1)
+                .and_then(|port| port.saturated(largest))
+                .and_then(|port| port.delayed::<0>(0))
+                .expect("all three");
+            for (drive, effort) in drives.iter().zip(&efforts) {
+                let answers = [
+                    held.respond(drive),
+                    delayed.respond(drive),
+                    saturated.respond(drive),
+                    all.respond(drive),
+                ];
+                prop_assert!(answers.iter().all(|answer| same_axes(*answer, *effort)));
+            }
+            for Spy { asked, .. } in spies {
+                prop_assert!(asked.len() == drives.len(), "not asked as often");
+                prop_assert!(asked.iter().zip(&drives).all(|(a, b)| same_drive(a, b)));
+            }
+            Ok(())
+        });
+    }
+
+    /// A hold asks on every n-th call, answers the same in between, and what it hands on adds up, axis by axis.
+    pub(super) fn hold_hands_on_sums<V: Port>() {
+        hold(CASES, (1..6u32, samples()), |(ticks, samples)| {
+            let (drives, efforts) = sequence::<V>(&samples);
+            let mut spy = Spy::on(Scripted::of(efforts.clone()));
+            let mut held = (&mut spy).held(ticks).expect("a hold");
+            for (tick, drive) in drives.iter().enumerate() {
+                let effort = held.respond(drive);
+                prop_assert!(same_axes(effort, efforts[tick / ticks as usize]), "not held");
+            }
+            prop_assert!(spy.asked.len() == drives.len().div_ceil(ticks as usize));
+            for (call, whole) in spy.asked.iter().enumerate() {
+                // From the call before, not included, to this one.
+                let now = call * ticks as usize;
+                let since = (now + 1).saturating_sub(ticks as usize);
+                let part = &drives[since..=now];
+                let last = &drives[now];
+                prop_assert!(same_axes(whole.position, last.position));
+                prop_assert!(same_axes(whole.velocity, last.velocity));
+                prop_assert!(same_axes(whole.acted, last.acted));
+                let periods = [part.iter().map(|drive| drive.period.f64()).collect::<Vec<_>>()];
+                adds_up::<V::Scalar>(whole.period, &periods[0])?;
+                for axis in 0..V::AXES {
+                    let each = |of: fn(&Drive<V>) -> V| {
+                        part.iter().map(|drive| of(drive).axis(axis).f64()).collect::<Vec<_>>()
+                    };
+                    adds_up(whole.work.axis(axis), &each(|drive| drive.work))?;
+                    adds_up(whole.displacement.axis(axis), &each(|drive| drive.displacement))?;
+                }
+            }
+            Ok(())
+        });
+    }
+
+    /// The sum of a few terms is theirs up to a rounding of each sum on the way, all of which are below `Σ |term|`.
+    fn adds_up<T: Real>(sum: T, terms: &[f64]) -> TestCaseResult {
+        let exact: f64 = terms.iter().sum();
+        let size: f64 = terms.iter().map(|term| term.abs()).sum();
+        let bound = 2.0 * terms.len() as f64 * T::unit() * size;
+        prop_assert!((sum.f64() - exact).abs() <= bound, "{sum:?} is not {exact:e}");
+        Ok(())
+    }
+
+    /// `f(n − d)`, and nothing for `n < d`, for every d that has room.
+    pub(super) fn delay_shifts<V: Port>() {
+        hold(CASES, (0..6usize, samples()), |(ticks, samples)| {
+            let (drives, efforts) = sequence::<V>(&samples);
+            let delayed = Scripted::of(efforts.clone()).delayed::<4>(ticks);
+            if ticks > 4 {
+                prop_assert!(delayed.is_err(), "room for {ticks} in 4");
+                return Ok(());
+            }
+            let mut delayed = delayed.expect("room for it");
+            for (tick, drive) in drives.iter().enumerate() {
+                let expected = tick.checked_sub(ticks).map_or_else(V::zero, |then| efforts[then]);
+                prop_assert!(same_axes(delayed.respond(drive), expected), "at tick {tick}");
+            }
+            Ok(())
+        });
+    }
+
+    /// Every axis for itself; a NaN is not taken for a force.
+    pub(super) fn saturation_clips<V: Port>() {
+        hold(CASES, (any::<Bits>(), samples()), |(bits, samples)| {
+            let force = hostile::<V::Scalar>(bits);
+            if force.f64() <= 0.0 {
+                prop_assert!(Scripted::of(vec![V::zero()]).saturated(force).is_err());
+                return Ok(());
+            }
+            let (drives, mut efforts) = sequence::<V>(&samples);
+            let wrong = V::from_axes(|axis| match axis {
+                0 => bad(bits >> 20),
+                _ => efforts[0].axis(axis),
+            });
+            efforts[0] = wrong;
+            let mut port = Scripted::of(efforts.clone()).saturated(force).expect("a saturation");
+            for (drive, effort) in drives.iter().zip(efforts) {
+                let clipped = port.respond(drive);
+                for (clipped, effort) in clipped.axes().zip(effort.axes()) {
+                    let (clipped, effort, force) = (clipped.f64(), effort.f64(), force.f64());
+                    let expected =
+                        if effort.is_nan() { effort } else { effort.clamp(-force, force) };
+                    prop_assert!(same(clipped, expected), "{effort:e} to {clipped:e}");
+                }
+            }
+            Ok(())
+        });
+    }
+
+    /// `v = Δx / T` on each axis, rounded once, and nothing else changed.
+    pub(super) fn difference_divides<V: Port>() {
+        hold(CASES, samples(), |samples| {
+            let (drives, efforts) = sequence::<V>(&samples);
+            let mut spy = Spy::on(Scripted::of(efforts));
+            for drive in &drives {
+                (&mut spy).differenced().respond(drive);
+            }
+            for (told, drive) in spy.asked.iter().zip(&drives) {
+                let velocity = V::from_axes(|axis| drive.displacement.axis(axis) / drive.period);
+                let expected = Drive { velocity, ..*drive };
+                prop_assert!(same_drive(told, &expected), "{told:?}");
+            }
+            Ok(())
+        });
+    }
+
+    /// Counts of the resolution, displacements between them, and the work of the effort over those.
+    pub(super) fn encoder_counts<V: Port>() {
+        hold(CASES, (any::<Bits>(), samples()), |(bits, samples)| {
+            let (drives, efforts) = sequence::<V>(&samples);
+            let resolution = V::Scalar::of(2f64.powi(-((bits % 12) as i32)));
+            let mut spy = Spy::on(Scripted::of(efforts));
+            let mut encoded = (&mut spy).encoded(resolution).expect("an encoder");
+            for drive in &drives {
+                encoded.respond(drive);
+            }
+            let mut before = spy.asked[0].position;
+            for (told, drive) in spy.asked.iter().zip(&drives) {
+                for axis in 0..V::AXES {
+                    // A power of two loses nothing, so this is the rounding of the standard library.
+                    let (x, step) = (drive.position.axis(axis).f64(), resolution.f64());
+                    let counted = (x / step).round() * step;
+                    prop_assert!(told.position.axis(axis).f64() == counted, "{x:e} at {step:e}");
+                }
+                let displacement = told.position - before;
+                before = told.position;
+                let work = drive.acted.times(displacement);
+                let position = told.position;
+                let expected = Drive { position, displacement, work, ..*drive };
+                prop_assert!(*told == expected, "{told:?}");
+            }
+            Ok(())
+        });
+    }
+
+    /// A stabilizer outside of a hold may act on every tick, one inside only when the environment is asked.
+    pub(super) fn order_matters<V: Port>() {
+        hold(CASES / 10, uniform4(any::<Bits>()), |bits| {
+            let of = |value: f64| V::Scalar::of(value);
+            let limit = DampingLimit::at(of(5.0)).expect("a limit");
+            let watcher = Lolc::new(PortEnergy, limit);
+            let spring = Spring::new(of(100.0)).expect("a spring");
+            let hold = 2 + (bits[0] % 9) as u32;
+            let mut outside = spring.held(hold).expect("a hold").stabilized(watcher);
+            let mut inside = spring.stabilized(watcher).held(hold).expect("a hold");
+            let flow = V::from_axes(|axis| ordinary::<V::Scalar>(bits[1 + axis], 0.5) + of(1.0));
+            let still = |axis: f64| V::from_axes(|_| of(axis));
+            let push = |tick: u32| {
+                // The port gives energy away on every tick but the first.
+                let acted = if tick == 0 { V::zero() } else { still(-2.0) };
+                Drive::new(of(1e-3), still(0.0), flow, flow.scale(of(1e-3)), acted)
+            };
+            let mut injected = V::zero();
+            for tick in 0..40 {
+                let (drive, asked) = (push(tick), tick % hold == 0);
+                let corrected = outside.respond(&drive);
+                prop_assert!((corrected != V::zero()) == (tick > 0), "outside, tick {tick}");
+                let later = inside.respond(&drive);
+                prop_assert!(
+                    asked || same_axes(later, injected),
+                    "inside, tick {tick} is not held"
+                );
+                prop_assert!(!asked || (later != V::zero()) == (tick > 0), "inside, tick {tick}");
+                injected = later;
+                if asked {
+                    // Both have been told the same work by then.
+                    let (a, b) = (outside.action().sum.f64(), inside.action().sum.f64());
+                    prop_assert!((a - b).abs() <= 200.0 * V::Scalar::unit() * a.abs());
+                }
+            }
+            Ok(())
+        });
+    }
+}
+
+crate::support::every_port!(
+    neutral_values_change_nothing,
+    hold_hands_on_sums,
+    delay_shifts,
+    saturation_clips,
+    difference_divides,
+    encoder_counts,
+    order_matters,
+);
+
+/// A round trip displaces nothing and still does work; a hold hands on that work.
+#[test]
+fn hold_keeps_the_work_of_a_round_trip() {
+    let mut spy = Spy::on(Scripted::of(vec![1.0; 3]));
+    let mut held = (&mut spy).held(2).expect("a hold");
+    held.respond(&Drive::starting(0.5, 0.0, 0.0));
+    held.respond(&Drive::new(0.5, 2.0, 4.0, 2.0, 3.0));
+    held.respond(&Drive::new(0.5, 0.0, -4.0, -2.0, 1.0));
+    let Drive { period, displacement, work, .. } = spy.asked[1];
+    assert_eq!((period, displacement, work), (1.0, 0.0, 4.0));
+}
+
+mod rounding {
+    //! Whole numbers by the library and by the standard library.
+
+    use super::*;
+    use crate::support::wild;
+
+    fn check<T: Real>() {
+        hold(CASES, uniform4(any::<Bits>()), |bits| {
+            let whole = 1.0 / T::epsilon().f64();
+            let near_tie = T::of((unit_range(bits[2]) * 4096.0).trunc() + 0.5);
+            let beside = T::of_bits(bits_of(near_tie).wrapping_add(bits[3] % 3).wrapping_sub(1));
+            let large = T::of((bits[2] % 64) as f64 / 8.0 + whole / 2.0 - 4.0);
+            for x in [hostile::<T>(bits[0]), wild(bits[1]), near_tie, beside, large, -large] {
+                let (found, exact) = (x.rounded().f64(), x.f64().round());
+                prop_assert!(
+                    found == exact || (found.is_nan() && exact.is_nan()),
+                    "{x:?}: {found:e}"
+                );
+            }
+            Ok(())
+        });
+    }
+
+    fn unit_range(bits: Bits) -> f64 {
+        2.0 * crate::support::unit(bits) - 1.0
+    }
+
+    fn bits_of<T: Real>(x: T) -> Bits {
+        // Which of the two it is shows in the bits of one.
+        let single = T::of_bits(u64::from(1f32.to_bits())).f64() == 1.0;
+        if single { u64::from((x.f64() as f32).to_bits()) } else { x.f64().to_bits() }
+    }
+
+    #[test]
+    fn f32() {
+        check::<f32>();
+    }
+
+    #[test]
+    fn f64() {
+        check::<f64>();
+        assert_eq!(0.499_999_999_999_999_94.rounded(), 0.0);
+        assert_eq!((-2.5f64).rounded(), -3.0);
+    }
+}

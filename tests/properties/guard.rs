@@ -1,0 +1,248 @@
+//! Bad samples do not reach what is inside of a guard, and its ledger does not overstate what happened meanwhile.
+
+use proptest::array::uniform16;
+use proptest::prelude::any;
+use proptest::prop_assert;
+use proptest::test_runner::TestCaseResult;
+
+use lyapunov::{
+    Adapt, Body, DampingLimit, Drive, Fallback, Impedance, Lolc, OnePort, Plant, PortEnergy,
+    Scalar, Spring,
+};
+
+use crate::support::{Bits, CASES, Faulty, Port, Real, Spy, bad, hold, log_between, ordinary};
+
+const TICKS: usize = 40;
+
+/// A loop of a body and a spring, and which of its samples are bad.
+struct Scene<V: Port> {
+    body: Body<V>,
+    spring: Spring<V>,
+    limit: DampingLimit<V::Scalar>,
+    period: V::Scalar,
+    fallback: Fallback,
+    bits: [Bits; 16],
+}
+
+/// One tick: what the plant really did, whether the guard was told so, what it answered, and what was inside.
+struct Row<V: Port> {
+    drive: Drive<V>,
+    sound: bool,
+    told: Drive<V>,
+    answer: V,
+    sum: V::Scalar,
+    accepted: bool,
+}
+
+impl<V: Port> Scene<V> {
+    fn from(bits: [Bits; 16]) -> Self {
+        let of = |value: f64| V::Scalar::of(value);
+        let period = of(log_between(bits[0], 5e-4, 5e-3));
+        let impedance = Impedance { mass: of(0.3), damping: of(0.2), stiffness: of(50.0) };
+        let start = V::from_axes(|axis| ordinary(bits[1 + axis], 5e-3));
+        let flow = V::from_axes(|axis| ordinary(bits[4 + axis], 0.3));
+        Self {
+            body: Body::new(impedance, period).expect("a body").starting(start, flow),
+            spring: Spring::new(of(log_between(bits[7], 100.0, 3000.0))).expect("a spring"),
+            limit: DampingLimit::of_mass(of(0.5), of(0.3), period).expect("a limit"),
+            period,
+            fallback: if bits[8] & 1 == 0 { Fallback::Hold } else { Fallback::Zero },
+            bits,
+        }
+    }
+
+    /// The drive with NaN or infinities in some of its fields; which ones changes from tick to tick.
+    fn spoilt(&self, drive: Drive<V>, tick: usize) -> Drive<V> {
+        let bits = self.bits[9].rotate_left(7 * tick as u32) ^ self.bits[10];
+        let fields = 1 + bits % 63;
+        let wrong = bad::<V::Scalar>(bits >> 8);
+        let spoil = |field: u32, signal: V| {
+            let axis = (bits >> (16 + 2 * field)) as usize % V::AXES;
+            let hit = fields >> field & 1 == 1;
+            V::from_axes(|at| if hit && at == axis { wrong } else { signal.axis(at) })
+        };
+        Drive {
+            period: if fields & 1 == 1 { wrong } else { drive.period },
+            position: spoil(1, drive.position),
+            velocity: spoil(2, drive.velocity),
+            displacement: spoil(3, drive.displacement),
+            acted: spoil(4, drive.acted),
+            work: spoil(5, drive.work),
+        }
+    }
+
+    /// Runs with bad samples at `bad`; also says what the spring was asked.
+    fn run(&self, bad: impl Fn(usize) -> bool) -> (Vec<Row<V>>, Vec<Drive<V>>) {
+        let mut spy = Spy::on(self.spring);
+        let lolc = Lolc::new(PortEnergy, self.limit);
+        let mut port = (&mut spy).stabilized(lolc).guarded(self.fallback);
+        let (mut plant, mut drive) = (self.body, self.body.start());
+        let mut rows = Vec::new();
+        for tick in 0..TICKS {
+            let sound = !bad(tick);
+            let told = if sound { drive } else { self.spoilt(drive, tick) };
+            let answer = port.respond(&told);
+            let action = port.action();
+            let (sum, accepted) = (action.sum, action.accepted);
+            rows.push(Row { drive, sound, told, answer, sum, accepted });
+            drive = plant.advance(answer);
+        }
+        (rows, spy.asked)
+    }
+}
+
+/// Nothing that is not finite comes out, and the fallback is what it says.
+fn answers<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
+    let mut last = V::zero();
+    for row in rows {
+        prop_assert!(row.answer.all_finite(), "answered {:?}", row.answer);
+        prop_assert!(row.accepted == row.sound, "accepted {} of {:?}", row.accepted, row.told);
+        match (row.sound, fallback) {
+            (true, _) => last = row.answer,
+            (false, Fallback::Hold) => prop_assert!(row.answer == last, "not held"),
+            (false, Fallback::Zero) => prop_assert!(row.answer == V::zero(), "not zero"),
+        }
+    }
+    Ok(())
+}
+
+/// The spring was asked once for every sound drive, and was told of the time and the way since the one before.
+fn spans<V: Port>(rows: &[Row<V>], asked: &[Drive<V>], period: V::Scalar) -> TestCaseResult {
+    let sound: Vec<usize> = (0..rows.len()).filter(|&tick| rows[tick].sound).collect();
+    prop_assert!(asked.len() == sound.len(), "{} calls", asked.len());
+    for (whole, &tick) in asked.iter().zip(&sound) {
+        prop_assert!(whole.finite() && whole.position == rows[tick].drive.position);
+    }
+    for ((whole, pair), ticks) in asked.iter().skip(1).zip(asked.windows(2)).zip(sound.windows(2)) {
+        let steps = (ticks[1] - ticks[0]) as f64;
+        let off = whole.period.f64() - steps * period.f64();
+        prop_assert!(off.abs() <= steps * steps * V::Scalar::unit() * period.f64(), "{off:e} s");
+        let way = pair[1].position - pair[0].position;
+        let measured = rows[ticks[1]].drive;
+        if steps == 1.0 {
+            prop_assert!(*whole == measured, "a sound drive was changed");
+            continue;
+        }
+        prop_assert!(whole.displacement == way, "the way is not that of the two positions");
+        for axis in 0..V::AXES {
+            let mean = way.axis(axis).f64() / whole.period.f64();
+            let (told, now) = (whole.velocity.axis(axis).f64(), measured.velocity.axis(axis).f64());
+            let slower = if mean.abs() < now.abs() { mean } else { now };
+            let least = if mean * now < 0.0 { 0.0 } else { slower };
+            let off = (told - least).abs();
+            prop_assert!(
+                off <= 2.0 * V::Scalar::unit() * mean.abs(),
+                "{told} for {mean} and {now}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Whether no axis turned round between the sound samples around each gap.
+fn monotone<V: Port>(rows: &[Row<V>]) -> bool {
+    let one_way = |part: &[Row<V>]| {
+        (0..V::AXES).all(|axis| {
+            let moved = || part.iter().map(|row| row.drive.displacement.axis(axis).f64());
+            moved().all(|way| way >= 0.0) || moved().all(|way| way <= 0.0)
+        })
+    };
+    // The first sound drive after a gap tells of its end.
+    let gap_at = |tick: usize| {
+        let in_gap = |at: &usize| !rows[*at].sound || (*at > 0 && !rows[*at - 1].sound);
+        (tick..rows.len()).take_while(in_gap).count()
+    };
+    (0..rows.len()).all(|tick| one_way(&rows[tick..tick + gap_at(tick)]))
+}
+
+/// On sound ticks the sum is at most the work that the plant knows of, and exactly that under a hold.
+fn ledger<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
+    let (mut truth, mut size) = (0.0, 0.0);
+    let one_way = monotone(rows);
+    for (tick, row) in rows.iter().enumerate() {
+        let Drive { acted, displacement, position, .. } = row.drive;
+        for axis in 0..V::AXES {
+            let (f, dx) = (acted.axis(axis).f64(), displacement.axis(axis).f64());
+            truth += f * dx;
+            // The way over a gap is a difference of rounded positions.
+            size += f.abs() * (dx.abs() + position.axis(axis).f64().abs());
+        }
+        if !row.sound {
+            continue;
+        }
+        let (sum, bound) = (row.sum.f64(), 16.0 * V::Scalar::unit() * size);
+        let over = sum - truth;
+        prop_assert!(!one_way || over <= bound, "tick {tick}: {sum:e} J for {truth:e} J");
+        let exact = fallback == Fallback::Hold;
+        prop_assert!(!exact || over.abs() <= bound, "tick {tick}: {sum:e} J, not {truth:e} J");
+    }
+    Ok(())
+}
+
+fn laws<V: Port>(scene: &Scene<V>, bad: impl Fn(usize) -> bool) -> TestCaseResult {
+    let (rows, asked) = scene.run(bad);
+    answers(&rows, scene.fallback)?;
+    spans(&rows, &asked, scene.period)?;
+    ledger(&rows, scene.fallback)
+}
+
+mod check {
+    use super::*;
+
+    pub(super) fn one_bad_sample<V: Port>() {
+        hold(CASES, (0..TICKS, uniform16(any::<Bits>())), |(at, bits)| {
+            laws(&Scene::<V>::from(bits), |tick| tick == at)
+        });
+    }
+
+    pub(super) fn bad_from_then_on<V: Port>() {
+        hold(CASES, (0..TICKS, uniform16(any::<Bits>())), |(at, bits)| {
+            laws(&Scene::<V>::from(bits), |tick| tick >= at)
+        });
+    }
+
+    pub(super) fn gaps<V: Port>() {
+        hold(CASES, (0..TICKS, 1..12usize, uniform16(any::<Bits>())), |(at, long, bits)| {
+            laws(&Scene::<V>::from(bits), |tick| (at..at + long).contains(&tick))
+        });
+    }
+
+    pub(super) fn now_and_then<V: Port>() {
+        hold(CASES, (any::<Bits>(), uniform16(any::<Bits>())), |(which, bits)| {
+            laws(&Scene::<V>::from(bits), |tick| which >> tick & 1 == 1)
+        });
+    }
+
+    /// An effort that is not finite is replaced like a bad sample, and the action says so.
+    pub(super) fn replaces_bad_efforts<V: Port>() {
+        hold(CASES, (0..8u8, 1..8u8, uniform16(any::<Bits>())), |(from, long, bits)| {
+            let scene = Scene::<V>::from(bits);
+            let of = |value: u8| V::Scalar::of(f64::from(value));
+            let faulty = Faulty::between(scene.spring, of(from), of(from + long));
+            let mut port = faulty.guarded(scene.fallback);
+            let (mut plant, mut drive, mut last) = (scene.body, scene.body.start(), V::zero());
+            for tick in 0..16u8 {
+                let answer = port.respond(&drive);
+                let bad = (from..from + long).contains(&tick);
+                let fallback = match scene.fallback {
+                    Fallback::Hold => last,
+                    Fallback::Zero => V::zero(),
+                };
+                let stiff = { scene.spring }.respond(&drive);
+                prop_assert!(answer == if bad { fallback } else { stiff }, "{answer:?}");
+                prop_assert!(port.action().accepted != bad, "tick {tick} says nothing");
+                last = answer;
+                drive = plant.advance(answer);
+            }
+            Ok(())
+        });
+    }
+}
+
+crate::support::every_port!(
+    one_bad_sample,
+    bad_from_then_on,
+    gaps,
+    now_and_then,
+    replaces_bad_efforts,
+);

@@ -1,0 +1,261 @@
+//! The laws of the served sum, `L + α v² T`, recomputed from what a stabilizer reports.
+
+use proptest::prelude::any;
+use proptest::prop_assert;
+use proptest::test_runner::TestCaseResult;
+
+use lyapunov::{
+    Accumulator, Action, Compensated, Dissipation, Drive, Lolc, LyapunovCandidate, Plain,
+    PortEnergy, Scalar, Stabilizer, Wide,
+};
+
+use crate::support::{Port, Real, Stream, power};
+
+/// What the laws are about, on one tick.
+struct Seen<V: Port> {
+    drive: Drive<V>,
+    effort: V,
+    limit: V::Scalar,
+    action: Action<V>,
+}
+
+impl<V: Port> Seen<V> {
+    /// `α` is rounded to a few units in the last place only where it and what it burns are normal numbers.
+    fn roundable(&self) -> bool {
+        let tiny = V::Scalar::tiny();
+        self.action.alpha >= tiny && self.action.alpha * self.square() >= tiny
+    }
+
+    fn square(&self) -> V::Scalar {
+        power(self.drive.velocity) * self.drive.period
+    }
+
+    /// Everything that holds for every sample, sound or not.
+    fn bounds(&self) -> TestCaseResult {
+        let Action { effort, sum, alpha, shortfall, accepted } = self.action;
+        let zero = V::Scalar::of(0.0);
+        prop_assert!(effort.all_finite(), "effort {effort:?}");
+        prop_assert!(sum.f64().is_finite(), "sum {sum:?}");
+        prop_assert!(shortfall.f64().is_finite() && shortfall >= zero, "shortfall {shortfall:?}");
+        prop_assert!(alpha >= zero && alpha <= self.limit, "alpha {alpha:?}");
+        if !accepted {
+            prop_assert!(effort == V::zero() && alpha == zero, "a correction of a bad sample");
+            prop_assert!(
+                shortfall == -sum || (sum >= zero && shortfall == zero),
+                "of a bad sample"
+            );
+        }
+        Ok(())
+    }
+
+    /// What the contract says of a sample that was accepted.
+    fn served(&self) -> TestCaseResult {
+        let Action { sum, alpha, shortfall, .. } = self.action;
+        let (zero, tiny) = (V::Scalar::of(0.0), V::Scalar::tiny());
+        let square = self.square();
+        let burnt = alpha * square;
+        if sum >= zero {
+            prop_assert!(alpha == zero && shortfall == zero, "nothing is owed");
+        } else if square <= tiny {
+            prop_assert!(alpha == zero && shortfall == -sum, "nothing can be served");
+        } else if self.roundable() || self.limit == zero {
+            let served = sum + burnt;
+            prop_assert!(served + shortfall >= zero, "served {served:?}, short {shortfall:?}");
+            if alpha < self.limit {
+                prop_assert!(served >= zero, "served {served:?}");
+                prop_assert!(shortfall == zero, "short of {shortfall:?} below the limit");
+                self.in_any_order()?;
+            }
+        } else {
+            // The best that a subnormal α, or one of which the burnt energy is subnormal, can do: a few of their steps
+            // are lacking.
+            let lacking = -(sum + burnt + shortfall).f64();
+            let step = V::Scalar::least().f64();
+            prop_assert!(lacking <= 4.0 * step * (1.0 + square.f64()), "{lacking:e}");
+        }
+        Ok(())
+    }
+
+    /// The served sum is not negative for readers who multiply in another order either, as long as none of their
+    /// products is too small to be rounded to a unit in the last place.
+    fn in_any_order(&self) -> TestCaseResult {
+        let (alpha, period) = (self.action.alpha, self.drive.period);
+        let square = power(self.drive.velocity);
+        let tiny = V::Scalar::tiny();
+        for (first, then) in [(alpha * square, period), (alpha * period, square)] {
+            let served = self.action.sum + first * then;
+            let rounded = first >= tiny && first * then >= tiny && square >= tiny;
+            prop_assert!(!rounded || served >= V::Scalar::of(0.0), "{served:?} in another order");
+        }
+        Ok(())
+    }
+
+    /// No axis is pushed the way it moves away from the environment's effort.
+    fn opposes(&self) -> TestCaseResult {
+        for axis in 0..V::AXES {
+            let (before, after) = (self.effort.axis(axis), self.action.effort.axis(axis));
+            let flow = self.drive.velocity.axis(axis);
+            let zero = Scalar::of(0.0);
+            prop_assert!(flow < zero || after >= before, "axis {axis} is pushed on");
+            prop_assert!(flow > zero || after <= before, "axis {axis} is pushed on");
+        }
+        Ok(())
+    }
+}
+
+fn laws<V: Port>(mut stabilizer: impl Stabilizer<V>, stream: &Stream<V>) -> TestCaseResult {
+    for &(drive, effort) in &stream.samples {
+        let action = stabilizer.stabilize(&drive, effort);
+        let seen = Seen { drive, effort, limit: stream.limit.most(), action };
+        seen.bounds()?;
+        if action.accepted {
+            seen.served()?;
+            seen.opposes()?;
+        }
+    }
+    Ok(())
+}
+
+fn each_work<V, C, A>(candidate: C, stream: &Stream<V>) -> TestCaseResult
+where
+    V: Port,
+    C: LyapunovCandidate<V> + Copy,
+    A: Accumulator<V::Scalar>,
+{
+    let lolc = Lolc::new(candidate, stream.limit).summed_in::<A>();
+    laws(lolc, stream)?;
+    laws::<V>(lolc.sampled(), stream)
+}
+
+/// POPC and LOLC with each candidate, over held and sampled work.
+fn each_candidate<V: Port, A: Accumulator<V::Scalar>>(stream: &Stream<V>) -> TestCaseResult {
+    let damper = Dissipation::of(stream.damping).expect("a damping");
+    let contact = V::contact(stream.damping, stream.surface);
+    each_work::<V, _, A>(PortEnergy, stream)?;
+    each_work::<V, _, A>((PortEnergy, damper), stream)?;
+    each_work::<V, _, A>((PortEnergy, contact), stream)?;
+    each_work::<V, _, A>((PortEnergy, damper, contact), stream)
+}
+
+fn each_sum<V: Port>(stream: &Stream<V>) -> TestCaseResult {
+    each_candidate::<V, Plain<V::Scalar>>(stream)?;
+    each_candidate::<V, Compensated<V::Scalar>>(stream)
+}
+
+mod check {
+    use proptest::array::uniform8;
+
+    use super::*;
+    use crate::support::{Bits, CASES, hold, stream, unit};
+    use lyapunov::DampingLimit;
+
+    pub(super) fn sound<V: Port>() {
+        hold(CASES, stream::<V>(false), |stream| each_sum(&stream));
+    }
+
+    pub(super) fn with_bad_samples<V: Port>() {
+        hold(CASES, stream::<V>(true), |stream| each_sum(&stream));
+    }
+
+    /// Near the end of the scalar's range: what fits is accepted as it is.
+    pub(super) fn fits_the_range<V: Port>() {
+        hold(CASES, uniform8(any::<Bits>()), |bits| {
+            let of = |value: f64| V::Scalar::of(value);
+            // Sum, v² T and efforts, together not above 0.96 of the largest number.
+            let largest = V::Scalar::largest().f64();
+            let share = |at: usize, most: f64| most * unit(bits[at]) * largest;
+            let acted = V::from_axes(|axis| of(share(axis, 0.08)));
+            let velocity = V::from_axes(|axis| of(share(3 + axis % 2, 0.08).sqrt()));
+            let effort = V::from_axes(|axis| of(-share(5 + axis, 0.16)));
+            let limit = DampingLimit::at(of(1.0)).expect("a limit");
+            let mut popc = Lolc::new(PortEnergy, limit);
+            let drive = Drive::new(of(1.0), V::zero(), velocity, V::splat(of(1.0)), acted);
+            let action = popc.stabilize(&drive, effort);
+            prop_assert!(action.accepted && action.effort == effort, "{action:?}");
+            Ok(())
+        });
+    }
+}
+
+crate::support::every_port!(sound, with_bad_samples, fits_the_range);
+
+mod wide {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::support::{CASES, hold, stream};
+
+    #[test]
+    fn f32_scalar() {
+        hold(CASES, stream::<f32>(true), |stream| each_candidate::<f32, Wide<f32>>(&stream));
+    }
+
+    #[test]
+    fn f32_vector() {
+        hold(CASES, stream::<Vector3<f32>>(true), |stream| {
+            each_candidate::<Vector3<f32>, Wide<f32>>(&stream)
+        });
+    }
+}
+
+mod any_bits {
+    //! Numbers of every bit pattern: nothing that is not finite comes out.
+
+    use proptest::array::uniform16;
+    use proptest::collection::vec;
+
+    use super::*;
+    use crate::support::{Bits, CASES, hold, wild};
+    use lyapunov::DampingLimit;
+
+    fn finite<V: Port>(
+        mut lolc: impl Stabilizer<V>,
+        limit: V::Scalar,
+        samples: &[[Bits; 16]],
+    ) -> TestCaseResult {
+        for bits in samples {
+            let signal = |at: usize| V::from_axes(|axis| wild(bits[at + axis]));
+            let drive = Drive::new(wild(bits[15]), V::zero(), signal(0), signal(3), signal(6));
+            let effort = signal(9);
+            let action = lolc.stabilize(&drive, effort);
+            Seen { drive, effort, limit, action }.bounds()?;
+        }
+        Ok(())
+    }
+
+    fn check<V: Port>() {
+        hold(CASES, vec(uniform16(any::<Bits>()), 1..16), |samples| {
+            for limit in [0.0, 15.0, f64::INFINITY] {
+                let limit = DampingLimit::at(V::Scalar::of(limit)).expect("a limit");
+                let credit = Dissipation::of(V::Scalar::of(0.2)).expect("a damping");
+                let lolc = Lolc::new((PortEnergy, credit), limit);
+                finite::<V>(lolc, limit.most(), &samples)?;
+                finite::<V>(lolc.sampled(), limit.most(), &samples)?;
+                let lolc = lolc.summed_in::<Compensated<V::Scalar>>();
+                finite::<V>(lolc, limit.most(), &samples)?;
+                finite::<V>(lolc.sampled(), limit.most(), &samples)?;
+            }
+            Ok(())
+        });
+    }
+
+    #[test]
+    fn f32_scalar() {
+        check::<f32>();
+    }
+
+    #[test]
+    fn f64_scalar() {
+        check::<f64>();
+    }
+
+    #[test]
+    fn f32_vector() {
+        check::<nalgebra::Vector3<f32>>();
+    }
+
+    #[test]
+    fn f64_vector() {
+        check::<nalgebra::Vector3<f64>>();
+    }
+}
