@@ -6,7 +6,7 @@ use crate::Row;
 use crate::scene::{Candidate, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Work};
 
 /// Settled means within this share of the starting swing about the equilibrium.
-const BAND: f64 = 0.05;
+pub(crate) const BAND: f64 = 0.05;
 
 /// What a run came to, summed up row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,7 +95,7 @@ impl Summary {
 }
 
 /// Where the operator's spring and a one-sided wall balance.
-fn equilibrium(scene: &Scene) -> Option<f64> {
+pub(crate) fn equilibrium(scene: &Scene) -> Option<f64> {
     let Environment::Wall(wall) = scene.environment;
     let (pull, rest) = (scene.operator.stiffness.get(), scene.operator.rest.get());
     let (push, surface) = (wall.stiffness.get(), wall.position.get());
@@ -103,8 +103,8 @@ fn equilibrium(scene: &Scene) -> Option<f64> {
     (pull > 0.0).then_some(if rest > surface { pressed } else { rest })
 }
 
-/// How far the plant would swing about `rest` if nothing else acted.
-fn swing(scene: &Scene, rest: f64) -> f64 {
+/// How far the plant would swing about `rest` if nothing else acted, m.
+pub(crate) fn swing(scene: &Scene, rest: f64) -> f64 {
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let frequency = (scene.operator.stiffness.get() / mass).sqrt();
     let away = scene.initial.position.get() - rest;
@@ -165,7 +165,7 @@ impl fmt::Display for Summary {
 }
 
 /// A number with four significant digits.
-struct Number(f64);
+pub(crate) struct Number(pub(crate) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -184,17 +184,25 @@ impl fmt::Display for Number {
 /// A scene in one line.
 struct Described<'a>(&'a Scene);
 
-impl fmt::Display for Described<'_> {
+/// A scene in one line, but for its stabilizer.
+pub(crate) struct Setting<'a>(pub(crate) &'a Scene);
+
+impl fmt::Display for Setting<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let scene = self.0;
         let Environment::Wall(wall) = scene.environment;
-        let number = |value: f64| Number(value).to_string();
         write!(f, "{} s at {} Hz", scene.duration.get(), scene.servo_rate.get())?;
         if scene.environment_ratio() > 1 {
             write!(f, " over {} Hz", scene.environment_rate())?;
         }
-        write!(f, ", wall {} N/m", wall.stiffness.get())?;
-        write!(f, " {} N.s/m", number(wall.damping.get()))?;
+        write!(f, ", wall {} N/m {} N.s/m", wall.stiffness.get(), Number(wall.damping.get()))
+    }
+}
+
+impl fmt::Display for Described<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scene = self.0;
+        write!(f, "{}", Setting(scene))?;
         let work = |work| if work == Work::Held { "held" } else { "sampled" };
         match scene.stabilizer {
             None => write!(f, ", no stabilizer")?,

@@ -1,13 +1,17 @@
 //! What the command line offers, and how its commands end.
 
+mod compare;
 mod paper;
 mod run;
 
 use std::fmt::Display;
+use std::io::{Error, ErrorKind};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Parser;
+use lyapunov_lab::OutputError;
 
 /// Simulate sampled loops under stabilizers that watch a Lyapunov candidate.
 ///
@@ -16,6 +20,7 @@ use clap::Parser;
 #[command(name = "lyapunov", version, max_term_width = 100)]
 pub(crate) enum Command {
     Run(run::Run),
+    Compare(compare::Compare),
     Paper(paper::Paper),
 }
 
@@ -25,6 +30,7 @@ impl Command {
         let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
         let end = match self {
             Self::Run(run) => run.run(),
+            Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
         };
         match end {
@@ -82,5 +88,13 @@ impl End {
                 ExitCode::from(130)
             }
         }
+    }
+}
+
+/// What an error of standard output comes to.
+pub(crate) fn standard_output(error: Error) -> End {
+    match error.kind() {
+        ErrorKind::BrokenPipe => End::Enough,
+        _ => End::input(OutputError::new(Path::new("standard output"), error)),
     }
 }

@@ -1,6 +1,6 @@
 //! `lyapunov run`.
 
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -9,7 +9,7 @@ use lyapunov::{ParameterError, Scalar as Number};
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Csv, Output, OutputError, Rollout, Row, Summary};
 
-use super::End;
+use super::{End, standard_output};
 
 /// Ticks between two looks at the clock and at interrupts.
 const BREATH: u64 = 1 << 16;
@@ -49,13 +49,6 @@ impl Run {
 
     fn tell(&self, summary: &Summary) -> Result<(), End> {
         writeln!(io::stdout(), "{}: {summary}", self.scene.display()).map_err(standard_output)
-    }
-}
-
-fn standard_output(error: io::Error) -> End {
-    match error.kind() {
-        ErrorKind::BrokenPipe => End::Enough,
-        _ => End::input(OutputError::new(Path::new("standard output"), error)),
     }
 }
 
