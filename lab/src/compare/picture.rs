@@ -44,27 +44,31 @@ fn panel(
     outcomes: &[&Outcome],
     curve: impl Fn(&Outcome) -> &Points,
 ) -> Panel {
-    let scaled = |points: &[(f64, f64)]| points.iter().map(|(t, y)| (*t, 1e3 * y)).collect();
+    let shown = outcomes.iter().flat_map(|outcome| {
+        let until = shown_until(comparison, outcome, outcomes);
+        curve(outcome).iter().take_while(move |point| point.0 < until).map(|point| point.1)
+    });
+    let range = span(shown).filter(|_| outcomes.iter().any(|outcome| is_unstable(outcome)));
     let mut panel =
         Panel::new(title, "time, s", label).with_x_range(0.0, comparison.scene.duration.get());
     for (index, outcome) in outcomes.iter().enumerate() {
         let points = curve(outcome);
-        let unstable = if is_unstable(outcome) { " (unstable)" } else { "" };
+        // An unstable curve ends where it first leaves the frame: its returns would only be upright lines.
+        let end = range.filter(|_| is_unstable(outcome)).and_then(|(low, high)| {
+            points.iter().position(|point| !(low..=high).contains(&point.1))
+        });
+        let kept = &points[..end.map_or(points.len(), |end| end + 1)];
+        let unstable = if is_unstable(outcome) { " (unstable, cut off)" } else { "" };
         let name = format!("{}{unstable}", outcome.score.stabilizer);
-        let series = Series::line(name, outcome.number, scaled(points));
+        let scaled = kept.iter().map(|(t, y)| (*t, 1e3 * y)).collect();
+        let series = Series::line(name, outcome.number, scaled);
         // Over an equal curve, dashes let both be seen.
         let hides = outcomes[..index].iter().any(|other| curve(other) == points);
         panel = panel.with_series(if hides { series.dashed() } else { series });
     }
-    let shown = outcomes.iter().flat_map(|outcome| {
-        let until = shown_until(comparison, outcome, outcomes);
-        curve(outcome).iter().take_while(move |point| point.0 < until).map(|point| 1e3 * point.1)
-    });
-    match span(shown) {
-        Some((low, high)) if outcomes.iter().any(|outcome| is_unstable(outcome)) => {
-            panel.with_y_range(low, high)
-        }
-        _ => panel,
+    match range {
+        Some((low, high)) => panel.with_y_range(1e3 * low, 1e3 * high),
+        None => panel,
     }
 }
 

@@ -7,8 +7,11 @@ use super::column::Column;
 use super::score::Score;
 use crate::summary::Setting;
 
-/// The widest name of a contestant.
-const WIDEST: usize = 26;
+/// The widest line.
+const WIDEST: usize = 100;
+
+/// What is left of a name at least.
+const SHORTEST: usize = 8;
 
 const BETWEEN: &str = "  ";
 
@@ -50,14 +53,20 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
 fn part(columns: &[Column], scores: &[&Score], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let headings =
         (0..3).map(|line| columns.iter().map(|c| c.heading()[line].to_owned()).collect());
-    let cells = scores.iter().map(|score| columns.iter().map(|c| fitted(&c.cell(score))).collect());
-    let (headings, cells): (Vec<Vec<String>>, Vec<Vec<String>>) =
+    let cells = scores.iter().map(|score| columns.iter().map(|c| plain(&c.cell(score))).collect());
+    let (headings, mut cells): (Vec<Vec<String>>, Vec<Vec<String>>) =
         (headings.collect(), cells.collect());
-    let width = |column: usize| {
-        let all = headings.iter().chain(&cells);
-        all.map(|line| line[column].chars().count()).max().unwrap_or(0)
+    let widths = |cells: &[Vec<String>]| -> Vec<usize> {
+        let all = || headings.iter().chain(cells);
+        let width = |column: usize| all().map(|line| line[column].chars().count()).max();
+        (0..columns.len()).map(|column| width(column).unwrap_or(0)).collect()
     };
-    let widths: Vec<usize> = (0..columns.len()).map(width).collect();
+    let numbers: usize = widths(&cells)[1..].iter().map(|width| BETWEEN.len() + width).sum();
+    let room = WIDEST.saturating_sub(numbers).max(SHORTEST);
+    for line in &mut cells {
+        line[0] = fitted(&line[0], room);
+    }
+    let widths = widths(&cells);
     for (index, line) in headings.iter().chain(&cells).enumerate() {
         if index == headings.len() {
             let rules: Vec<String> = widths.iter().map(|width| "-".repeat(*width)).collect();
@@ -76,11 +85,15 @@ fn aligned(line: &[String], widths: &[usize]) -> String {
     cells.collect::<Vec<_>>().join(BETWEEN)
 }
 
-/// `text` in one line and no wider than a name may be.
-fn fitted(text: &str) -> String {
-    let plain = text.chars().map(|c| if c.is_control() { ' ' } else { c });
-    if text.chars().count() <= WIDEST {
-        return plain.collect();
+/// `text` without what would break the line.
+fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+/// `text` within `room`.
+fn fitted(text: &str, room: usize) -> String {
+    if text.chars().count() <= room {
+        return text.to_owned();
     }
-    plain.take(WIDEST - 3).chain("...".chars()).collect()
+    text.chars().take(room - 3).chain("...".chars()).collect()
 }
