@@ -100,6 +100,10 @@ impl Column {
             Self::ForceError => ["force", "error", "N rms"],
             Self::Chatter => ["chatter", "5-50 Hz", "N rms"],
             Self::Active => ["", "active", "%"],
+            // Without optimisation the numbers say nothing about a real loop.
+            Self::StepTime if cfg!(debug_assertions) => {
+                ["time per step", "median (range)", "ns, debug build"]
+            }
             Self::StepTime => ["time per step", "median (range)", "ns"],
             Self::StateBytes => ["", "state", "bytes"],
         }
