@@ -22,12 +22,14 @@
 //! ```
 
 pub mod chart;
+pub mod compare;
 mod csv;
 mod output;
 pub mod paper;
 mod port;
 mod rollout;
 pub mod scene;
+mod stabilizer;
 mod summary;
 
 pub use csv::{COLUMNS, Csv};
@@ -35,4 +37,5 @@ pub use output::{Output, OutputError};
 pub use port::Port;
 pub use rollout::{Rollout, Row};
 pub use scene::Scene;
+pub use stabilizer::AnyStabilizer;
 pub use summary::Summary;

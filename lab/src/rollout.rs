@@ -1,13 +1,11 @@
 //! The closed loop of a scene, tick by tick.
 
-use lyapunov::{
-    Adapt, Body, DampingLimit, Dissipation, Drive, Impedance, Lolc, LyapunovCandidate, OnePort,
-    ParameterError, Plant, PortEnergy, Scalar, Stabilizer, Wall,
-};
+use lyapunov::{Adapt, Body, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer};
 
-use crate::Port;
 use crate::port::Tap;
-use crate::scene::{self, Candidate, Environment, Scene, Velocity, Work};
+use crate::scene::{Environment, Scene, Velocity};
+use crate::stabilizer::wall;
+use crate::{AnyStabilizer, Port};
 
 /// Room for the delay of a scene, in ticks.
 const DELAY: usize = 1024;
@@ -85,26 +83,9 @@ impl<T: Scalar> Rollout<T> {
     /// # Errors
     /// A parameter that is right by itself but out of the range of `T`, alone or together with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        match scene.stabilizer {
+        match AnyStabilizer::of(scene)? {
             None => Self::assemble(scene, Ok),
-            Some(scene::Stabilizer::Popc(popc)) => {
-                Self::watch(scene, PortEnergy, popc.work, popc.damping_cap.get())
-            }
-            Some(scene::Stabilizer::Lolc(lolc)) => {
-                let (work, cap) = (lolc.work, lolc.damping_cap.get());
-                match lolc.candidate {
-                    Candidate::Spring => Self::watch(scene, PortEnergy, work, cap),
-                    Candidate::DeviceDamping => {
-                        let damper = Dissipation::of(T::of(scene.device.damping.get()))?;
-                        Self::watch(scene, (PortEnergy, damper), work, cap)
-                    }
-                    Candidate::MassSpringDamper => {
-                        let Environment::Wall(parameters) = scene.environment;
-                        let credit = wall::<T>(parameters)?.dissipation();
-                        Self::watch(scene, (PortEnergy, credit), work, cap)
-                    }
-                }
-            }
+            Some(stabilizer) => Self::stabilized_by(scene, stabilizer),
         }
     }
 
@@ -119,19 +100,14 @@ impl<T: Scalar> Rollout<T> {
         Self::assemble(scene, |port| Ok(Port::new(port.stabilized(stabilizer))))
     }
 
-    fn watch(
-        scene: &Scene,
-        candidate: impl LyapunovCandidate<T> + 'static,
-        work: Work,
-        cap: f64,
-    ) -> Result<Self, ParameterError> {
-        let mass = scene.operator.mass.get() + scene.device.mass.get();
-        let limit = DampingLimit::of_mass(T::of(cap), T::of(mass), T::of(scene.period()))?;
-        let lolc = Lolc::new(candidate, limit);
-        match work {
-            Work::Held => Self::stabilized_by(scene, lolc),
-            Work::Sampled => Self::stabilized_by(scene, lolc.sampled()),
-        }
+    /// What the plant tells of the coming tick, before anything measures it.
+    pub(crate) fn drive(&self) -> &Drive<T> {
+        &self.drive
+    }
+
+    /// What stood before the stabilizer on the last tick: the drive as measured, and the environment's effort.
+    pub(crate) fn seen(&self) -> Option<(Drive<T>, T)> {
+        self.environment.get()
     }
 
     fn assemble(
@@ -200,11 +176,6 @@ impl<T: Scalar> Iterator for Rollout<T> {
         self.tick = if row.is_some() { self.tick + 1 } else { u64::MAX };
         row
     }
-}
-
-fn wall<T: Scalar>(wall: scene::Wall) -> Result<Wall<T>, ParameterError> {
-    let surface = T::of(wall.position.get());
-    Ok(Wall::new(T::of(wall.stiffness.get()), T::of(wall.damping.get()))?.at(surface))
 }
 
 fn body<T: Scalar>(scene: &Scene) -> Result<Body<T>, ParameterError> {

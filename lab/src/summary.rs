@@ -8,7 +8,7 @@ use crate::scene::{
 };
 
 /// Settled means within this share of the starting swing about the equilibrium.
-const BAND: f64 = 0.05;
+pub(crate) const BAND: f64 = 0.05;
 /// Settled in the last tenth of a run is not yet settled.
 const LATE: f64 = 0.9;
 
@@ -111,7 +111,7 @@ fn sum(total: f64, force: f64, way: f64) -> f64 {
 }
 
 /// Where the operator's spring and a one-sided wall balance.
-fn equilibrium(scene: &Scene) -> Option<f64> {
+pub(crate) fn equilibrium(scene: &Scene) -> Option<f64> {
     let Environment::Wall(wall) = scene.environment;
     let (pull, rest) = (scene.operator.stiffness.get(), scene.operator.rest.get());
     let (push, surface) = (wall.stiffness.get(), wall.position.get());
@@ -120,7 +120,7 @@ fn equilibrium(scene: &Scene) -> Option<f64> {
 }
 
 /// How far the plant would swing about `rest` if nothing else acted.
-fn swing(scene: &Scene, rest: f64) -> f64 {
+pub(crate) fn swing(scene: &Scene, rest: f64) -> f64 {
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let frequency = (scene.operator.stiffness.get() / mass).sqrt();
     let away = scene.initial.position.get() - rest;
@@ -269,17 +269,17 @@ impl fmt::Display for Booking {
 }
 
 /// A number that was computed: four digits tell all that matters.
-fn found(value: f64) -> Number {
+pub(crate) fn found(value: f64) -> Number {
     Number { value, digits: 4 }
 }
 
 /// A number from the scene, or a time: close to what was written there, and still short.
-fn given(value: f64) -> Number {
+pub(crate) fn given(value: f64) -> Number {
     Number { value, digits: 9 }
 }
 
 /// A number rounded to some significant digits, whole parts to no fewer than they have, without final zeros.
-struct Number {
+pub(crate) struct Number {
     value: f64,
     digits: usize,
 }

@@ -1,16 +1,19 @@
 //! What the command line offers, and how its commands end.
 
+mod compare;
 mod paper;
 mod run;
 
 use std::fmt::Display;
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 use std::process::{self, ExitCode};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use clap::Parser;
+use lyapunov_lab::OutputError;
 
 /// Simulate sampled loops under stabilizers that watch a Lyapunov candidate.
 #[derive(Debug, Parser)]
@@ -22,6 +25,7 @@ use clap::Parser;
 )]
 pub(crate) enum Command {
     Run(run::Run),
+    Compare(compare::Compare),
     Paper(paper::Paper),
 }
 
@@ -29,6 +33,7 @@ impl Command {
     pub(crate) fn run(self) -> ExitCode {
         let end = match self {
             Self::Run(run) => run.run(),
+            Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
         };
         match end {
@@ -110,5 +115,13 @@ impl End {
                 130
             }
         }
+    }
+}
+
+/// What an error of standard output means: a closed pipe is no fault.
+pub(crate) fn standard_output(error: io::Error) -> End {
+    match error.kind() {
+        ErrorKind::BrokenPipe => End::Enough,
+        _ => End::input(OutputError::new(Path::new("standard output"), error)),
     }
 }

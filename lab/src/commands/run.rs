@@ -1,7 +1,7 @@
 //! `lyapunov run`.
 
 use std::fs;
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -10,7 +10,7 @@ use lyapunov::{ParameterError, Scalar as Number};
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Csv, Output, OutputError, Rollout, Row, Summary};
 
-use super::{End, heed_interrupts, say};
+use super::{End, heed_interrupts, say, standard_output};
 
 /// Ticks between two looks at the clock and at interrupts.
 const BREATH: u64 = 1 << 16;
@@ -72,13 +72,6 @@ impl Run {
 
     fn tell(&self, summary: &Summary) -> Result<(), End> {
         writeln!(io::stdout(), "{}\n{summary}", self.scene.display()).map_err(standard_output)
-    }
-}
-
-fn standard_output(error: io::Error) -> End {
-    match error.kind() {
-        ErrorKind::BrokenPipe => End::Enough,
-        _ => End::input(OutputError::new(Path::new("standard output"), error)),
     }
 }
 

@@ -53,6 +53,7 @@ pub use parts::{
     Popc, Saturation, Scalar, Stabilizer, Velocity, Wall, Work,
 };
 pub use quantity::{Cap, DelayTicks, Finite, NonNegative, OutOfRange, Positive};
+pub(crate) use suggest::nearest;
 
 use std::path::Path;
 

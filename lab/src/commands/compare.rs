@@ -1,0 +1,179 @@
+//! `lyapunov compare`.
+
+use std::cell::Cell;
+use std::fs;
+use std::io::{self, IsTerminal, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use lyapunov::Scalar as Number;
+use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
+use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::{Output, OutputError};
+
+use super::{End, heed_interrupts, standard_output};
+
+/// Ticks in all from which on there is something to wait for.
+const LONG: u64 = 1 << 20;
+
+/// Compare stabilizers on the same scenes: none, POPC, and LOLC with each of its candidates.
+///
+/// Prints a table for each scene. POPC and LOLC take work and damping_cap from the scene's own stabilizer if it
+/// has one. A `-` stands where a column does not apply; docs/compare.md defines the columns.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Compare {
+    /// The scene files, TOML.
+    #[arg(required = true, value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Sort by this column, the smallest first; by default the order of registration.
+    ///
+    /// A column is named by its key in compare.json, such as settling_time_s or ns_per_step.
+    #[arg(long, value_name = "COLUMN")]
+    by: Option<Column>,
+    /// Print compare.json instead of tables.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Compare {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        let load = |path: &PathBuf| Ok((path.display().to_string(), Scene::load(path)?));
+        let scenes: Result<Vec<(String, Scene)>, _> = self.scenes.iter().map(load).collect();
+        let scenes = scenes.map_err(|error: lyapunov_lab::scene::Diagnostic| End::input(error))?;
+        let folder = self.out.as_deref().map(Folder::claim).transpose()?;
+        let comparisons = self.compare(&scenes)?;
+        let text = document(&comparisons).map_err(End::internal)?;
+        if let Some(folder) = folder {
+            folder.fill(&self.scenes, &comparisons, &text)?;
+        }
+        let mut out = io::stdout().lock();
+        if self.json {
+            return out.write_all(text.as_bytes()).map_err(standard_output);
+        }
+        let shown = if self.quiet { &[][..] } else { &comparisons[..] };
+        for (index, comparison) in shown.iter().enumerate() {
+            let gap = if index == 0 { "" } else { "\n" };
+            write!(out, "{gap}{comparison}").map_err(standard_output)?;
+        }
+        Ok(())
+    }
+
+    fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<Comparison>, End> {
+        let contestants = Contestants::<f64>::standard().names().count() as u64;
+        let ticks = scenes.iter().map(|(_, scene)| contestants * (scene.ticks() + 1)).sum();
+        let bar = self.progress(ticks);
+        let mut comparisons = Vec::new();
+        for (name, scene) in scenes {
+            let mut comparison = match scene.scalar {
+                Scalar::F64 => meet::<f64>(name, scene, &bar)?,
+                Scalar::F32 => meet::<f32>(name, scene, &bar)?,
+            };
+            if let Some(column) = self.by {
+                comparison.sort_by(column);
+            }
+            comparisons.push(comparison);
+        }
+        bar.finish_and_clear();
+        Ok(comparisons)
+    }
+
+    /// A bar where somebody looks and there is something to wait for.
+    fn progress(&self, ticks: u64) -> ProgressBar {
+        if self.quiet || ticks < LONG || !io::stdout().is_terminal() {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
+        ProgressBar::new(ticks).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    }
+}
+
+fn meet<T: Number + Send>(name: &str, scene: &Scene, bar: &ProgressBar) -> Result<Comparison, End> {
+    let watch = |ticks| {
+        bar.inc(ticks);
+        match End::if_interrupted() {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
+    };
+    let contestants = Contestants::<T>::standard();
+    Comparison::watched(name, scene, &contestants, &watch).map_err(|error| match error {
+        CompareError::Stopped => End::Interrupted,
+        error => End::input(error),
+    })
+}
+
+/// The folder for the results. One that had to be made is taken away again if nothing comes of it.
+struct Folder<'a> {
+    path: &'a Path,
+    is_new: Cell<bool>,
+}
+
+impl<'a> Folder<'a> {
+    /// Makes sure that the results can be written before they are worked for.
+    fn claim(path: &'a Path) -> Result<Self, End> {
+        let is_new = Cell::new(!path.exists());
+        fs::create_dir_all(path).map_err(|error| {
+            let error = match path.is_file() {
+                true => io::ErrorKind::NotADirectory.into(),
+                false => error,
+            };
+            End::input(OutputError::new(path, error))
+        })?;
+        let folder = Self { path, is_new };
+        Output::create(&path.join("compare.json")).map_err(End::input)?;
+        Ok(folder)
+    }
+
+    /// Writes everything, and only then lets it appear.
+    fn fill(&self, scenes: &[PathBuf], comparisons: &[Comparison], text: &str) -> Result<(), End> {
+        let mut outputs = Vec::new();
+        let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
+            let mut output = Output::create(&self.path.join(name))?;
+            output.write_all(bytes).map_err(|error| output.blame(error))?;
+            outputs.push(output);
+            Ok(())
+        };
+        for (name, comparison) in names(scenes).iter().zip(comparisons) {
+            End::if_interrupted()?;
+            let figure = comparison.figure();
+            let picture = figure.to_png(2.0).map_err(End::internal)?;
+            put(&format!("{name}.svg"), figure.to_svg().as_bytes()).map_err(End::input)?;
+            put(&format!("{name}.png"), &picture).map_err(End::input)?;
+        }
+        put("compare.json", text.as_bytes()).map_err(End::input)?;
+        End::if_interrupted()?;
+        self.is_new.set(false);
+        outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
+    }
+}
+
+impl Drop for Folder<'_> {
+    fn drop(&mut self) {
+        if self.is_new.get() {
+            let _ = fs::remove_dir(self.path);
+        }
+    }
+}
+
+/// The name of each scene's figure: that of its file, with a number where two are alike.
+fn names(scenes: &[PathBuf]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for scene in scenes {
+        let stem = scene.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into());
+        let numbered = (2..).map(|number| format!("{stem}-{number}"));
+        let free = std::iter::once(stem.clone()).chain(numbered).find(|name| !names.contains(name));
+        names.push(free.unwrap_or(stem));
+    }
+    names
+}

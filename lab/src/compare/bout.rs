@@ -1,0 +1,155 @@
+//! One contestant on one scene.
+
+use std::ops::ControlFlow;
+
+use lyapunov::{ParameterError, Scalar};
+
+use super::boundedness::Boundedness;
+use super::chatter::Chatter;
+use super::contacts::Contacts;
+use super::contestants::Contestant;
+use super::cost::{KEPT, Samples};
+use super::energies::Energies;
+use super::score::Score;
+use super::tick::{Share, Tick, wall};
+use super::trace::Trace;
+use crate::{Rollout, Row, Scene, Summary};
+
+/// Ticks between two reports of progress.
+const BREATH: u64 = 1 << 14;
+
+/// Is told how many more ticks are done; says whether to go on.
+pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
+
+/// What one contestant came to on one scene, with its curves and what its step is to be timed with.
+#[derive(Debug)]
+pub(super) struct Bout<T: Scalar> {
+    pub(super) score: Score,
+    pub(super) curves: Curves,
+    pub(super) samples: Samples<T>,
+}
+
+/// The curves of a run: time and position in m, time and observer sum in J.
+#[derive(Clone, Debug)]
+pub(super) struct Curves {
+    pub(super) position: Vec<(f64, f64)>,
+    pub(super) observer: Vec<(f64, f64)>,
+}
+
+/// Why a bout has no result.
+#[derive(Debug)]
+pub(super) enum NoBout {
+    Parameter(ParameterError),
+    Stopped,
+}
+
+impl From<ParameterError> for NoBout {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+impl<T: Scalar> Bout<T> {
+    pub(super) fn of(
+        scene: &Scene,
+        contestant: &Contestant<T>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoBout> {
+        let stabilizer = contestant.stabilizer(scene)?;
+        let state_bytes = stabilizer.state_bytes();
+        let mut rollout = Rollout::stabilized_by(scene, stabilizer)?;
+        let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| {
+            // As the loop rounds it.
+            T::of(limit.force.get()).lane(0)
+        });
+        let (mut share, mut meters) = (Share::new(scene, most), Meters::new(scene));
+        let mut samples = Vec::new();
+        let mut ticks = 0;
+        loop {
+            let velocity = rollout.drive().velocity.lane(0);
+            let Some(row) = rollout.next() else { break };
+            meters.add(&share.tick(row, velocity));
+            samples.extend(rollout.seen().filter(|_| samples.len() < KEPT));
+            ticks += 1;
+            if ticks % BREATH == 0 && watch(BREATH).is_break() {
+                return Err(NoBout::Stopped);
+            }
+        }
+        // What was not run counts as done: a run that leaves the range has no more ticks.
+        if watch((scene.ticks() + 1).saturating_sub(ticks - ticks % BREATH)).is_break() {
+            return Err(NoBout::Stopped);
+        }
+        let (score, curves) = meters.finish(contestant.name.clone(), state_bytes);
+        Ok(Self { score, curves, samples })
+    }
+}
+
+/// Everything that is measured along a run.
+#[derive(Debug)]
+struct Meters {
+    stiffness: f64,
+    summary: Summary,
+    boundedness: Boundedness,
+    contacts: Contacts,
+    energies: Energies,
+    chatter: Option<Chatter>,
+    position: Trace,
+    observer: Trace,
+}
+
+impl Meters {
+    fn new(scene: &Scene) -> Self {
+        Self {
+            stiffness: wall(scene).stiffness.get(),
+            summary: Summary::new(scene),
+            boundedness: Boundedness::new(scene),
+            contacts: Contacts::new(scene),
+            energies: Energies::default(),
+            chatter: Chatter::new(scene.servo_rate.get()),
+            position: Trace::new(scene.ticks()),
+            observer: Trace::new(scene.ticks()),
+        }
+    }
+
+    fn add(&mut self, tick: &Tick) {
+        let Row { t, x, observer, f_act, .. } = tick.row;
+        self.summary.add(&tick.row);
+        self.boundedness.add(&tick.row);
+        self.contacts.add(tick);
+        self.energies.add(tick);
+        if let Some(chatter) = &mut self.chatter {
+            chatter.add(f_act);
+        }
+        self.position.add(t, x);
+        self.observer.add(t, observer);
+    }
+
+    fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
+        self.contacts.end();
+        let Self { summary, contacts, energies, .. } = &self;
+        let stable = self.boundedness.verdict();
+        let told = |value: Option<f64>| value.filter(|value| value.is_finite());
+        let millijoules = |energy: f64| told(Some(1e3 * energy));
+        let felt = told(contacts.stiffness());
+        let active = 100.0 * summary.active as f64 / summary.rows as f64;
+        let score = Score {
+            stabilizer,
+            stable,
+            settling_time: summary.settled.filter(|_| summary.left_range().is_none()),
+            short_peak: contacts.short_peak(),
+            long_peak: contacts.long_peak(),
+            energy_injected: millijoules(energies.injected()),
+            energy_taken: millijoules(energies.taken()),
+            shortfall: millijoules(summary.shortfall),
+            stiffness_felt: felt,
+            stiffness_percent: told(felt.map(|felt| 100.0 * felt / self.stiffness)),
+            force_error: told(contacts.force_error().filter(|_| stable == Some(true))),
+            chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
+            active: told(Some(active)),
+            step_time: None,
+            state_bytes,
+        };
+        let (position, observer) = (self.position.finish(), self.observer.finish());
+        (score, Curves { position, observer })
+    }
+}

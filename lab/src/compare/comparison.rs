@@ -1,0 +1,158 @@
+//! All contestants on one scene.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::panic::resume_unwind;
+use std::thread;
+
+use lyapunov::{ParameterError, Scalar};
+
+use super::bout::{Bout, Curves, NoBout, Watch};
+use super::column::Column;
+use super::contestants::{Contestants, Settings};
+use super::score::Score;
+use super::{cost, picture, table};
+use crate::Scene;
+use crate::chart::Figure;
+
+/// All contestants on one scene; shown, it is the table of `lyapunov compare`.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What the scene is called: usually the path of its file.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// What POPC and LOLC are set to.
+    pub settings: Settings,
+    pub(super) outcomes: Vec<Outcome>,
+}
+
+/// What one contestant came to.
+#[derive(Clone, Debug)]
+pub(super) struct Outcome {
+    /// Its place in the order of registration.
+    pub(super) number: usize,
+    pub(super) score: Score,
+    pub(super) curves: Curves,
+}
+
+/// Why there is no comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CompareError {
+    /// A stabilizer or the loop about it cannot be made on a scene.
+    Parameter {
+        /// The contestant.
+        stabilizer: String,
+        /// The scene.
+        scene: String,
+        /// What is not right.
+        error: ParameterError,
+    },
+    /// Whoever watched said so.
+    Stopped,
+}
+
+impl fmt::Display for CompareError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter { stabilizer, scene, error } => {
+                write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
+                f.write_str("change that value in the scene, or compute in f64 if it says f32")
+            }
+            Self::Stopped => f.write_str("the comparison was stopped"),
+        }
+    }
+}
+
+impl std::error::Error for CompareError {}
+
+impl Comparison {
+    /// Runs all `contestants` on `scene` in the scalar `T`, whatever the scene says of it, and times their steps.
+    ///
+    /// # Errors
+    /// A stabilizer that cannot be made on this scene.
+    pub fn of<T: Scalar + Send>(
+        name: &str,
+        scene: &Scene,
+        contestants: &Contestants<T>,
+    ) -> Result<Self, CompareError> {
+        Self::watched(name, scene, contestants, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The same, telling `watch` now and then how many more ticks are done; it says whether to go on.
+    ///
+    /// # Errors
+    /// As [`Comparison::of`], and [`CompareError::Stopped`] if `watch` says so.
+    pub fn watched<T: Scalar + Send>(
+        name: &str,
+        scene: &Scene,
+        contestants: &Contestants<T>,
+        watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
+    ) -> Result<Self, CompareError> {
+        let refused = |stabilizer: &str, error| CompareError::Parameter {
+            stabilizer: stabilizer.to_owned(),
+            scene: name.to_owned(),
+            error,
+        };
+        let bouts = bouts(scene, contestants, watch);
+        let (mut outcomes, mut samples) = (Vec::new(), Vec::new());
+        for (number, (bout, entry)) in bouts.into_iter().zip(contestants.names()).enumerate() {
+            let bout = bout.map_err(|reason| match reason {
+                NoBout::Parameter(error) => refused(entry, error),
+                NoBout::Stopped => CompareError::Stopped,
+            })?;
+            outcomes.push(Outcome { number, score: bout.score, curves: bout.curves });
+            samples.push(bout.samples);
+        }
+        // By now nothing else runs here.
+        let times = cost::of(scene, contestants.entries(), &samples)
+            .map_err(|error| refused("a stabilizer", error))?;
+        for (outcome, time) in outcomes.iter_mut().zip(times) {
+            outcome.score.step_time = time;
+        }
+        let settings = Settings::of(scene);
+        Ok(Self { name: name.to_owned(), scene: *scene, settings, outcomes })
+    }
+
+    /// What each contestant came to.
+    pub fn scores(&self) -> impl Iterator<Item = &Score> {
+        self.outcomes.iter().map(|outcome| &outcome.score)
+    }
+
+    /// Puts the contestants in the order of a column: the smallest first (stable before unstable, names by the
+    /// alphabet), what has no value last, and who is level in the order of registration.
+    pub fn sort_by(&mut self, column: Column) {
+        self.outcomes.sort_by(|one, other| {
+            column.order(&one.score, &other.score).then(one.number.cmp(&other.number))
+        });
+    }
+
+    /// Position and observer sum of all contestants, drawn over each other.
+    pub fn figure(&self) -> Figure {
+        picture::of(self)
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        table::write(self, f)
+    }
+}
+
+/// One thread for each contestant: runs are independent, and the system shares out the cores.
+fn bouts<T: Scalar + Send>(
+    scene: &Scene,
+    contestants: &Contestants<T>,
+    watch: &Watch<'_>,
+) -> Vec<Result<Bout<T>, NoBout>> {
+    thread::scope(|scope| {
+        let started: Vec<_> = contestants
+            .entries()
+            .iter()
+            .map(|contestant| scope.spawn(move || Bout::of(scene, contestant, watch)))
+            .collect();
+        // A stabilizer of one's own that panics does so here as well.
+        let joined = started.into_iter().map(|bout| bout.join());
+        joined.map(|bout| bout.unwrap_or_else(|panic| resume_unwind(panic))).collect()
+    })
+}

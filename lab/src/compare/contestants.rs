@@ -1,0 +1,167 @@
+//! Who takes part.
+
+use std::fmt;
+
+use lyapunov::{Action, Drive, ParameterError, Scalar, Stabilizer};
+
+use crate::AnyStabilizer;
+use crate::scene::{self, Candidate, Cap, Lolc, Popc, Scene, Work};
+
+/// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
+///
+/// ```
+/// use lyapunov::{Action, Drive, Stabilizer};
+/// use lyapunov_lab::compare::{Comparison, Contestants};
+/// use lyapunov_lab::paper;
+///
+/// /// A damper that is always there, N·s/m.
+/// struct Damper(f64);
+/// impl Stabilizer<f64> for Damper {
+///     fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
+///         Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }
+///     }
+/// }
+///
+/// let contestants = Contestants::<f64>::standard().with("damper", |_| Ok(Damper(5.0)));
+/// let comparison = Comparison::of("8 kN/m", &paper::Case::Plain8k.scene()?, &contestants)?;
+/// println!("{comparison}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Contestants<T: Scalar = f64> {
+    entries: Vec<Contestant<T>>,
+}
+
+/// How the stabilizer of a contestant is made.
+type Make<T> = dyn Fn(&Scene) -> Result<AnyStabilizer<T>, ParameterError> + Send + Sync;
+
+/// A name, and a way to make a stabilizer for a scene.
+pub(super) struct Contestant<T: Scalar> {
+    pub(super) name: String,
+    make: Box<Make<T>>,
+}
+
+impl<T: Scalar> Contestants<T> {
+    /// Nobody yet.
+    pub fn nobody() -> Self {
+        Self { entries: Vec::new() }
+    }
+
+    /// No stabilizer, POPC, and LOLC with each of its candidates, set as [`Settings::of`] the scene.
+    pub fn standard() -> Self {
+        let lolc = |candidate| {
+            move |set: Settings| {
+                let Settings { work, damping_cap, .. } = set;
+                scene::Stabilizer::Lolc(Lolc { work, candidate, damping_cap })
+            }
+        };
+        Self::nobody()
+            .with("none", |_| Ok(Nothing))
+            .named("POPC", |set| {
+                scene::Stabilizer::Popc(Popc { work: set.work, damping_cap: set.damping_cap })
+            })
+            .named("LOLC spring", lolc(Candidate::Spring))
+            .named("LOLC device-damping", lolc(Candidate::DeviceDamping))
+            .named("LOLC mass-spring-damper", lolc(Candidate::MassSpringDamper))
+    }
+
+    /// The same with one more, whose stabilizer is made by `make` for each scene.
+    #[must_use]
+    pub fn with<S: Stabilizer<T> + 'static>(
+        self,
+        name: impl Into<String>,
+        make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entered(name.into(), move |scene| make(scene).map(AnyStabilizer::new))
+    }
+
+    /// The names, in the order of registration.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|contestant| contestant.name.as_str())
+    }
+
+    pub(super) fn entries(&self) -> &[Contestant<T>] {
+        &self.entries
+    }
+
+    fn named(
+        self,
+        name: &str,
+        choice: impl Fn(Settings) -> scene::Stabilizer + Send + Sync + 'static,
+    ) -> Self {
+        self.entered(name.to_owned(), move |scene| {
+            AnyStabilizer::named(scene, choice(Settings::of(scene)))
+        })
+    }
+
+    fn entered(
+        mut self,
+        name: String,
+        make: impl Fn(&Scene) -> Result<AnyStabilizer<T>, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entries.push(Contestant { name, make: Box::new(make) });
+        self
+    }
+}
+
+impl<T: Scalar> Contestant<T> {
+    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
+        (self.make)(scene)
+    }
+}
+
+impl<T: Scalar> fmt::Debug for Contestant<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Contestant").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// What POPC and LOLC are set to on a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The work they book.
+    pub work: Work,
+    /// The limit of their damping, of m / T.
+    pub damping_cap: Cap,
+    /// Whether the scene says so; else these are the defaults.
+    pub from_scene: bool,
+}
+
+impl Settings {
+    /// Those of the stabilizer that `scene` names, whichever it is, or the defaults.
+    pub fn of(scene: &Scene) -> Self {
+        let (work, damping_cap) = match scene.stabilizer {
+            None => (Work::default(), Cap::default()),
+            Some(scene::Stabilizer::Popc(popc)) => (popc.work, popc.damping_cap),
+            Some(scene::Stabilizer::Lolc(lolc)) => (lolc.work, lolc.damping_cap),
+        };
+        Self { work, damping_cap, from_scene: scene.stabilizer.is_some() }
+    }
+
+    /// The kind of work in one word.
+    pub(super) fn work_name(&self) -> &'static str {
+        match self.work {
+            Work::Held => "held",
+            Work::Sampled => "sampled",
+        }
+    }
+}
+
+impl fmt::Display for Settings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (work, cap) = (self.work_name(), self.damping_cap.get());
+        let source = if self.from_scene { "as the scene says" } else { "the defaults" };
+        write!(f, "{work} work, cap {cap} ({source})")
+    }
+}
+
+/// No stabilizer: the effort goes through as it came.
+#[derive(Clone, Copy, Debug)]
+struct Nothing;
+
+impl<T: Scalar> Stabilizer<T> for Nothing {
+    #[inline]
+    fn stabilize(&mut self, _drive: &Drive<T>, effort: T) -> Action<T> {
+        Action::none(effort)
+    }
+}

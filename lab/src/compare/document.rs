@@ -1,0 +1,63 @@
+//! `compare.json`.
+
+use serde::Serialize;
+
+use super::Comparison;
+use super::score::Score;
+use super::tick::wall;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    /// The keys of a row that a clock was asked for.
+    not_deterministic: [&'static str; 1],
+    scenes: Vec<Circumstances<'a>>,
+    rows: Vec<Line<'a>>,
+}
+
+/// What is the same for all rows of a scene.
+#[derive(Serialize)]
+struct Circumstances<'a> {
+    scene: &'a str,
+    stiffness_asked_n_per_m: f64,
+    work: &'static str,
+    /// None: no limit.
+    damping_cap: Option<f64>,
+    settings_from_scene: bool,
+}
+
+#[derive(Serialize)]
+struct Line<'a> {
+    scene: &'a str,
+    #[serde(flatten)]
+    score: &'a Score,
+}
+
+/// The comparisons as JSON; docs/compare.md says what is in it.
+///
+/// # Errors
+/// None: every part can be written as JSON.
+pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
+    let circumstances = |comparison: &'_ Comparison| {
+        let cap = comparison.settings.damping_cap.get();
+        (wall(&comparison.scene).stiffness.get(), cap.is_finite().then_some(cap))
+    };
+    let scenes = comparisons.iter().map(|comparison| {
+        let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);
+        Circumstances {
+            scene: &comparison.name,
+            stiffness_asked_n_per_m,
+            work: comparison.settings.work_name(),
+            damping_cap,
+            settings_from_scene: comparison.settings.from_scene,
+        }
+    });
+    let rows = comparisons.iter().flat_map(|comparison| {
+        comparison.scores().map(|score| Line { scene: &comparison.name, score })
+    });
+    let document = Document {
+        not_deterministic: ["ns_per_step"],
+        scenes: scenes.collect(),
+        rows: rows.collect(),
+    };
+    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+}

@@ -1,0 +1,162 @@
+//! `lyapunov compare` from outside.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
+}
+
+fn compare(arguments: &[&dyn AsRef<std::ffi::OsStr>]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lyapunov"));
+    command.arg("compare");
+    command.args(arguments.iter().map(|argument| argument.as_ref())).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// What must go wrong with status 2, saying all of `words` and writing nothing to standard output.
+fn refused(arguments: &[&dyn AsRef<std::ffi::OsStr>], words: &[&str]) {
+    let output = compare(arguments);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(output.stdout.is_empty() && !said.contains("panicked"), "{said}");
+    words.iter().for_each(|word| assert!(said.contains(word), "{word}: {said}"));
+}
+
+/// The rows of a document without what a clock was asked for.
+fn timeless(document: &str) -> Value {
+    let mut document: Value = serde_json::from_str(document).unwrap();
+    let keys = document["not_deterministic"].clone();
+    for row in document["rows"].as_array_mut().unwrap() {
+        for key in keys.as_array().unwrap() {
+            let time = row.as_object_mut().unwrap().remove(key.as_str().unwrap()).unwrap();
+            assert_eq!(time["deterministic"], Value::Bool(false));
+            assert!(time["min"].as_f64() <= time["median"].as_f64());
+            assert!(time["median"].as_f64() <= time["max"].as_f64());
+        }
+    }
+    document
+}
+
+#[test]
+fn tables_files_and_documents_agree() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("deep/results");
+    let (one, other) = (shipped("paper-50k-popc.toml"), shipped("press-1khz.toml"));
+    let output = compare(&[&one, &other, &"--out", &out]);
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
+    let table = text(&output.stdout);
+    assert_eq!(table.matches("POPC and LOLC: held work, cap 0.5").count(), 2);
+    let narrow = |line: &str| line.chars().count() <= 100 || line.contains(".toml");
+    assert!(table.lines().all(narrow), "{table}");
+    assert!(table.contains("(as the scene says)") && table.contains("(the defaults)"));
+
+    let mut names: Vec<String> = fs::read_dir(&out)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let figures = ["paper-50k-popc.png", "paper-50k-popc.svg", "press-1khz.png", "press-1khz.svg"];
+    assert_eq!(names, [&["compare.json"][..], &figures].concat());
+
+    let written = fs::read_to_string(out.join("compare.json")).unwrap();
+    let printed = text(&compare(&[&one, &other, &"--json"]).stdout);
+    assert_eq!(timeless(&written), timeless(&printed));
+
+    let rows = timeless(&written)["rows"].clone();
+    assert_eq!(rows.as_array().unwrap().len(), 10);
+    let value = |row: usize, key: &str| rows[row][key].clone();
+    assert_eq!(value(0, "stable"), Value::Bool(false));
+    assert_eq!(value(1, "settling_time_s"), 1.36);
+    assert_eq!(value(4, "settling_time_s"), 2.35);
+    assert!(value(0, "stiffness_felt_n_per_m").is_null());
+    assert!((90.0..100.0).contains(&value(6, "stiffness_felt_percent").as_f64().unwrap()));
+}
+
+#[test]
+fn scenes_of_one_name_get_a_figure_each() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = shipped("paper-8k-popc.toml");
+    let output = compare(&[&scene, &scene, &"--quiet", &"--out", &folder.path()]);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0));
+    assert!(folder.path().join("paper-8k-popc-2.png").is_file());
+}
+
+#[test]
+fn by_sorts_and_bad_columns_are_named() {
+    let scene = shipped("paper-50k-none.toml");
+    let output = compare(&[&scene, &"--json", &"--by", &"settling_time_s"]);
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let last = &document["rows"][4];
+    assert_eq!((&last["stabilizer"], &last["settling_time_s"]), (&"none".into(), &Value::Null));
+    refused(&[&scene, &"--by", &"setling_time"], &["setling_time", "`settling_time_s`"]);
+    refused(&[&scene, &"--by", &"zzz"], &["zzz", "chatter_rms_n"]);
+}
+
+#[test]
+fn bad_input_is_refused_and_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, out) = (shipped("paper-8k-popc.toml"), folder.path().join("out"));
+    refused(&[], &["SCENE"]);
+    refused(&[&scene, &"no-such.toml", &"--out", &out], &["no-such.toml", "no such file"]);
+    refused(&[&scene, &"--json", &"--quiet"], &["--json", "--quiet"]);
+    assert!(!out.exists());
+
+    let bad = folder.path().join("bad.toml");
+    fs::write(&bad, "duration = -1\n").unwrap();
+    refused(&[&bad, &"--out", &out], &["bad.toml", "duration", "-1"]);
+    // An f32 cannot hold this, which only shows when the loop is made.
+    let text = "duration = 1.0\nservo_rate = 1000.0\nscalar = \"f32\"\ndevice.mass = 1e38\n\
+        operator.mass = 1e38\nenvironment.wall.stiffness = 1.0\n";
+    fs::write(&bad, text.replace("1e38", "3e38")).unwrap();
+    refused(&[&bad, &"--out", &out], &["bad.toml"]);
+    assert!(!out.exists());
+
+    let file = folder.path().join("file");
+    fs::write(&file, "mine").unwrap();
+    refused(&[&scene, &"--out", &file], &["file", "name a folder"]);
+    refused(&[&scene, &"--out", &file.join("deeper")], &["cannot be written"]);
+    fs::create_dir_all(out.join("compare.json")).unwrap();
+    refused(&[&scene, &"--out", &out], &["compare.json", "not of a folder"]);
+    fs::create_dir(folder.path().join("taken")).unwrap();
+    fs::create_dir(folder.path().join("taken/paper-8k-popc.png")).unwrap();
+    refused(&[&scene, &"--out", &folder.path().join("taken")], &["paper-8k-popc.png"]);
+    // Nothing appears when not everything can.
+    assert_eq!(fs::read_dir(folder.path().join("taken")).unwrap().count(), 1);
+}
+
+#[test]
+fn every_effect_and_scalar_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("all.toml");
+    let scene = fs::read_to_string(shipped("press-1khz.toml")).unwrap();
+    fs::write(&path, format!("scalar = \"f32\"\n{scene}\n[effects.saturation]\nforce = 5.0\n"))
+        .unwrap();
+    let document = timeless(&text(&compare(&[&path, &"--json"]).stdout));
+    assert_eq!(document, timeless(&text(&compare(&[&path, &"--json"]).stdout)));
+    let peak = document["rows"][1]["peak_force_short_contact_n"].as_f64().unwrap();
+    assert_eq!(peak, 5.0);
+    assert_eq!(document["rows"][1]["state_bytes"], 8);
+
+    // One tick, and no spring at all.
+    let tiny =
+        "duration = 1e-3\nservo_rate = 10.0\ndevice.mass = 0.1\nenvironment.wall.stiffness = 0.0\n";
+    fs::write(&path, tiny).unwrap();
+    let output = compare(&[&path, &"--out", &folder.path()]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let scene = shipped("paper-8k-popc.toml");
+    let line = format!("{} compare {} | true", env!("CARGO_BIN_EXE_lyapunov"), scene.display());
+    let output = Command::new("bash").args(["-o", "pipefail", "-c", &line]).output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
+}
