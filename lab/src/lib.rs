@@ -22,6 +22,7 @@
 //! ```
 
 pub mod chart;
+pub mod claims;
 mod csv;
 mod output;
 pub mod paper;
