@@ -27,6 +27,7 @@ mod csv;
 mod output;
 pub mod paper;
 mod port;
+pub mod report;
 mod rollout;
 pub mod scene;
 mod summary;

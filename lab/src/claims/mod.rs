@@ -5,12 +5,14 @@
 //! reproduced where it holds for at most 5 %, and undecided in between.
 
 mod area;
+mod balance;
 mod ensemble;
 mod measures;
 mod rows;
 mod sensitivity;
 
 pub use area::{Grid, stable_share};
+pub use balance::Balance;
 pub use ensemble::{Control, DURATION, START, Setting, Trace, run, starts};
 pub use measures::{Measures, median};
 pub use rows::{Claim, Verdict, claims};
