@@ -22,12 +22,10 @@
 //! ```
 
 pub mod chart;
-pub mod claims;
 mod csv;
 mod output;
 pub mod paper;
 mod port;
-pub mod report;
 mod rollout;
 pub mod scene;
 mod summary;

@@ -2,29 +2,23 @@
 
 use std::fmt::Write;
 
-use crate::chart::Figure;
-use crate::claims::{Balance, Claim, Reading, Verdict};
+use super::claims::{Verdict, number};
+use super::figures::Drawn;
+use super::study::Study;
 
 /// What the page is made of.
-#[derive(Debug)]
-pub struct Report<'a> {
-    /// The figures, each with the scenes it is drawn from.
-    pub figures: &'a [(&'static str, Figure, &'static [&'static str])],
-    /// The claims.
-    pub claims: &'a [Claim],
-    /// How the verdicts move with what the paper leaves open.
-    pub readings: &'a [Reading],
-    /// Where the energy went, by the name of the run.
-    pub balances: &'a [(&'static str, Balance)],
+pub(super) struct Report<'a> {
+    pub(super) study: &'a Study,
+    pub(super) figures: &'a [Drawn],
     /// The command that made the page.
-    pub command: &'a str,
+    pub(super) command: &'a str,
 }
 
 const STYLE: &str = include_str!("report.css");
 
 impl Report<'_> {
     /// The page, as HTML.
-    pub fn to_html(&self) -> String {
+    pub(super) fn to_html(&self) -> String {
         let mut page = String::new();
         let version = env!("CARGO_PKG_VERSION");
         page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
@@ -53,7 +47,7 @@ impl Report<'_> {
              <th>What was looked at</th><th class=\"number\">Median</th><th class=\"number\">Held</th>\
              <th>Verdict</th></tr></thead>\n<tbody>\n",
         );
-        for claim in self.claims {
+        for claim in &self.study.claims {
             let (class, verdict) = match claim.verdict {
                 Verdict::Reproduced => ("yes", "reproduced"),
                 Verdict::NotReproduced => ("no", "not reproduced"),
@@ -66,7 +60,7 @@ impl Report<'_> {
                 claim.id,
                 escape(claim.paper),
                 escape(claim.reading),
-                measured(claim),
+                claim.measured(),
                 claim.held,
                 claim.of
             );
@@ -76,13 +70,17 @@ impl Report<'_> {
 
     fn figures(&self, page: &mut String) {
         page.push_str("<h2>Figures</h2>\n");
-        for (name, figure, scenes) in self.figures {
+        for (name, figure, cases) in self.figures {
+            let scenes: Vec<String> = cases
+                .iter()
+                .map(|case| format!("<code>scenes/{}.toml</code>", case.name()))
+                .collect();
             let _ = writeln!(
                 page,
                 "<figure id=\"{name}\">\n{}\n<figcaption>Scenes: {}. Rows: the CSV files beside this \
                  page.</figcaption>\n</figure>",
                 figure.to_svg(),
-                scenes.iter().map(|s| format!("<code>{s}</code>")).collect::<Vec<_>>().join(", ")
+                scenes.join(", ")
             );
         }
     }
@@ -96,7 +94,7 @@ impl Report<'_> {
              <th class=\"number\">Taken by the controller</th><th class=\"number\">At the end</th>\
              <th class=\"number\">Residual</th></tr></thead>\n<tbody>\n",
         );
-        for (name, balance) in self.balances {
+        for (name, balance) in &self.study.balances {
             let _ = write!(page, "<tr><td>{name}</td>");
             let parts =
                 [balance.start, balance.burnt, balance.wall, balance.controller, balance.end];
@@ -116,7 +114,7 @@ impl Report<'_> {
              <th class=\"number\">Ticks active</th><th class=\"number\">Taken by the controller, mJ</th>\
              </tr></thead>\n<tbody>\n",
         );
-        for reading in self.readings {
+        for reading in &self.study.readings {
             let _ = writeln!(
                 page,
                 "<tr><td>{} kN/m</td><td>{}</td><td>{}</td><td class=\"number\">{:.0} %</td>\
@@ -151,24 +149,6 @@ L no longer changes in double precision: the median is 0 and the number undefine
 which the loop stays bounded and settles.</li>\n\
 <li>The reading of the paper: operator and device move as one mass, the operator's spring rests at the wall, everything runs at \
 100 Hz, held work, a damping cap of half of m / T.</li>\n</ul>\n";
-
-fn measured(claim: &Claim) -> String {
-    let unit = if claim.unit == "1" { String::new() } else { format!(" {}", claim.unit) };
-    claim.measured.map_or("–".to_owned(), |value| number(value) + &unit)
-}
-
-/// Four significant digits.
-pub(crate) fn number(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&size) {
-        let decimals = (3 - size.log10().floor() as i32).clamp(0, 6) as usize;
-        format!("{value:.decimals$}")
-    } else {
-        format!("{value:.3e}")
-    }
-}
 
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")

@@ -54,6 +54,27 @@ pub struct Claim {
     pub verdict: Verdict,
 }
 
+impl Claim {
+    /// The median over the starts with its unit, to four digits; a dash where there is none.
+    pub fn measured(&self) -> String {
+        let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
+        self.measured.map_or("–".to_owned(), |value| number(value) + &unit)
+    }
+}
+
+/// Four significant digits.
+pub(crate) fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&size) {
+        let decimals = (3 - size.log10().floor() as i32).clamp(0, 6) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
 /// What a claim is judged by: a number and whether it holds, for each start.
 type Evidence = Vec<(Option<f64>, bool)>;
 

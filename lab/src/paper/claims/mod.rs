@@ -15,5 +15,6 @@ pub use area::{Grid, stable_share};
 pub use balance::Balance;
 pub use ensemble::{Control, DURATION, START, Setting, Trace, run, starts};
 pub use measures::{Measures, median};
+pub(super) use rows::number;
 pub use rows::{Claim, Verdict, claims};
 pub use sensitivity::{Reading, sensitivity};
