@@ -188,10 +188,10 @@ fn soft_wall(runs: &Runs) -> Vec<Claim> {
         })),
         Text {
             id: "force-opposes",
-            paper: "8 kN/m: the controller's force is as large as the wall's, and opposed",
+            paper: "8 kN/m: the controller's force opposes the wall's",
             unit: "1",
             reading: "largest controller force within 0.1 s after the first contact over the wall's peak; \
-                      holds where it is opposed, whatever its size",
+                      holds below 0. (The paper has them equally large: that would be -1.)",
         }
         .judge(each(&runs.lolc8k, |run| {
             let share = run.reply / run.force_peak;
