@@ -4,33 +4,86 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::paper::{self, Case, PaperError};
-use lyapunov_lab::{Rollout, Summary};
+use indicatif::{ProgressBar, ProgressStyle};
+use lyapunov_lab::paper::claims::{Claim, Verdict};
+use lyapunov_lab::paper::{PaperError, Stage, Study};
 
 use super::End;
 
-/// Draw the paper's figures 6 to 9 as SVG and PNG, with the rows behind them as CSV.
+/// Judge the paper's claims over an ensemble of starts, and draw its figures 6 to 9.
+///
+/// Writes a report (report.html), the verdicts (claims.json), each figure as SVG and PNG, and the rows behind
+/// them as CSV.
 #[derive(Args, Debug)]
 pub(crate) struct Paper {
-    /// The folder for figures and rows; made if it is not there.
+    /// The folder for the files; made if it is not there.
     #[arg(long, value_name = "DIR", default_value = "paper")]
     out: PathBuf,
+    /// Print claims.json instead of the table.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing.
+    #[arg(long, conflicts_with = "json")]
+    quiet: bool,
+}
+
+impl From<PaperError> for End {
+    fn from(error: PaperError) -> Self {
+        match error {
+            PaperError::Output(error) => Self::input(error),
+            error => Self::internal(error),
+        }
+    }
 }
 
 impl Paper {
-    /// Takes a moment and leaves each file whole, so an interrupt may end it anywhere.
+    /// Takes seconds and leaves each file whole, so an interrupt may end it anywhere.
     pub(crate) fn run(&self) -> Result<(), End> {
-        paper::write(&self.out).map_err(|error| match error {
-            PaperError::Output(error) => End::input(error),
-            error => End::internal(error),
+        let bar = self.progress();
+        let study = Study::run(|stage| -> Result<(), End> {
+            bar.inc(1);
+            bar.set_message(stage.words());
+            Ok(())
         })?;
-        let mut out = io::stdout().lock();
-        let mut tell = |text: String| writeln!(out, "{text}").map_err(|_| End::Enough);
-        for case in Case::ALL {
-            let scene = case.scene().map_err(End::internal)?;
-            let rows = Rollout::<f64>::of(&scene).map_err(End::internal)?;
-            tell(format!("{}\n{}\n", case.name(), Summary::of(&scene, rows)))?;
+        bar.inc(1);
+        bar.set_message(Stage::Files.words());
+        study.write(&self.out, &format!("lyapunov paper --out {}", self.out.display()))?;
+        bar.finish_and_clear();
+        if self.quiet {
+            return Ok(());
         }
-        tell(format!("figures 6 to 9 and the rows behind them are in {}", self.out.display()))
+        let text = if self.json { study.to_json()? } else { self.table(&study) };
+        io::stdout().write_all(text.as_bytes()).map_err(|_| End::Enough)
     }
+
+    /// Hidden where nobody looks.
+    fn progress(&self) -> ProgressBar {
+        if self.quiet {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template("{bar:20} {pos} of {len}: {msg}");
+        ProgressBar::new(Stage::ALL.len() as u64)
+            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    }
+
+    fn table(&self, study: &Study) -> String {
+        let mut text = String::from("The paper's section IV over 101 starts, 30 s each\n\n");
+        for claim in &study.claims {
+            text += &row(claim);
+        }
+        text + &format!(
+            "\nreport, figures and the rows behind them are in {}\n",
+            self.out.display()
+        )
+    }
+}
+
+fn row(claim: &Claim) -> String {
+    let verdict = match claim.verdict {
+        Verdict::Reproduced => "reproduced",
+        Verdict::NotReproduced => "not reproduced",
+        Verdict::Undecided => "undecided",
+    };
+    let measured = claim.measured();
+    format!("  {verdict:15} {:3} of {:3}  {measured:>12}   {}\n", claim.held, claim.of, claim.paper)
 }

@@ -1,0 +1,94 @@
+//! Where the energy of a run went, by cause.
+
+use lyapunov::{
+    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, OnePort, ParameterError, Plant, PortEnergy,
+    Stabilizer, Wall,
+};
+
+use super::ensemble::{Control, DURATION, START, Setting};
+
+/// Steps within a tick for what the dampers burn.
+const FINE: usize = 40;
+
+/// Where the energy of one run from the paper's start went, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// In the operator's spring at the start.
+    pub start: f64,
+    /// Burnt by the dampers of operator and device.
+    pub burnt: f64,
+    /// Taken by the wall's force; negative where the loop generated energy.
+    pub wall: f64,
+    /// Taken by the controller's force.
+    pub controller: f64,
+    /// In motion and spring at the end.
+    pub end: f64,
+}
+
+impl Balance {
+    /// What the causes do not explain: the error of the fine integration.
+    pub fn residual(&self) -> f64 {
+        self.start - self.burnt - self.wall - self.controller - self.end
+    }
+
+    /// Follows the energy of one run of `setting` over held work.
+    ///
+    /// # Errors
+    /// A number that no part takes.
+    pub fn of(setting: &Setting) -> Result<Self, ParameterError> {
+        let period = setting.period();
+        let hand = Impedance { mass: 0.3, damping: 0.201, stiffness: 50.0 };
+        let wall = Wall::new(setting.stiffness, setting.damping)?;
+        let limit = DampingLimit::of_mass(setting.cap, hand.mass, period)?;
+        let fine = Body::new(hand, period / FINE as f64)?.starting(START, 0.0);
+        let popc = Lolc::new(PortEnergy, limit);
+        let lolc = Lolc::new((PortEnergy, wall.dissipation()), limit);
+        let port = wall.held((setting.servo_rate / 100.0).round() as u32)?;
+        let ticks = (DURATION * setting.servo_rate).round() as usize;
+        Ok(match setting.control {
+            Control::None => follow(hand, period, ticks, fine, port, |_, force| force),
+            Control::Popc => {
+                let mut popc = popc;
+                follow(hand, period, ticks, fine, port, |d, f| popc.stabilize(d, f).effort)
+            }
+            Control::Lolc => {
+                let mut lolc = lolc;
+                follow(hand, period, ticks, fine, port, |d, f| lolc.stabilize(d, f).effort)
+            }
+        })
+    }
+}
+
+fn follow(
+    hand: Impedance<f64>,
+    period: f64,
+    ticks: usize,
+    mut fine: Body<f64>,
+    mut port: impl OnePort<f64>,
+    mut stabilize: impl FnMut(&Drive<f64>, f64) -> f64,
+) -> Balance {
+    let stored = |d: &Drive<f64>| {
+        0.5 * (hand.mass * d.velocity * d.velocity + hand.stiffness * d.position * d.position)
+    };
+    let mut now = fine.start();
+    let mut balance = Balance { start: stored(&now), ..Balance::default() };
+    let (mut moved, mut acted) = (0.0, 0.0);
+    for _ in 0..ticks {
+        let seen = Drive::new(period, now.position, moved / period, moved, acted);
+        let force = port.respond(&seen);
+        acted = stabilize(&seen, force);
+        let before = now.position;
+        let mut squares = 0.5 * now.velocity * now.velocity;
+        for _ in 0..FINE {
+            now = fine.advance(acted);
+            squares += now.velocity * now.velocity;
+        }
+        squares -= 0.5 * now.velocity * now.velocity;
+        moved = now.position - before;
+        balance.burnt += hand.damping * squares * period / FINE as f64;
+        balance.wall += force * moved;
+        balance.controller += (acted - force) * moved;
+    }
+    balance.end = stored(&now);
+    balance
+}

@@ -1,0 +1,167 @@
+//! The claims of the paper against straight code: the loop written out, the medians over the same starts.
+
+use std::process::Command;
+
+use lyapunov_lab::paper::claims::{
+    Balance, Control, Grid, Measures, Setting, Verdict, claims, run, starts,
+};
+
+const PERIOD: f64 = 0.01;
+
+/// One run of 30 s at 100 Hz over held work with a cap of half of m / T, written out.
+struct Straight {
+    settled: f64,
+    force_peak: f64,
+    energy_peak: f64,
+    taken: f64,
+}
+
+fn straight(k: f64, b: f64, credited: bool, start: f64) -> Straight {
+    let (m, c, s) = (0.3, 0.201, 50.0);
+    let decay = c / (2.0 * m);
+    let rate = f64::sqrt(s / m - decay * decay);
+    let (sin, cos) = (rate * PERIOD).sin_cos();
+    let shrink = (-decay * PERIOD).exp();
+    let (mut x, mut v_true, mut last, mut force, mut sum) = (start, 0.0, start, [0.0; 2], 0.0);
+    let mut out = Straight { settled: 0.0, force_peak: 0.0, energy_peak: 0.0, taken: 0.0 };
+    let mut contact_over = false;
+    for n in 0..=3000 {
+        let dx = x - last;
+        let v = dx / PERIOD;
+        sum += (force[0] + force[1]) * dx;
+        out.taken += force[1] * dx;
+        if x > 0.0 && credited {
+            sum += b * v * v * PERIOD;
+        }
+        out.energy_peak = out.energy_peak.max(sum);
+        if x.abs() > 0.05 * start.abs() {
+            out.settled = (n + 1) as f64 * PERIOD;
+        }
+        let wall = if x > 0.0 { (k * x + b * v).max(0.0) } else { 0.0 };
+        contact_over |= wall == 0.0 && out.force_peak > 0.0;
+        if !contact_over {
+            out.force_peak = out.force_peak.max(wall);
+        }
+        let energy = v * v * PERIOD;
+        let acts = sum < 0.0 && energy > f64::MIN_POSITIVE;
+        let alpha = if acts { (-sum / energy).min(0.5 * m / PERIOD) } else { 0.0 };
+        force = [wall, alpha * v];
+        last = x;
+        let rest = -(wall + alpha * v) / s;
+        let (away, moving) = (x - rest, v_true);
+        x = rest + shrink * (away * cos + (moving + decay * away) / rate * sin);
+        v_true = shrink * (moving * cos - (decay * moving + s / m * away) / rate * sin);
+    }
+    out
+}
+
+fn middle(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
+}
+
+fn near(measured: f64, expected: f64, share: f64, what: &str) {
+    assert!((measured / expected - 1.0).abs() <= share, "{what}: {measured} against {expected}");
+}
+
+#[test]
+fn ensembles_agree_with_straight_code() {
+    let starts = starts(101);
+    assert_eq!((starts[0], starts[50]), (-0.0036, -0.004));
+    let walls = [(8e3, 2.0, 0.15), (50e3, 20.0, 0.05)];
+    for (control, credited) in [(Control::Popc, false), (Control::Lolc, true)] {
+        for (k, b, share) in walls {
+            let traces = run(&Setting::read(k, b, control), &starts).expect("a setting");
+            let ours: Vec<Measures> = traces.iter().map(Measures::of).collect();
+            let theirs: Vec<Straight> =
+                starts.iter().map(|&start| straight(k, b, credited, start)).collect();
+            let median = |of: &dyn Fn(&Measures) -> f64| middle(ours.iter().map(of).collect());
+            let expected = |of: &dyn Fn(&Straight) -> f64| middle(theirs.iter().map(of).collect());
+            let what = format!("{control:?} at {k} N/m");
+            let settled = median(&|run| run.settled.unwrap_or(f64::INFINITY));
+            near(settled, expected(&|run| run.settled), share, &format!("{what}, settled"));
+            let peak = median(&|run| run.force_peak);
+            near(peak, expected(&|run| run.force_peak), 0.05, &format!("{what}, force"));
+            let taken = median(&|run| run.taken);
+            near(taken, expected(&|run| run.taken), 0.05, &format!("{what}, taken"));
+            let energy = expected(&|run| run.energy_peak);
+            if energy > 1e-9 {
+                near(median(&|run| run.energy_peak), energy, 0.05, &format!("{what}, energy"));
+            }
+        }
+    }
+}
+
+#[test]
+fn energy_balances_close() {
+    for control in [Control::Popc, Control::Lolc] {
+        for (k, b) in [(8e3, 2.0), (50e3, 20.0)] {
+            let balance = Balance::of(&Setting::read(k, b, control)).expect("a setting");
+            let moved = balance.burnt.abs() + balance.wall.abs() + balance.controller.abs();
+            assert!(balance.residual().abs() < 1e-4 * moved, "{control:?} at {k}: {balance:?}");
+            assert_eq!(balance.start, 0.5 * 50.0 * 0.004 * 0.004);
+        }
+    }
+}
+
+#[test]
+fn verdicts_follow_from_the_counts() {
+    let all = claims(&starts(101), Grid { stiffnesses: 3, dampings: 2 }).expect("claims");
+    let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
+    let expected = [
+        "unstable-without-control",
+        "settles-8k",
+        "force-peak",
+        "force-opposes",
+        "energy-peak",
+        "settles-50k",
+        "popc-sooner",
+        "popc-smaller-swing",
+        "popc-jitters",
+        "popc-impulsive",
+        "less-per-sample",
+        "less-conservative",
+        "printed-recursion",
+    ];
+    assert_eq!(ids, expected);
+    for claim in &all {
+        assert_eq!(claim.of, 101, "{}", claim.id);
+        let share = claim.held as f64 / claim.of as f64;
+        let verdict = match claim.measured {
+            Some(_) if share >= 0.95 => Verdict::Reproduced,
+            Some(_) if share <= 0.05 => Verdict::NotReproduced,
+            _ => Verdict::Undecided,
+        };
+        assert_eq!(claim.verdict, verdict, "{}", claim.id);
+    }
+}
+
+#[test]
+fn the_command_prints_what_it_writes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |extra: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_lyapunov"))
+            .arg("paper")
+            .arg("--out")
+            .arg(folder.path())
+            .args(extra)
+            .output()
+            .expect("the command");
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let table = run(&[]);
+    assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
+    assert!(table.contains("not reproduced    0 of 101"), "{table}");
+    let printed = run(&["--json"]);
+    let written = std::fs::read_to_string(folder.path().join("claims.json")).expect("claims.json");
+    assert_eq!(printed, written);
+    let json: serde_json::Value = serde_json::from_str(&written).expect("json");
+    let keys = ["id", "paper", "measured", "unit", "reading", "held", "of", "verdict"];
+    for row in json["rows"].as_array().expect("rows") {
+        assert!(keys.iter().all(|key| row.get(key).is_some()), "{row}");
+    }
+    assert_eq!(run(&["--quiet"]), "");
+    let page = std::fs::read_to_string(folder.path().join("report.html")).expect("report.html");
+    assert!(page.matches("<svg").count() == 4);
+}
