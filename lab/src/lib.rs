@@ -23,6 +23,7 @@
 
 pub mod chart;
 mod csv;
+pub mod observe;
 mod output;
 pub mod paper;
 mod port;

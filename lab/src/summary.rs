@@ -165,7 +165,7 @@ impl fmt::Display for Summary {
 }
 
 /// A number with four significant digits.
-struct Number(f64);
+pub(crate) struct Number(pub(crate) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

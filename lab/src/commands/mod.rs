@@ -1,7 +1,9 @@
 //! What the command line offers, and how its commands end.
 
+mod observe;
 mod paper;
 mod run;
+mod source;
 
 use std::fmt::Display;
 use std::process::ExitCode;
@@ -17,6 +19,7 @@ use clap::Parser;
 pub(crate) enum Command {
     Run(run::Run),
     Paper(paper::Paper),
+    Observe(observe::Observe),
 }
 
 impl Command {
@@ -26,6 +29,7 @@ impl Command {
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Paper(paper) => paper.run(),
+            Self::Observe(observe) => observe.run(),
         };
         match end {
             Ok(()) => ExitCode::SUCCESS,
