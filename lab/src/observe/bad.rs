@@ -46,7 +46,7 @@ impl fmt::Display for Reason<'_> {
                 write!(f, "{} is `{}`, out of range", role.letter(), text(field))
             }
             Self::Order { time, last, line } => {
-                write!(f, "t = {time} s is not after {last} s of line {line}")
+                write!(f, "t = {time:?} s is not after {last:?} s of line {line}")
             }
             Self::TooLong => f.write_str("longer than 256 KiB"),
         }

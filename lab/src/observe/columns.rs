@@ -25,6 +25,11 @@ impl Columns {
         Role::ALL.into_iter().zip(self.0.iter().map(String::as_str))
     }
 
+    /// Whether there is a column of this role.
+    pub(super) fn has(&self, role: Role) -> bool {
+        role.index() < self.0.len()
+    }
+
     /// Whether every column is given by its number.
     pub(super) fn numbered(&self) -> bool {
         self.0.iter().all(|name| position(name).is_some())

@@ -4,10 +4,8 @@ use std::fmt;
 use std::io;
 
 use super::bad::BadRows;
+use super::fold::fold;
 use crate::scene::printable;
-
-/// The widest line of help.
-const WIDTH: usize = 96;
 
 /// Why a log cannot be observed: what is wrong, and what would be right.
 #[derive(Debug)]
@@ -41,12 +39,14 @@ impl ObserveError {
 
     /// The error of a log with fewer than two good rows.
     pub(super) fn too_few(name: &str, bad: &BadRows) -> Self {
-        let mut message = "fewer than two good rows, so nothing moved".to_owned();
-        if let Some(first) = bad.first.first() {
-            message +=
-                &format!("; {} bad, the first at line {}: {}", bad.count, first.line, first.reason);
-        }
-        Self::about(name, message).with_help(bad.remedy().unwrap_or("give a log of a motion"))
+        let error = Self::about(name, "fewer than two good rows, so nothing moved");
+        error.with_help(match (bad.first.first(), bad.remedy()) {
+            (Some(first), Some(remedy)) => {
+                let (count, line, reason) = (bad.count, first.line, &first.reason);
+                format!("{count} bad, the first at line {line}: {reason}; {remedy}")
+            }
+            _ => "give a log of a motion".to_owned(),
+        })
     }
 
     pub(super) fn with_help(self, help: impl Into<String>) -> Self {
@@ -68,18 +68,7 @@ impl fmt::Display for ObserveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)?;
         let Some(help) = &self.help else { return Ok(()) };
-        f.write_str("\n  =")?;
-        let mut column = 3;
-        for word in help.split(' ') {
-            let length = word.chars().count();
-            if column + 1 + length > WIDTH {
-                f.write_str("\n   ")?;
-                column = 3;
-            }
-            write!(f, " {word}")?;
-            column += 1 + length;
-        }
-        Ok(())
+        write!(f, "\n  = {}", fold(help, 4))
     }
 }
 

@@ -16,7 +16,7 @@ const ENDLESS: u64 = 1 << 30;
 pub(super) enum Next {
     /// A line, which [`Lines::text`] gives.
     Line,
-    /// A line of more than [`LONGEST`] bytes, which were passed over.
+    /// A line of more than [`LONGEST`] bytes; the rest of it is passed over when the next line is asked for.
     TooLong,
     /// Nothing.
     End,
@@ -33,11 +33,21 @@ pub(super) struct Lines<R> {
     end: usize,
     number: u64,
     text: Range<usize>,
+    /// Whether the buffer holds the beginning of a line that there is no room for.
+    overfull: bool,
 }
 
 impl<R: Read> Lines<R> {
     pub(super) fn new(reader: R) -> Self {
-        Self { reader, buffer: vec![0; LONGEST], start: 0, end: 0, number: 0, text: 0..0 }
+        Self {
+            reader,
+            buffer: vec![0; LONGEST],
+            start: 0,
+            end: 0,
+            number: 0,
+            text: 0..0,
+            overfull: false,
+        }
     }
 
     /// The number of the line that was read last, from 1.
@@ -53,6 +63,9 @@ impl<R: Read> Lines<R> {
 
     /// Goes on to the next line.
     pub(super) fn read(&mut self) -> io::Result<Next> {
+        if std::mem::take(&mut self.overfull) {
+            self.pass_over()?;
+        }
         let mut searched = self.start;
         loop {
             if let Some(at) = memchr(b'\n', &self.buffer[searched..self.end]) {
@@ -62,7 +75,9 @@ impl<R: Read> Lines<R> {
             self.end -= self.start;
             (self.start, searched) = (0, self.end);
             if self.end == self.buffer.len() {
-                return self.pass_over();
+                self.number += 1;
+                (self.text, self.overfull) = (0..0, true);
+                return Ok(Next::TooLong);
             }
             if self.fill()? == 0 {
                 return Ok(if self.end > 0 { self.take(self.end, 0) } else { Next::End });
@@ -78,21 +93,19 @@ impl<R: Read> Lines<R> {
         Next::Line
     }
 
-    /// Passes over a line that the buffer has no room for.
-    fn pass_over(&mut self) -> io::Result<Next> {
-        self.number += 1;
-        self.text = 0..0;
+    /// Passes over the rest of a line that the buffer has no room for.
+    fn pass_over(&mut self) -> io::Result<()> {
         let mut passed = self.end as u64;
         loop {
             (self.start, self.end) = (0, 0);
             let more = self.fill()?;
             if let Some(at) = memchr(b'\n', &self.buffer[..more]) {
                 self.start = at + 1;
-                return Ok(Next::TooLong);
+                return Ok(());
             }
             passed += more as u64;
             if more == 0 {
-                return Ok(Next::TooLong);
+                return Ok(());
             }
             if passed > ENDLESS {
                 let line = self.number;

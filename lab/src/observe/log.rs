@@ -50,7 +50,7 @@ impl<R: Read> Log<R> {
         let (layout, first) = head(&mut lines, name, columns)?;
         let mut factors = [1.0; 4];
         scales.iter().for_each(|scale| factors[scale.role.index()] *= scale.factor);
-        let has_velocity = columns.roles().count() == Role::ALL.len();
+        let has_velocity = columns.has(Role::V);
         let pending = layout.is_row;
         let row = RowReader { layout, factors, has_velocity };
         Ok(Self { lines, row, first: pending.then_some(first), pending })

@@ -21,6 +21,7 @@ mod contact;
 mod envelope;
 mod error;
 mod fields;
+mod fold;
 mod layout;
 mod lines;
 mod log;
@@ -65,6 +66,23 @@ pub struct Settings {
     pub contact: Option<f64>,
 }
 
+impl Settings {
+    fn check(&self) -> Result<(), ObserveError> {
+        if let Some(scale) = self.scales.iter().find(|scale| !self.columns.has(scale.role)) {
+            let letter = scale.role.letter();
+            return Err(ObserveError::new(format!("there is no column of {letter} to scale"))
+                .with_help("name it as the fourth of --columns, or leave its --scale out"));
+        }
+        match self.contact {
+            Some(force) if !(force >= 0.0 && force.is_finite()) => {
+                Err(ObserveError::new(format!("the contact threshold is {force} N"))
+                    .with_help("give a finite force of 0 N or more"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// What was observed in a log.
 #[derive(Clone, Debug)]
 pub struct Observed {
@@ -86,11 +104,8 @@ impl Observed {
 /// Settings out of range, a log that has not the columns asked for or fewer than two good rows, or a stream that
 /// fails.
 pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, ObserveError> {
+    settings.check()?;
     let candidate = settings.candidate.checked()?;
-    if let Some(force) = settings.contact.filter(|force| !(*force >= 0.0 && force.is_finite())) {
-        return Err(ObserveError::new(format!("the contact threshold is {force} N"))
-            .with_help("give a finite force of 0 N or more"));
-    }
     let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
     let mut watch = Watch::new(candidate, settings.contact);
     while let Some(entry) = log.read().map_err(|error| ObserveError::unreadable(name, &error))? {

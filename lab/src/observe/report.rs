@@ -31,6 +31,8 @@ pub struct Report {
     pub gaps: Gaps,
     /// Whether a force acts on the first row; energy stored before it may then come out later.
     pub starts_in_contact: bool,
+    /// Whether a force acts on the last row; energy stored by then may come out after it.
+    pub ends_in_contact: bool,
     /// Energy over the port.
     pub energy: Energy,
     /// The observer over held work.

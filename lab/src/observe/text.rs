@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::candidate::Candidate;
 use super::contact::{Contact, SHARE};
+use super::fold::fold;
 use super::report::Report;
 use super::step::GAP;
 use super::sum::Sum;
@@ -11,15 +12,23 @@ use super::traces::prefix;
 use crate::scene::printable;
 use crate::summary::Number;
 
+/// Columns in front of what a line says.
+const MARGIN: usize = 14;
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let units = Units::of(self);
         let name: String = self.log.chars().map(printable).collect();
-        writeln!(f, "{name}: {} rows over {} s", self.rows, Number(self.duration))?;
+        write!(f, "{name}: {} rows over {} s", self.rows, Number(self.duration))?;
         self.write_rows(f, &units)?;
         self.write_sums(f, &units)?;
         self.write_contacts(f, &units)
     }
+}
+
+/// Begins a new line with its label and what it says, folded.
+fn line(f: &mut fmt::Formatter<'_>, label: &str, text: &str) -> fmt::Result {
+    write!(f, "\n  {label:<12}{}", fold(text, MARGIN))
 }
 
 /// The units and decimals that suit a report.
@@ -32,17 +41,18 @@ struct Units {
 
 impl Units {
     fn of(report: &Report) -> Self {
-        let digits = -report.median_period.log10().floor();
+        // One digit more than the period needs, and no more than the time stamps have.
+        let period = (-report.median_period.log10().floor()).clamp(0.0, 9.0) + 1.0;
+        let latest = report.start.abs().max(report.end.abs()).max(1.0);
+        let decimals = period.min((14.0 - latest.log10().floor()).max(0.0)) as usize;
         let sums = [report.observer.lowest, report.observer.last, report.printed.last];
         let energies = [report.energy.absorbed, report.energy.released].into_iter().chain(sums);
         let (joule, prefix) = prefix(energies.fold(0.0, |most, energy| most.max(energy.abs())));
-        let decimals = if digits.is_finite() { digits.clamp(0.0, 9.0) as usize + 1 } else { 3 };
         Self { decimals, joule, joules: format!("{prefix}J") }
     }
 
     fn time(&self, time: f64) -> String {
-        // Beyond this a decimal is no longer that of the number, but of its conversion.
-        if time.abs() < 1e12 {
+        if time.abs() < 1e15 {
             format!("{time:.*}", self.decimals)
         } else {
             Number(time).to_string()
@@ -56,156 +66,150 @@ impl Units {
 
 impl Report {
     fn write_rows(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
-        let period = self.median_period;
-        writeln!(
-            f,
-            "  time        from {} s to {} s, median period {} ms",
-            units.time(self.start),
-            units.time(self.end),
-            Number(1e3 * period)
-        )?;
-        let limit = Number(1e3 * GAP * period);
-        write!(f, "  gaps        ")?;
-        match self.gaps.longest {
-            None => writeln!(f, "none (no step is longer than {limit} ms)")?,
-            Some(gap) => writeln!(
-                f,
-                "{} ({} over bad rows), {} s in all; the longest {} s after line {}, t = {} s",
+        let (start, end) = (units.time(self.start), units.time(self.end));
+        let period = Number(1e3 * self.median_period);
+        line(f, "time", &format!("from {start} s to {end} s, median period {period} ms"))?;
+        let limit = Number(1e3 * GAP * self.median_period);
+        let gaps = match self.gaps.longest {
+            None => format!("none: no step is longer than {limit} ms"),
+            Some(gap) => format!(
+                "{} longer than {limit} ms, {} of them over bad rows, {} s in all; the longest \
+                 {} s after line {}, t = {} s",
                 self.gaps.count,
                 self.gaps.over_bad_rows,
                 Number(self.gaps.time),
                 Number(gap.length),
                 gap.line,
                 units.time(gap.start)
-            )?,
-        }
+            ),
+        };
+        line(f, "gaps", &gaps)?;
+        self.write_bad_rows(f)
+    }
+
+    fn write_bad_rows(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let bad = &self.bad_rows;
-        match bad.count {
-            0 => writeln!(f, "  bad rows    none")?,
-            count => {
-                writeln!(f, "  bad rows    {count}, left out; the next good row spans the gap")?
-            }
+        if bad.count == 0 {
+            return line(f, "bad rows", "none");
         }
+        line(f, "bad rows", &format!("{}; the next good row spans the gap", bad.count))?;
         for row in &bad.first {
-            writeln!(f, "              line {}: {}", row.line, row.reason)?;
+            line(f, "", &format!("line {}: {}", row.line, row.reason))?;
         }
         let more = bad.count.saturating_sub(bad.first.len() as u64);
         if more > 0 {
-            writeln!(f, "              and {more} more")?;
+            line(f, "", &format!("and {more} more"))?;
         }
-        match bad.remedy() {
-            Some(remedy) => writeln!(f, "              = {remedy}"),
-            None => Ok(()),
-        }
+        bad.remedy().map_or(Ok(()), |remedy| line(f, "", &format!("= {remedy}")))
     }
 
     fn write_sums(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
         let energy = |joules| units.energy(joules);
         let net = self.energy.generated;
-        writeln!(
-            f,
-            "  port        {} in, {} out: {} {}",
-            energy(self.energy.absorbed),
-            energy(self.energy.released),
-            energy(net.abs()),
-            if net > 0.0 { "generated" } else { "absorbed" }
-        )?;
+        let verdict = if net > 0.0 { "generated" } else { "absorbed" };
+        let (absorbed, released) = (energy(self.energy.absorbed), energy(self.energy.released));
+        let net = energy(net.abs());
+        line(f, "port", &format!("{absorbed} in, {released} out: {net} {verdict}"))?;
         if self.candidate != Candidate::Spring {
             let (name, credit) = (self.candidate.name(), energy(self.energy.credited));
-            writeln!(f, "  credit      {credit} by the candidate {name}")?;
+            line(f, "credit", &format!("{credit} by the candidate {name}"))?;
         }
-        write_sum(f, "observer    held work: ", &self.observer, units)?;
-        write_sum(f, "printed     sampled work: ", &self.printed, units)?;
-        match (self.repair.damping, self.repair.at) {
-            (_, None) => writeln!(f, "  damping     none is needed")?,
-            (None, Some(time)) => {
-                let time = units.time(time);
-                writeln!(
-                    f,
-                    "  damping     none repairs the debt at t = {time} s: nothing had moved"
-                )?;
-            }
-            (Some(damping), Some(time)) => writeln!(
-                f,
-                "  damping     {} N.s/m from the start would have repaired it all; most is needed at {} s",
-                Number(damping),
-                units.time(time)
-            )?,
+        line(f, "observer", &format!("held work: {}", told(&self.observer, units)))?;
+        let blind = match (self.observer.negative_at, self.printed.negative_at) {
+            (Some(_), None) => ": it sees no debt",
+            _ => "",
+        };
+        line(f, "printed", &format!("sampled work: {}{blind}", told(&self.printed, units)))?;
+        line(f, "damping", &self.damping(units))?;
+        let note = match (self.starts_in_contact, self.ends_in_contact) {
+            (true, false) => "the log begins in contact: what was stored before may come out",
+            (false, true) => "the log ends in contact: what is stored then may still come out",
+            (true, true) => "the log begins and ends in contact: part of the sum is stored energy",
+            (false, false) => return Ok(()),
+        };
+        line(f, "note", note)
+    }
+
+    fn damping(&self, units: &Units) -> String {
+        match (self.repair.damping, self.repair.at.map(|time| units.time(time))) {
+            (_, None) => "no debt to repair".to_owned(),
+            (None, Some(time)) => format!("none repairs the debt at {time} s: nothing had moved"),
+            (Some(damping), Some(time)) => format!(
+                "{} N.s/m from the start on would have repaired the log; it takes most at {time} s",
+                Number(damping)
+            ),
         }
-        if self.starts_in_contact {
-            writeln!(
-                f,
-                "  note        the log begins in contact: what was stored before may come out as a debt"
-            )?;
-        }
-        Ok(())
     }
 
     fn write_contacts(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
         let contacts = &self.contacts;
+        let follows = if contacts.threshold_follows {
+            format!(", {} % of the largest force so far", 100.0 * SHARE)
+        } else {
+            String::new()
+        };
         let threshold = Number(contacts.threshold);
-        let share = format!("{} % of the largest", Number(100.0 * SHARE));
-        let rule =
-            if contacts.threshold_follows { format!(", {share} so far") } else { String::new() };
-        write!(
-            f,
-            "  contacts    {} (above {threshold} N{rule}), {} generated energy",
-            contacts.count, contacts.generating
-        )?;
+        let (count, generating) = (contacts.count, contacts.generating);
+        let worst = if contacts.worst.is_empty() { "" } else { "; the worst:" };
+        let text =
+            format!("{count}, {generating} generated energy (|f| > {threshold} N{follows}){worst}");
+        line(f, "contacts", &text)?;
         if contacts.worst.is_empty() {
             return Ok(());
         }
-        writeln!(f, "; the worst:")?;
         let joules = &units.joules;
-        write!(
-            f,
-            "  {:>12} {:>12} {:>11} {:>11} {:>13} {:>10} {:>14}",
-            "from, s",
-            "to, s",
+        let titles = ["from, s", "to, s"].map(str::to_owned).into_iter().chain([
             format!("in, {joules}"),
             format!("out, {joules}"),
             format!("generated, {joules}"),
-            "peak, N",
-            "repair, N.s/m"
-        )?;
-        contacts.worst.iter().try_for_each(|contact| write_contact(f, contact, units))
+            "peak, N".to_owned(),
+            "repair, N.s/m".to_owned(),
+        ]);
+        write_cells(f, titles)?;
+        contacts.worst.iter().try_for_each(|contact| write_cells(f, cells(contact, units)))
     }
 }
 
-fn write_sum(f: &mut fmt::Formatter<'_>, name: &str, sum: &Sum, units: &Units) -> fmt::Result {
-    write!(f, "  {name}{} at the end", units.energy(sum.last))?;
+/// The course of a sum in words.
+fn told(sum: &Sum, units: &Units) -> String {
+    let last = units.energy(sum.last);
     let Some(first) = sum.negative_at else {
-        return writeln!(f, "; never below zero");
+        return format!("{last} at the end; never below zero");
     };
-    writeln!(f, ", lowest {} at {} s", units.energy(sum.lowest), units.time(sum.lowest_at))?;
-    let count = match sum.debts {
-        1 => "once".to_owned(),
-        count => format!("{count} times"),
-    };
-    write!(f, "              below zero {count}, first at {} s", units.time(first))?;
-    let later: Vec<String> =
-        sum.first_debts.iter().skip(1).take(5).map(|debt| units.time(debt.start)).collect();
-    match later.len() {
-        0 => writeln!(f),
-        told => {
-            let more = if sum.debts > told as u64 + 1 { ", ..." } else { "" };
-            writeln!(f, ", then {}{more}", later.join(", "))
-        }
+    let count = if sum.debts == 1 { "once".to_owned() } else { format!("{} times", sum.debts) };
+    let mut text = format!(
+        "{last} at the end, lowest {} at {} s; below zero {count}, first at {} s",
+        units.energy(sum.lowest),
+        units.time(sum.lowest_at),
+        units.time(first)
+    );
+    let later = sum.first_debts.iter().skip(1).map(|debt| units.time(debt.start));
+    let later: Vec<String> = later.take(5).collect();
+    if !later.is_empty() {
+        let more = if sum.debts > later.len() as u64 + 1 { ", ..." } else { "" };
+        text += &format!(", then {}{more}", later.join(", "));
     }
+    text
 }
 
-fn write_contact(f: &mut fmt::Formatter<'_>, contact: &Contact, units: &Units) -> fmt::Result {
+fn cells(contact: &Contact, units: &Units) -> impl Iterator<Item = String> {
     let energy = |joules: f64| Number(units.joule * joules).to_string();
-    let repair = contact.damping.map_or("none".to_owned(), |damping| Number(damping).to_string());
-    write!(
-        f,
-        "\n  {:>12} {:>12} {:>11} {:>11} {:>13} {:>10} {:>14}",
+    let repair = contact.damping.map(|damping| Number(damping).to_string());
+    [
         units.time(contact.start),
         units.time(contact.end),
         energy(contact.absorbed),
         energy(contact.released),
         energy(contact.generated),
         Number(contact.peak_force).to_string(),
-        repair
-    )
+        repair.unwrap_or_else(|| "none".to_owned()),
+    ]
+    .into_iter()
+}
+
+/// Begins a new line of the table; with the widest numbers it is 99 columns wide.
+fn write_cells(f: &mut fmt::Formatter<'_>, cells: impl Iterator<Item = String>) -> fmt::Result {
+    const WIDTHS: [usize; 7] = [17, 16, 10, 10, 13, 10, 13];
+    f.write_str("\n")?;
+    cells.zip(WIDTHS).try_for_each(|(cell, width)| write!(f, " {cell:>width$}"))
 }

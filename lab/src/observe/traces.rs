@@ -1,9 +1,11 @@
 //! The curves of a log, thinned as it is read.
 
+use std::path::Path;
+
 use super::envelope::Envelope;
 use super::log::Sample;
 use super::report::Report;
-use crate::chart::{Figure, Guide, Panel, Series};
+use crate::chart::{Figure, Guide, Inset, Panel, Series};
 
 /// The curves of a log, in a bounded number of points.
 #[derive(Clone, Debug)]
@@ -55,10 +57,17 @@ impl Traces {
             .with_series(Series::line("held", 0, curve(&self.held, joule)))
             .with_guide(Guide::horizontal(0.0, ""));
         let energy = match report.observer.negative_at {
-            Some(time) => energy.with_guide(Guide::vertical(time - origin, "first below zero")),
+            Some(time) => {
+                let width = (30.0 * report.median_period).max(0.04 * report.duration);
+                let start = time - origin - width / 3.0;
+                energy
+                    .with_guide(Guide::vertical(time - origin, "first below zero"))
+                    .with_inset(Inset::over(start, start + width))
+            }
             None => energy,
         };
-        Figure::new(report.log.clone())
+        let title = Path::new(&report.log).file_name().map(|name| name.to_string_lossy());
+        Figure::new(title.unwrap_or_default())
             .with_width(840.0)
             .with_panel_height(190.0)
             .with_panel(

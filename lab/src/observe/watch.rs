@@ -125,6 +125,7 @@ impl Watch {
             median_period: period,
             gaps: account.gaps,
             starts_in_contact: first.f.abs() > contacts.threshold,
+            ends_in_contact: last.f.abs() > contacts.threshold,
             energy: Energy {
                 absorbed: account.port.absorbed(),
                 released: account.port.released(),
