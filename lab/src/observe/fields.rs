@@ -1,6 +1,6 @@
 //! The fields of a line, and the number in a field.
 
-use memchr::memchr;
+use super::lines::find;
 
 /// The fields of a line, as they stand there.
 ///
@@ -20,7 +20,7 @@ impl<'a> Fields<'a> {
     fn end(&self, rest: &[u8]) -> Option<usize> {
         if rest.first() == Some(&b'"') {
             let mut from = 1;
-            while let Some(at) = memchr(b'"', rest.get(from..).unwrap_or_default()) {
+            while let Some(at) = find(b'"', rest.get(from..).unwrap_or_default()) {
                 from += at + 1;
                 match rest.get(from) {
                     None => return None,
@@ -29,7 +29,7 @@ impl<'a> Fields<'a> {
                 }
             }
         }
-        memchr(self.delimiter, rest)
+        find(self.delimiter, rest)
     }
 }
 

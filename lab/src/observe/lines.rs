@@ -3,13 +3,16 @@
 use std::io::{self, ErrorKind, Read};
 use std::ops::Range;
 
-use memchr::memchr;
-
 /// Room for the longest line, in bytes.
 pub(super) const LONGEST: usize = 1 << 18;
 
 /// Bytes without a line break after which a stream is taken to hold no lines.
 const ENDLESS: u64 = 1 << 30;
+
+/// Where a byte is first.
+pub(super) fn find(byte: u8, text: &[u8]) -> Option<usize> {
+    text.iter().position(|other| *other == byte)
+}
 
 /// What came next in a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,7 +71,7 @@ impl<R: Read> Lines<R> {
         }
         let mut searched = self.start;
         loop {
-            if let Some(at) = memchr(b'\n', &self.buffer[searched..self.end]) {
+            if let Some(at) = find(b'\n', &self.buffer[searched..self.end]) {
                 return Ok(self.take(searched + at, 1));
             }
             self.buffer.copy_within(self.start..self.end, 0);
@@ -99,7 +102,7 @@ impl<R: Read> Lines<R> {
         loop {
             (self.start, self.end) = (0, 0);
             let more = self.fill()?;
-            if let Some(at) = memchr(b'\n', &self.buffer[..more]) {
+            if let Some(at) = find(b'\n', &self.buffer[..more]) {
                 self.start = at + 1;
                 return Ok(());
             }

@@ -31,11 +31,16 @@ impl Traces {
         Self { position: empty.clone(), force: empty.clone(), held: empty.clone(), sampled: empty }
     }
 
+    /// Adds a row with the sums up to it.
     pub(super) fn add(&mut self, sample: &Sample, held: f64, sampled: f64) {
         self.position.add(sample.t, sample.x);
-        self.force.add(sample.t, sample.f);
         self.held.add(sample.t, held);
         self.sampled.add(sample.t, sampled);
+    }
+
+    /// Adds the force that acts from a row on. That of the last row of a log acts on nothing.
+    pub(super) fn push(&mut self, time: f64, force: f64) {
+        self.force.add(time, force);
     }
 
     /// Force, observer sums and position over time.
@@ -59,7 +64,7 @@ impl Traces {
         let energy = match report.observer.negative_at {
             Some(time) => {
                 let width = (30.0 * report.median_period).max(0.04 * report.duration);
-                let start = time - origin - width / 3.0;
+                let start = (time - width / 3.0).max(report.start) - origin;
                 energy
                     .with_guide(Guide::vertical(time - origin, "first below zero"))
                     .with_inset(Inset::over(start, start + width))

@@ -114,7 +114,8 @@ impl Watch {
     pub(super) fn finish(mut self) -> Option<(Report, Traces)> {
         let period = self.settle();
         let (first, last) = (self.first?, self.last.filter(|_| self.rows > 1)?);
-        let account = self.account;
+        let mut account = self.account;
+        account.traces.push(last.t, account.pushed);
         let contacts = account.contacts.finish();
         let report = Report {
             rows: self.rows,
@@ -155,6 +156,8 @@ struct Account {
     gaps: Gaps,
     contacts: Finder,
     traces: Traces,
+    /// The force of the last step, N.
+    pushed: f64,
 }
 
 fn observing<W: Work>(candidate: Credited) -> Observing<W> {
@@ -174,6 +177,7 @@ impl Account {
             gaps: Gaps::default(),
             contacts: Finder::new(contact),
             traces: Traces::new(),
+            pushed: 0.0,
         }
     }
 
@@ -203,6 +207,8 @@ impl Account {
             work: drive.work,
             motion,
         });
+        self.traces.push(step.from.t, step.from.f);
         self.traces.add(&step.to, held, sampled);
+        self.pushed = step.from.f;
     }
 }

@@ -12,6 +12,8 @@ enum Fault {
     Gap,
     Force(&'static str),
     Position(&'static str),
+    /// A bad position, and a force from before.
+    Stale,
     Time(&'static str),
     Back,
     Short,
@@ -45,6 +47,7 @@ fn fault() -> impl Strategy<Value = Fault> {
             .prop_map(Fault::Force),
         1 => prop_oneof![Just("nan"), Just("x"), Just("1.2.3")].prop_map(Fault::Position),
         1 => prop_oneof![Just("inf"), Just("12:30"), Just(" ")].prop_map(Fault::Time),
+        1 => Just(Fault::Stale),
         1 => Just(Fault::Back),
         1 => Just(Fault::Short),
         1 => Just(Fault::Long),
@@ -97,7 +100,7 @@ impl Log {
                 text += "\n";
             }
             tick += if drawn.fault == Fault::Gap { 7.0 } else { 1.0 };
-            let back = drawn.fault == Fault::Back;
+            let back = matches!(drawn.fault, Fault::Back | Fault::Stale);
             time = if back { time - 0.5 } else { tick + drawn.jitter };
             let raw = [time * 1e-3 / self.factors[0], drawn.x / self.factors[1], drawn.f, drawn.v];
             rows.push(self.row(drawn, raw, &mut text));
@@ -123,6 +126,9 @@ impl Log {
                 format!("{bad},a,{t},{f}{}", velocity(v)),
                 Row::Bad { t: Some(si(0)), f: Some(si(2)) },
             ),
+            Fault::Stale => {
+                (format!("?,a,{t},{f}{}", velocity(v)), Row::Bad { t: Some(si(0)), f: Some(si(2)) })
+            }
             Fault::Time(bad) => {
                 (format!("{x},a,{bad},{f}{}", velocity(v)), Row::Bad { t: None, f: Some(si(2)) })
             }
