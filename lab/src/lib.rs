@@ -24,6 +24,7 @@
 pub mod chart;
 pub mod compare;
 mod csv;
+pub mod observe;
 mod output;
 pub mod paper;
 mod port;

@@ -1,8 +1,10 @@
 //! What the command line offers, and how its commands end.
 
 mod compare;
+mod observe;
 mod paper;
 mod run;
+mod source;
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
@@ -27,6 +29,7 @@ pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
     Paper(paper::Paper),
+    Observe(observe::Observe),
 }
 
 impl Command {
@@ -35,6 +38,7 @@ impl Command {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
+            Self::Observe(observe) => observe.run(),
         };
         match end {
             Ok(()) => ExitCode::SUCCESS,

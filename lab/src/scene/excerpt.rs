@@ -63,7 +63,7 @@ fn window(line: &str, before: usize, marked: usize) -> (String, String) {
 }
 
 /// The text as part of a sentence: one line, without control characters, cut where it is long.
-pub(super) fn shorten(text: &str) -> String {
+pub(crate) fn shorten(text: &str) -> String {
     let mut short: String = text.chars().take(SHORT).map(printable).collect();
     if text.chars().nth(SHORT).is_some() {
         short.push_str("...");
@@ -72,7 +72,7 @@ pub(super) fn shorten(text: &str) -> String {
 }
 
 /// A character that takes one column and cannot command the terminal or turn the text around.
-pub(super) fn printable(character: char) -> char {
+pub(crate) fn printable(character: char) -> char {
     match character {
         '\t' => ' ',
         '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => '\u{fffd}',

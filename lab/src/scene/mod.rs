@@ -48,6 +48,7 @@ mod tests;
 
 pub use check::Conflict;
 pub use diagnostic::Diagnostic;
+pub(crate) use excerpt::{printable, shorten};
 pub use parts::{
     Candidate, Delay, Device, Effects, Encoder, Environment, Initial, Integrator, Lolc, Operator,
     Popc, Saturation, Scalar, Stabilizer, Velocity, Wall, Work,

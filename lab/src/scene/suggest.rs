@@ -4,7 +4,7 @@
 const ALIKE: f64 = 0.5;
 
 /// The known word most like this one, if any is.
-pub(crate) fn nearest(word: &str, known: &[&'static str]) -> Option<&'static str> {
+pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     // A word of a million letters is no misspelling, and comparing it would take a while.
     if word.len() > 80 {
         return None;

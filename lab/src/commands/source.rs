@@ -1,0 +1,146 @@
+//! A stream that is read with progress and can be interrupted.
+
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::thread;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::End;
+
+/// Bytes that travel at once from a stream that may keep us waiting.
+const PIECE: usize = 1 << 16;
+
+/// Time between two looks at interrupts while a stream keeps us waiting.
+const BREATH: Duration = Duration::from_millis(100);
+
+/// Files smaller than this, in bytes, are read before a bar is worth looking at.
+const SMALL: u64 = 1 << 24;
+
+/// A log as a stream of bytes: progress while it is read, and an end when there is an interrupt.
+#[derive(Debug)]
+pub(crate) struct Source {
+    stream: Stream,
+    size: Option<u64>,
+    read: u64,
+    bar: ProgressBar,
+}
+
+#[derive(Debug)]
+enum Stream {
+    /// A file, which never keeps us waiting for long.
+    File(File),
+    /// Anything else. It is read by a thread of its own, since nothing else ends a read that nobody answers.
+    Thread { pieces: Receiver<io::Result<Vec<u8>>>, piece: Vec<u8>, used: usize },
+}
+
+impl Source {
+    pub(crate) fn standard_input() -> io::Result<Self> {
+        Ok(Self::of(waiting(|| Ok(io::stdin()))?, None))
+    }
+
+    /// The file at `path`, or whatever else is there.
+    pub(crate) fn open(path: &Path) -> io::Result<Self> {
+        let found = fs::metadata(path).map_err(remedied)?;
+        if found.is_dir() {
+            return Err(io::Error::other("this is a folder\n  = give the path of a file in it"));
+        }
+        if found.is_file() {
+            let file = File::open(path).map_err(remedied)?;
+            return Ok(Self::of(Stream::File(file), Some(found.len())));
+        }
+        // Opening a pipe waits for whoever writes to it, so the thread does that too.
+        let path = path.to_owned();
+        Ok(Self::of(waiting(move || File::open(path).map_err(remedied))?, None))
+    }
+
+    fn of(stream: Stream, size: Option<u64>) -> Self {
+        Self { stream, size, read: 0, bar: ProgressBar::hidden() }
+    }
+
+    /// Shows how far it is, if that takes long enough to look at it; hidden where nobody looks.
+    pub(crate) fn show_progress(&mut self) {
+        let (bar, template) = match self.size {
+            Some(size) if size < SMALL => return,
+            Some(size) => (ProgressBar::new(size), "{bar:40} {percent:>3} %, {eta} left"),
+            None => (ProgressBar::new_spinner(), "{spinner} {bytes} read, {bytes_per_sec}"),
+        };
+        let style = ProgressStyle::with_template(template);
+        self.bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    }
+}
+
+/// The error with what to do about it.
+fn remedied(error: io::Error) -> io::Error {
+    match error.kind() {
+        ErrorKind::NotFound => io::Error::other(
+            "there is no such file\n  = check the path; it is taken from the current folder",
+        ),
+        ErrorKind::PermissionDenied => io::Error::other(
+            "this file may not be read\n  = check its permissions and those of its folder",
+        ),
+        _ => error,
+    }
+}
+
+/// A stream that a thread opens and reads.
+fn waiting<R: Read>(open: impl FnOnce() -> io::Result<R> + Send + 'static) -> io::Result<Stream> {
+    let (sender, pieces) = sync_channel(4);
+    thread::Builder::new().spawn(move || {
+        let mut reader = match open() {
+            Ok(reader) => reader,
+            Err(error) => return drop(sender.send(Err(error))),
+        };
+        loop {
+            let mut piece = vec![0; PIECE];
+            let read = match reader.read(&mut piece) {
+                Ok(read) => read,
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+                Err(error) => return drop(sender.send(Err(error))),
+            };
+            piece.truncate(read);
+            // Nobody listens any more, or this was the end: an empty piece.
+            if sender.send(Ok(piece)).is_err() || read == 0 {
+                return;
+            }
+        }
+    })?;
+    Ok(Stream::Thread { pieces, piece: Vec::new(), used: 0 })
+}
+
+impl Read for Source {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let interrupted = || io::Error::other("interrupted");
+        End::if_interrupted().map_err(|_| interrupted())?;
+        let read = match &mut self.stream {
+            Stream::File(file) => file.read(buffer)?,
+            Stream::Thread { pieces, piece, used } => {
+                while *used == piece.len() {
+                    match pieces.recv_timeout(BREATH) {
+                        Ok(next) => (*piece, *used) = (next?, 0),
+                        Err(RecvTimeoutError::Disconnected) => return Ok(0),
+                        Err(RecvTimeoutError::Timeout) => {
+                            End::if_interrupted().map_err(|_| interrupted())?;
+                        }
+                    }
+                }
+                let size = buffer.len().min(piece.len() - *used);
+                buffer[..size].copy_from_slice(&piece[*used..*used + size]);
+                *used += size;
+                size
+            }
+        };
+        self.read += read as u64;
+        self.bar.set_position(self.read);
+        Ok(read)
+    }
+}
+
+impl Drop for Source {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,87 @@
+//! What the observer of a log sums.
+
+use lyapunov::{Beyond, Dissipation, Drive, LyapunovCandidate, PortEnergy};
+use serde::Serialize;
+
+use super::bad::LARGEST;
+use super::error::ObserveError;
+
+/// The candidate whose decrease is summed, in the words of scene files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[serde(tag = "name", rename_all = "kebab-case")]
+pub enum Candidate {
+    /// The port's energy alone: the passivity observer.
+    #[default]
+    Spring,
+    /// Credits what the device's own damper must have burnt, `b v² T` on every row.
+    DeviceDamping {
+        /// `b`, N·s/m.
+        damping: f64,
+    },
+    /// Credits `b v² T` beyond a surface, as the paper's example 2 does.
+    MassSpringDamper {
+        /// `b`, N·s/m.
+        damping: f64,
+        /// Where the surface is, m; beyond it is `x > surface`.
+        surface: f64,
+    },
+}
+
+impl Candidate {
+    /// The candidate with its parameters checked.
+    pub(super) fn checked(self) -> Result<Credited, ObserveError> {
+        let damper = |damping| match Dissipation::of(damping) {
+            Ok(damper) if damping <= LARGEST => Ok(damper),
+            _ => Err(ObserveError::new(format!("the damping is {damping} N.s/m"))
+                .with_help("give a damping from 0 to 1e50 N.s/m")),
+        };
+        Ok(Credited(match self {
+            Self::Spring => Credit::None,
+            Self::DeviceDamping { damping } => Credit::Always(damper(damping)?),
+            Self::MassSpringDamper { damping, surface } if surface.is_finite() => {
+                Credit::Beyond(damper(damping)?.gated(Beyond { position: surface }))
+            }
+            Self::MassSpringDamper { surface, .. } => {
+                return Err(ObserveError::new(format!("the surface is at {surface} m"))
+                    .with_help("give its position as a finite number"));
+            }
+        }))
+    }
+
+    /// The word for it in a scene file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Spring => "spring",
+            Self::DeviceDamping { .. } => "device-damping",
+            Self::MassSpringDamper { .. } => "mass-spring-damper",
+        }
+    }
+}
+
+/// The port's energy and what a candidate credits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Credited(Credit);
+
+#[derive(Clone, Copy, Debug)]
+enum Credit {
+    None,
+    Always(Dissipation<f64>),
+    Beyond(Dissipation<f64, Beyond<f64>>),
+}
+
+impl Credited {
+    /// What is credited over a drive, J.
+    pub(super) fn credit(&mut self, drive: &Drive<f64>) -> f64 {
+        match &mut self.0 {
+            Credit::None => 0.0,
+            Credit::Always(damper) => damper.decrease(drive),
+            Credit::Beyond(damper) => damper.decrease(drive),
+        }
+    }
+}
+
+impl LyapunovCandidate<f64> for Credited {
+    fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
+        PortEnergy.decrease(drive) + self.credit(drive)
+    }
+}

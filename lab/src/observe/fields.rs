@@ -1,0 +1,119 @@
+//! The fields of a line, and the number in a field.
+
+use super::lines::find;
+
+/// The fields of a line, as they stand there.
+///
+/// A field that begins with a quotation mark may hold the delimiter; it ends at the next quotation mark before
+/// a delimiter or the end of the line.
+#[derive(Clone, Debug)]
+pub(super) struct Fields<'a> {
+    rest: Option<&'a [u8]>,
+    delimiter: u8,
+}
+
+impl<'a> Fields<'a> {
+    pub(super) fn new(line: &'a [u8], delimiter: u8) -> Self {
+        Self { rest: Some(line), delimiter }
+    }
+
+    fn end(&self, rest: &[u8]) -> Option<usize> {
+        if rest.first() == Some(&b'"') {
+            let mut from = 1;
+            while let Some(at) = find(b'"', rest.get(from..).unwrap_or_default()) {
+                from += at + 1;
+                match rest.get(from) {
+                    None => return None,
+                    Some(next) if *next == self.delimiter => return Some(from),
+                    Some(_) => {}
+                }
+            }
+        }
+        find(self.delimiter, rest)
+    }
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let rest = self.rest?;
+        let end = self.end(rest);
+        self.rest = end.map(|end| &rest[end + 1..]);
+        Some(&rest[..end.unwrap_or(rest.len())])
+    }
+}
+
+/// The field without the blanks and quotation marks about it.
+pub(super) fn bare(field: &[u8]) -> &[u8] {
+    let field = field.trim_ascii();
+    match field.strip_prefix(b"\"").and_then(|field| field.strip_suffix(b"\"")) {
+        Some(inner) => inner.trim_ascii(),
+        None => field,
+    }
+}
+
+/// The number in a field, NaN and infinities included; none if there is something else.
+pub(super) fn number(field: &[u8]) -> Option<f64> {
+    let plain = |field: &[u8]| str::from_utf8(field).ok()?.parse().ok();
+    // Nearly every field is a bare number, and then no blank has to be looked for.
+    plain(field).or_else(|| plain(bare(field)))
+}
+
+/// The delimiter of a line: the most frequent among comma, semicolon and tab.
+pub(super) fn delimiter(line: &[u8]) -> u8 {
+    let count = |delimiter| line.iter().filter(|byte| **byte == delimiter).count();
+    let [comma, semicolon, tab] = [b',', b';', b'\t'].map(count);
+    match () {
+        () if semicolon > comma && semicolon >= tab => b';',
+        () if tab > comma => b'\t',
+        () => b',',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn split(line: &str) -> Vec<&[u8]> {
+        Fields::new(line.as_bytes(), b',').collect()
+    }
+
+    #[test]
+    fn fields_stand_between_delimiters() {
+        assert_eq!(split("a,b,,c"), [&b"a"[..], b"b", b"", b"c"]);
+        assert_eq!(split(""), [b""]);
+        assert_eq!(split(","), [b"", b""]);
+    }
+
+    #[test]
+    fn a_quoted_field_may_hold_the_delimiter() {
+        assert_eq!(split(r#""a,b",c"#), [&br#""a,b""#[..], b"c"]);
+        assert_eq!(split(r#"c,"a,b""#), [&b"c"[..], br#""a,b""#]);
+        assert_eq!(split(r#""a""b,c",d"#).len(), 2);
+        // One that is never closed is an ordinary one.
+        assert_eq!(split(r#""a,b"#), [&br#""a"#[..], b"b"]);
+        assert_eq!(split("\"").len(), 1);
+    }
+
+    #[test]
+    fn numbers_may_have_blanks_and_quotation_marks_about_them() {
+        for field in ["1.5", " 1.5 ", "\"1.5\"", " \" 1.5\" ", "15e-1", "+1.5"] {
+            assert_eq!(number(field.as_bytes()), Some(1.5), "{field}");
+        }
+        for field in ["", " ", "\"", "1,5", "1.5 N", "0x10", "one", "1 .5", "\u{2212}1"] {
+            assert_eq!(number(field.as_bytes()), None, "{field}");
+        }
+        assert!(number(b"NaN").is_some_and(f64::is_nan));
+        assert_eq!(number(&[0xff, b'1']), None);
+    }
+
+    #[test]
+    fn the_delimiter_is_the_most_frequent() {
+        for (line, expected) in
+            [("t,x,f", b','), ("t;x;f", b';'), ("t\tx\tf", b'\t'), ("t", b','), ("a;b;c,d", b';')]
+        {
+            assert_eq!(delimiter(line.as_bytes()), expected, "{line}");
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Lines of a stream, in memory that does not grow.
+
+use std::io::{self, ErrorKind, Read};
+use std::ops::Range;
+
+/// Room for the longest line, in bytes.
+pub(super) const LONGEST: usize = 1 << 18;
+
+/// Bytes without a line break after which a stream is taken to hold no lines.
+const ENDLESS: u64 = 1 << 30;
+
+/// Where a byte is first.
+pub(super) fn find(byte: u8, text: &[u8]) -> Option<usize> {
+    text.iter().position(|other| *other == byte)
+}
+
+/// What came next in a stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Next {
+    /// A line, which [`Lines::text`] gives.
+    Line,
+    /// A line of more than [`LONGEST`] bytes; the rest of it is passed over when the next line is asked for.
+    TooLong,
+    /// Nothing.
+    End,
+}
+
+/// The lines of a stream.
+///
+/// The standard library's buffered reader grows with the longest line, and a file of zeros is one long line.
+#[derive(Debug)]
+pub(super) struct Lines<R> {
+    reader: R,
+    buffer: Vec<u8>,
+    start: usize,
+    end: usize,
+    number: u64,
+    text: Range<usize>,
+    /// Whether the buffer holds the beginning of a line that there is no room for.
+    overfull: bool,
+}
+
+impl<R: Read> Lines<R> {
+    pub(super) fn new(reader: R) -> Self {
+        Self {
+            reader,
+            buffer: vec![0; LONGEST],
+            start: 0,
+            end: 0,
+            number: 0,
+            text: 0..0,
+            overfull: false,
+        }
+    }
+
+    /// The number of the line that was read last, from 1.
+    pub(super) fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// The line that was read last, without its line break.
+    pub(super) fn text(&self) -> &[u8] {
+        let text = &self.buffer[self.text.clone()];
+        text.strip_suffix(b"\r").unwrap_or(text)
+    }
+
+    /// Goes on to the next line.
+    pub(super) fn read(&mut self) -> io::Result<Next> {
+        if std::mem::take(&mut self.overfull) {
+            self.pass_over()?;
+        }
+        let mut searched = self.start;
+        loop {
+            if let Some(at) = find(b'\n', &self.buffer[searched..self.end]) {
+                return Ok(self.take(searched + at, 1));
+            }
+            self.buffer.copy_within(self.start..self.end, 0);
+            self.end -= self.start;
+            (self.start, searched) = (0, self.end);
+            if self.end == self.buffer.len() {
+                self.number += 1;
+                (self.text, self.overfull) = (0..0, true);
+                return Ok(Next::TooLong);
+            }
+            if self.fill()? == 0 {
+                return Ok(if self.end > 0 { self.take(self.end, 0) } else { Next::End });
+            }
+        }
+    }
+
+    /// Takes the line that goes on to `end`, where a line break of `width` bytes is.
+    fn take(&mut self, end: usize, width: usize) -> Next {
+        self.text = self.start..end;
+        self.start = end + width;
+        self.number += 1;
+        Next::Line
+    }
+
+    /// Passes over the rest of a line that the buffer has no room for.
+    fn pass_over(&mut self) -> io::Result<()> {
+        let mut passed = self.end as u64;
+        loop {
+            (self.start, self.end) = (0, 0);
+            let more = self.fill()?;
+            if let Some(at) = find(b'\n', &self.buffer[..more]) {
+                self.start = at + 1;
+                return Ok(());
+            }
+            passed += more as u64;
+            if more == 0 {
+                return Ok(());
+            }
+            if passed > ENDLESS {
+                let line = self.number;
+                return Err(io::Error::other(format!("line {line} has no end within 1 GiB")));
+            }
+        }
+    }
+
+    /// Reads more behind what is there; returns how much.
+    fn fill(&mut self) -> io::Result<usize> {
+        loop {
+            match self.reader.read(&mut self.buffer[self.end..]) {
+                Ok(more) => {
+                    self.end += more;
+                    return Ok(more);
+                }
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Gives a few bytes at a time, as a pipe may.
+    struct Drip<'a>(&'a [u8], usize);
+
+    impl Read for Drip<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            let size = self.1.min(self.0.len()).min(buffer.len());
+            let (now, rest) = self.0.split_at(size);
+            buffer[..size].copy_from_slice(now);
+            self.0 = rest;
+            Ok(size)
+        }
+    }
+
+    fn all(text: &[u8], step: usize) -> Vec<Option<Vec<u8>>> {
+        let mut lines = Lines::new(Drip(text, step));
+        let mut found = Vec::new();
+        loop {
+            match lines.read().unwrap() {
+                Next::Line => found.push(Some(lines.text().to_vec())),
+                Next::TooLong => found.push(None),
+                Next::End => break,
+            }
+        }
+        assert_eq!(lines.number(), found.len() as u64);
+        found
+    }
+
+    #[test]
+    fn lines_end_with_a_break_or_with_the_stream() {
+        for step in [1, 2, 3, 1000] {
+            let expected = [&b"a,b"[..], b"", b"c", b"last"].map(|line| Some(line.to_vec()));
+            assert_eq!(all(b"a,b\r\n\nc\nlast", step), expected);
+            assert_eq!(all(b"a,b\r\n\nc\nlast\n", step), expected);
+        }
+        assert!(all(b"", 1).is_empty());
+    }
+
+    #[test]
+    fn a_line_without_room_is_passed_over_and_the_next_one_read() {
+        for extra in [0, 1, 2, LONGEST, 3 * LONGEST] {
+            let mut text = b"first\n".to_vec();
+            text.resize(text.len() + LONGEST + extra, b'x');
+            text.extend(b"\nnext\n");
+            for step in [1000, LONGEST, usize::MAX] {
+                let found = all(&text, step);
+                assert_eq!(found.len(), 3);
+                assert_eq!((&found[1], &found[2]), (&None, &Some(b"next".to_vec())));
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_that_just_has_room_is_read() {
+        let mut text = vec![b'x'; LONGEST - 1];
+        text.push(b'\n');
+        assert_eq!(all(&text, usize::MAX)[0].as_ref().map(Vec::len), Some(LONGEST - 1));
+    }
+}
