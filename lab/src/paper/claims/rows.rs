@@ -199,7 +199,7 @@ fn soft_wall(runs: &Runs) -> Vec<Claim> {
         })),
         Text {
             id: "energy-peak",
-            paper: "8 kN/m: observed energy peaks near 2e-4 J and returns to zero",
+            paper: "8 kN/m: energy peaks near 2e-4 J, then back to zero",
             unit: "J",
             reading: "largest observer sum; holds within 50 % of 2e-4 J, and within 5 % of the peak about zero \
                       at 30 s",
@@ -215,7 +215,7 @@ fn stiff_wall(runs: &Runs) -> Vec<Claim> {
     vec![
         Text {
             id: "settles-50k",
-            paper: "50 kN/m: the position settles with POPC and with LOLC",
+            paper: "50 kN/m: the position settles with both",
             unit: "s",
             reading: "settling time of the later of the two; holds where both settle within 30 s",
         }
@@ -239,7 +239,7 @@ fn stiff_wall(runs: &Runs) -> Vec<Claim> {
         .judge(runs.both(|popc, lolc| ratio(Some(lolc.swing), Some(popc.swing)))),
         Text {
             id: "popc-jitters",
-            paper: "50 kN/m: POPC jitters after settling, LOLC is smoother",
+            paper: "50 kN/m: POPC jitters once settled, LOLC less",
             unit: "1",
             reading: "RMS velocity over the second after settling, POPC over LOLC; holds above 1",
         }
@@ -281,7 +281,7 @@ fn less_conservative(runs: &Runs) -> Claim {
 fn printed(runs: &Runs) -> Claim {
     Text {
         id: "printed-recursion",
-        paper: "steps 4 to 6 as printed stabilize the loop at one rate of 100 Hz",
+        paper: "steps 4 to 6 as printed stabilize at 100 Hz",
         unit: "1",
         reading: "share of ticks on which the printed LOLC acts at 8 kN/m; holds where the loop stays bounded \
                   and settles",
