@@ -10,10 +10,7 @@ use lyapunov_lab::paper::{PaperError, Stage, Study};
 
 use super::End;
 
-/// Judge the paper's claims over an ensemble of starts, and draw its figures 6 to 9.
-///
-/// Writes a report (report.html), the verdicts (claims.json), each figure as SVG and PNG, and the rows behind
-/// them as CSV.
+/// Judge the paper's claims and draw its figures 6 to 9: a report, verdicts, figures and rows.
 #[derive(Args, Debug)]
 pub(crate) struct Paper {
     /// The folder for the files; made if it is not there.

@@ -25,7 +25,9 @@ fn the_summary_has_one_form() {
 #[test]
 fn the_shipped_scenes_fit_the_terminal() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    let mut scenes: Vec<_> = fs::read_dir(folder).unwrap().map(|it| it.unwrap()).collect();
+    let entries = fs::read_dir(folder).unwrap().map(|it| it.unwrap());
+    let mut scenes: Vec<_> =
+        entries.filter(|it| it.path().extension() == Some("toml".as_ref())).collect();
     scenes.sort_by_key(fs::DirEntry::file_name);
     assert!(scenes.len() >= 6);
     for scene in scenes {
