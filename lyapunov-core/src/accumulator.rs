@@ -70,12 +70,15 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
 
     #[inline]
     fn add(&mut self, term: T) {
-        // The error goes in with the next term: kept apart it would stop growing like any plain sum.
-        let term = term + self.error;
         let sum = self.sum + term;
         let share = sum - self.sum;
-        self.error = (self.sum - (sum - share)) + (term - share);
-        self.sum = sum;
+        let error = (self.sum - (sum - share)) + (term - share) + self.error;
+        // What has gathered goes into the sum as soon as the sum can hold it: errors that are only added up stop
+        // growing like any plain sum, and errors that go in with the next term are rounded off by it.
+        let whole = sum + error;
+        let share = whole - sum;
+        self.error = (sum - (whole - share)) + (error - share);
+        self.sum = whole;
     }
 
     #[inline]

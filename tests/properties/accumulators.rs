@@ -144,6 +144,43 @@ fn compensated_f32_does_not_stall() {
     assert!(off <= 4.0 * f32::unit() * exact, "off by {off:e} of {exact:e}");
 }
 
+/// The energy of a spring that is pressed and let go, up to half a joule in and out again: what is left is small against
+/// what went through, and is told to the digits of what is left. Each step may lose a unit of the second number, `u²` of
+/// the sum on the way; the reference, in `f64`, half a unit of its own.
+#[test]
+fn compensated_f32_keeps_what_flows_back_and_forth() {
+    for seed in 1..4 {
+        let (mut bits, mut sum) = (SplitMix(seed), Compensated::<f32>::zero());
+        let (mut exact, mut stored) = (0f64, 0f64);
+        for tick in 0..TERMS {
+            let phase = (tick % 40) as f64 / 20.0;
+            let next = 0.5 * phase.min(2.0 - phase) * unit(bits.next());
+            let term = (next - stored) as f32;
+            stored = next;
+            sum.add(term);
+            exact += f64::from(term);
+            let lost = tick as f64 * (4.0 * f32::unit().powi(2) + f64::unit());
+            let bound = 2.0 * f32::unit() * exact.abs() + lost;
+            let off = (f64::from(sum.value()) - exact).abs();
+            assert!(off <= bound, "off by {off:e} of {exact:e}, {bound:e} allowed, at {tick}");
+        }
+    }
+}
+
+/// What a large energy pushes out of the sum comes back when that energy leaves.
+#[test]
+fn compensated_gets_back_what_a_large_term_hides() {
+    fn left<T: Real>(large: f64) -> f64 {
+        let mut sum = Compensated::<T>::zero();
+        for term in [1.0, large, -large] {
+            sum.add(T::of(term));
+        }
+        sum.value().f64()
+    }
+    assert_eq!(left::<f32>(1e9), 1.0);
+    assert_eq!(left::<f64>(1e17), 1.0);
+}
+
 /// Adding and then raising a debt towards zero, against whole numbers: the sum between is the exact one, a debt is
 /// raised by `most` or to zero, and what is no debt is left alone.
 fn raises<T: Real, A: Accumulator<T>>(samples: &[[Bits; 4]]) -> TestCaseResult {
