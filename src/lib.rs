@@ -9,6 +9,6 @@ pub use lyapunov_core::{
 };
 pub use lyapunov_plants::{
     Adapt, Body, Delay, Difference, Encoder, Fallback, Guard, Hold, Impedance, MassSpringDamper,
-    Saturation, Spring, Wall, held_input,
+    Saturation, Spring, Tethered, Wall, held_input,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

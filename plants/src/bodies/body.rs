@@ -3,7 +3,7 @@
 use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
 use nalgebra::Matrix3;
 
-use crate::{Impedance, held_input};
+use crate::{Impedance, Tethered, held_input};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
@@ -50,33 +50,10 @@ impl<V: Signal> Body<V> {
     /// `mass` or `period` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass
     /// so small against the rest that the motion is out of the scalar's range.
     pub fn new(impedance: Impedance<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
-        let mass = Requirement::Positive.check("mass", impedance.mass)?;
-        let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
-        let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
         let period = Requirement::Positive.check("period", period)?;
-        let map = |lane: usize| {
-            let (m, t) = (mass.lane(lane), period.lane(lane));
-            let (b, k) = (damping.lane(lane), stiffness.lane(lane));
-            held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
-        };
-        let row = |index: usize| {
-            let entry = |column| V::Scalar::from_lanes(|lane| map(lane)[(index, column)]);
-            Row { deflection: entry(0), velocity: entry(1), effort: entry(2) }
-        };
-        let (position_map, velocity_map) = (row(0), row(1));
-        let finite = position_map.finite() & velocity_map.finite();
-        if let Some(lane) = (0..V::Scalar::LANES).find(|&lane| !finite.lane(lane)) {
-            let requirement = Requirement::InRange;
-            return Err(ParameterError { parameter: "mass", value: mass.lane(lane), requirement });
-        }
-        Ok(Self {
-            period,
-            position_map,
-            velocity_map,
-            rest: V::zero(),
-            position: V::zero(),
-            velocity: V::zero(),
-        })
+        let [position_map, velocity_map] = maps(impedance, period)?;
+        let (rest, position, velocity) = (V::zero(), V::zero(), V::zero());
+        Ok(Self { period, position_map, velocity_map, rest, position, velocity })
     }
 
     /// The same body with its spring at rest at `rest`, m.
@@ -87,6 +64,32 @@ impl<V: Signal> Body<V> {
     /// The same body at `position` m, moving at `velocity` m/s.
     pub fn starting(self, position: V, velocity: V) -> Self {
         Self { position, velocity, ..self }
+    }
+}
+
+/// What position and velocity gain over `interval`.
+fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], ParameterError> {
+    let mass = Requirement::Positive.check("mass", impedance.mass)?;
+    let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
+    let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
+    let map = |lane: usize| {
+        let (m, t) = (mass.lane(lane), interval.lane(lane));
+        let (b, k) = (damping.lane(lane), stiffness.lane(lane));
+        held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
+    };
+    let row = |index: usize| {
+        let entry = |column| T::from_lanes(|lane| map(lane)[(index, column)]);
+        Row { deflection: entry(0), velocity: entry(1), effort: entry(2) }
+    };
+    let rows = [row(0), row(1)];
+    let finite = rows[0].finite() & rows[1].finite();
+    match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
+        None => Ok(rows),
+        Some(lane) => Err(ParameterError {
+            parameter: "mass",
+            value: mass.lane(lane),
+            requirement: Requirement::InRange,
+        }),
     }
 }
 
@@ -104,5 +107,21 @@ impl<V: Signal> Plant<V> for Body<V> {
         self.velocity = self.velocity + self.velocity_map.gain(deflection, self.velocity, effort);
         let displacement = self.position - before;
         Drive::new(self.period, self.position, self.velocity, displacement, effort)
+    }
+}
+
+impl<V: Signal> Tethered<V> for Body<V> {
+    type Parts = Impedance<V::Scalar>;
+
+    #[inline]
+    fn rest_at(&mut self, rest: V) {
+        self.rest = rest;
+    }
+
+    fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        let interval = Requirement::NonNegative.check("period", interval)?;
+        [self.position_map, self.velocity_map] = maps(parts, interval)?;
+        self.period = interval;
+        Ok(())
     }
 }
