@@ -8,7 +8,8 @@ pub use lyapunov_core::{
     lanes, laws,
 };
 pub use lyapunov_plants::{
-    Adapt, Body, Delay, Difference, Encoder, Fallback, Guard, Hold, Impedance, MassSpringDamper,
-    Saturation, Spring, Tethered, Wall, held_input,
+    Adapt, Body, Contact, Cuboid, Delay, Difference, DissipationOf, Encoder, Fallback, Guard, Hold,
+    HuntCrossley, Impedance, LayeredWall, MassSpringDamper, MovingWall, Nearest, Plane, Saturation,
+    Solid, Sphere, Spring, Tethered, VaryingSpring, Wall, held_input,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

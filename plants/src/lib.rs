@@ -1,7 +1,8 @@
 //! Environments, bodies, exact propagation and the effects that act on a port.
 //!
-//! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2) and the
-//! one-sided [`Wall`] of its evaluation. A [`Body`] is what moves, exactly. Effects are adaptors that own the port
+//! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2), the
+//! one-sided [`Wall`] of its evaluation, [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`],
+//! which swing with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly. Effects are adaptors that own the port
 //! they act on, chained by [`Adapt`]; one that is not written costs nothing.
 //!
 //! ```
@@ -24,4 +25,7 @@ mod environments;
 
 pub use bodies::{Body, Impedance, Tethered, held_input};
 pub use effects::{Adapt, Delay, Difference, Encoder, Fallback, Guard, Hold, Saturation};
-pub use environments::{MassSpringDamper, Spring, Wall};
+pub use environments::{
+    Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
+    Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
+};

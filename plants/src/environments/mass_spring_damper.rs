@@ -1,16 +1,18 @@
 //! The paper's example 2.
 
-use lyapunov_core::{Drive, OnePort, ParameterError, Signal};
+use lyapunov_core::{Dissipation, Drive, OnePort, ParameterError, Scalar, Signal};
 
 use crate::Impedance;
 
 /// A virtual mass-spring-damper, `f = m a + b v + k (x − position)`: the paper's example 2 (equation 14),
 /// two-sided.
 ///
-/// `a = (v(n) − v(n−1)) / period`, 0 on the first call.
+/// `a = (v(n) − v(n−1)) / T` with `T` the time since the last call, 0 on the first one. Behind a hold that is the
+/// time between two answers, not the period of the servo loop.
 #[derive(Clone, Copy, Debug)]
 pub struct MassSpringDamper<V: Signal> {
     impedance: Impedance<V::Scalar>,
+    damper: Dissipation<V::Scalar>,
     position: V,
     velocity: Option<V>,
 }
@@ -21,12 +23,22 @@ impl<V: Signal> MassSpringDamper<V> {
     /// # Errors
     /// A mass, damping or stiffness that is infinite or NaN; negative ones make an active environment.
     pub fn new(impedance: Impedance<V::Scalar>) -> Result<Self, ParameterError> {
-        Ok(Self { impedance: impedance.finite()?, position: V::zero(), velocity: None })
+        let impedance = impedance.finite()?;
+        let damper = Dissipation::of(impedance.damping.larger(Scalar::of(0.0)))?;
+        Ok(Self { impedance, damper, position: V::zero(), velocity: None })
     }
 
     /// The same, relaxed at `position`, m.
     pub fn at(self, position: V) -> Self {
         Self { position, ..self }
+    }
+
+    /// The credit of its own damper, `max(b, 0) v² T` at every tick: with
+    /// [`PortEnergy`](lyapunov_core::PortEnergy) the candidate of the paper's example 2.
+    ///
+    /// A negative damping generates energy; what it gives is counted by the port's work, not here.
+    pub fn dissipation(&self) -> Dissipation<V::Scalar> {
+        self.damper
     }
 }
 

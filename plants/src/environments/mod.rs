@@ -1,9 +1,23 @@
 //! What answers a motion with a force.
 
+mod dissipation_of;
+mod hunt_crossley;
+mod layered_wall;
 mod mass_spring_damper;
+mod moving_wall;
+mod one_sided;
+mod oscillation;
+mod solids;
 mod spring;
+mod varying_spring;
 mod wall;
 
+pub use dissipation_of::DissipationOf;
+pub use hunt_crossley::HuntCrossley;
+pub use layered_wall::LayeredWall;
 pub use mass_spring_damper::MassSpringDamper;
+pub use moving_wall::MovingWall;
+pub use solids::{Contact, Cuboid, Nearest, Plane, Solid, Sphere};
 pub use spring::Spring;
+pub use varying_spring::VaryingSpring;
 pub use wall::Wall;

@@ -23,6 +23,12 @@ impl<V: Signal> Spring<V> {
     pub fn at(self, position: V) -> Self {
         Self { position, ..self }
     }
+
+    /// The same spring, stiffer by `stiffness` N/m.
+    #[inline]
+    pub(super) fn stiffened(self, stiffness: V::Scalar) -> Self {
+        Self { stiffness: self.stiffness + stiffness, ..self }
+    }
 }
 
 impl<V: Signal> OnePort<V> for Spring<V> {

@@ -2,6 +2,8 @@
 
 use lyapunov_core::{Beyond, Dissipation, Drive, OnePort, ParameterError, Requirement, Scalar};
 
+use crate::environments::one_sided::one_sided;
+
 /// A one-sided virtual wall: `f = max(0, k p + b v)` for a penetration `p = x − position > 0`, else 0.
 ///
 /// The environment of the paper's section IV; that its force never pulls is the usual reading.
@@ -30,6 +32,12 @@ impl<T: Scalar> Wall<T> {
         Self { position, ..self }
     }
 
+    /// The same wall with its surface `offset` m farther.
+    #[inline]
+    pub(super) fn shifted(self, offset: T) -> Self {
+        Self { position: self.position + offset, ..self }
+    }
+
     /// The credit of the wall's own damper, counted beyond the surface: with
     /// [`PortEnergy`](lyapunov_core::PortEnergy) the candidate of the paper's example 2.
     ///
@@ -45,9 +53,6 @@ impl<T: Scalar> OnePort<T> for Wall<T> {
     #[inline]
     fn respond(&mut self, drive: &Drive<T>) -> T {
         let depth = drive.position - self.position;
-        let force = self.stiffness * depth + self.damper.damping() * drive.velocity;
-        // Asked this way round, a NaN does not pass for "no contact": it stays one, to be turned away.
-        let free = depth.below(T::least()) | force.below(T::zero());
-        T::choose(free, T::zero(), force)
+        one_sided(depth, self.stiffness * depth + self.damper.damping() * drive.velocity)
     }
 }

@@ -1,0 +1,59 @@
+//! Something soft on something hard.
+
+use lyapunov_core::{Beyond, Dissipation, Drive, OnePort, ParameterError, Requirement, Scalar};
+
+use crate::environments::one_sided::one_sided;
+
+/// A one-sided wall of two layers: `f = max(0, s(p) + b v)` for a penetration `p = x − position > 0`, else 0, with
+/// `s = k₁ p` up to `depth` and `s = k₁ depth + k₂ (p − depth)` beyond.
+///
+/// Where `k₁ = k₂`, and where `depth` is 0 or out of reach, it is the [`Wall`](crate::Wall) of the one stiffness, to
+/// the last bit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayeredWall<T> {
+    stiffness: [T; 2],
+    depth: T,
+    damper: Dissipation<T>,
+    position: T,
+}
+
+impl<T: Scalar> LayeredWall<T> {
+    /// A wall with its surface at the origin, of `stiffness` `[k₁, k₂]` N/m down to `depth` m and below, and of
+    /// `damping` N·s/m.
+    ///
+    /// # Errors
+    /// `depth`, a `stiffness` or `damping` below 0, infinite or NaN.
+    pub fn new(depth: T, stiffness: [T; 2], damping: T) -> Result<Self, ParameterError> {
+        let depth = Requirement::NonNegative.check("depth", depth)?;
+        let [first, second] = stiffness;
+        Requirement::NonNegative.check("stiffness", first)?;
+        Requirement::NonNegative.check("stiffness", second)?;
+        // No layer, no rounding at its end.
+        let layered = first.below(second) | second.below(first);
+        let depth = T::choose(layered, depth, T::largest());
+        Ok(Self { stiffness, depth, damper: Dissipation::of(damping)?, position: T::zero() })
+    }
+
+    /// The same wall with its surface at `position`, m.
+    pub fn at(self, position: T) -> Self {
+        Self { position, ..self }
+    }
+
+    /// The credit of the wall's own damper, `b v² T` strictly beyond the surface, as that of a
+    /// [`Wall`](crate::Wall::dissipation).
+    pub fn dissipation(&self) -> Dissipation<T, Beyond<T>> {
+        self.damper.gated(Beyond { position: self.position })
+    }
+}
+
+impl<T: Scalar> OnePort<T> for LayeredWall<T> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<T>) -> T {
+        let depth = drive.position - self.position;
+        let [first, second] = self.stiffness;
+        let within = first * depth;
+        let below = first * self.depth + second * (depth - self.depth);
+        let spring = T::choose(depth.above(self.depth), below, within);
+        one_sided(depth, spring + self.damper.damping() * drive.velocity)
+    }
+}

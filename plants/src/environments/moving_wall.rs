@@ -1,0 +1,82 @@
+//! A wall that swings.
+
+use lyapunov_core::{Drive, LyapunovCandidate, OnePort, ParameterError, Scalar};
+
+use crate::environments::oscillation::Oscillation;
+use crate::{DissipationOf, Wall};
+
+/// A [`Wall`] whose surface swings about its position: at `position + amplitude sin(2π frequency t(n))`, moving at
+/// `2π frequency amplitude cos(2π frequency t(n))`.
+///
+/// Penetration and velocity are relative to the surface: `f = max(0, k p + b (v − v_surface))` for `p > 0`, else 0.
+/// A wall that is moved does work of its own, and may drive the port without any fault of sampling.
+///
+/// `t(n) = n / rate`, with `n` the calls of this environment before the present one, none for the first. Time is
+/// never summed: the phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. Whatever keeps calls
+/// from it, keeps it from moving.
+///
+/// An amplitude of 0 is the wall at rest, to the last bit.
+///
+/// ```
+/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_plants::{MovingWall, Wall};
+/// // Asked every 10 ms, it swings once in 40 ms: it stands at 0, 2, 0 and −2 mm.
+/// let mut wall = MovingWall::new(Wall::new(1000.0_f64, 0.0)?, 0.002, 25.0, 100.0)?;
+/// let still = Drive::starting(0.01, 0.001, 0.0);
+/// for force in [1.0, 0.0, 1.0, 3.0] {
+///     assert!((wall.respond(&still) - force).abs() < 1e-12);
+/// }
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MovingWall<T> {
+    wall: Wall<T>,
+    motion: Oscillation<T>,
+}
+
+impl<T: Scalar> MovingWall<T> {
+    /// `wall`, swinging by `amplitude` m at `frequency` Hz, called `rate` times in a second.
+    ///
+    /// # Errors
+    /// `amplitude` infinite or NaN; `frequency` below 0, infinite or NaN; `rate` not above 0 and finite; a
+    /// frequency so high that speed or phase are out of range.
+    pub fn new(wall: Wall<T>, amplitude: T, frequency: T, rate: T) -> Result<Self, ParameterError> {
+        Ok(Self { wall, motion: Oscillation::new(amplitude, frequency, rate)? })
+    }
+
+    /// The credit of the wall's own damper, `b (v − v_surface)² T` strictly beyond the moving surface, for an
+    /// observer that is called `rate` times in a second from the wall's first call on.
+    ///
+    /// The damper burns in part what moves the wall: this credits something also where the hand rests.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new) has them.
+    pub fn dissipation(&self, rate: T) -> Result<DissipationOf<Self>, ParameterError> {
+        Ok(DissipationOf(Self { wall: self.wall, motion: self.motion.called_at(rate)? }))
+    }
+
+    /// The wall where it stands now, and the drive as seen from its surface; the next call is one step later.
+    #[inline]
+    fn advance(&mut self, drive: &Drive<T>) -> (Wall<T>, Drive<T>) {
+        let wall = self.wall.shifted(self.motion.value());
+        let velocity = drive.velocity - self.motion.slope();
+        self.motion.advance();
+        (wall, Drive { velocity, ..*drive })
+    }
+}
+
+impl<T: Scalar> OnePort<T> for MovingWall<T> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<T>) -> T {
+        let (mut wall, relative) = self.advance(drive);
+        wall.respond(&relative)
+    }
+}
+
+impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<MovingWall<T>> {
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<T>) -> T {
+        let (wall, relative) = self.0.advance(drive);
+        wall.dissipation().decrease(&relative)
+    }
+}

@@ -1,0 +1,49 @@
+//! A box.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
+use nalgebra::SVector;
+
+use super::axes::check_axes;
+use crate::{Nearest, Solid};
+
+/// A box with its edges along the axes, on two axes a rectangle: `p = minᵢ (halfᵢ − |xᵢ − centerᵢ|)`, and `n` along
+/// that axis towards the point's side.
+///
+/// Of axes with the same depth it takes the first, exactly in the middle of one the side `+`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid<V> {
+    center: V,
+    half: V,
+}
+
+impl<V: Signal> Cuboid<V> {
+    /// A box about `center`, from there to each side as far as `half`, m.
+    ///
+    /// # Errors
+    /// A coordinate of `center` infinite or NaN; one of `half` not above 0 and finite.
+    pub fn new(center: V, half: V) -> Result<Self, ParameterError> {
+        let center = check_axes(Requirement::Finite, "center", center)?;
+        Ok(Self { center, half: check_axes(Requirement::Positive, "half", half)? })
+    }
+}
+
+impl<T: Scalar, const N: usize> Solid<SVector<T, N>> for Cuboid<SVector<T, N>> {
+    #[inline]
+    fn nearest(&self, position: SVector<T, N>) -> Nearest<SVector<T, N>> {
+        let from = position - self.center;
+        let (zero, one) = (T::of(0.0), T::of(1.0));
+        let mut least = T::largest();
+        let mut normal = SVector::<T, N>::zeros();
+        for axis in 0..N {
+            let depth = self.half[axis] - from[axis].magnitude();
+            let nearer = depth.below(least);
+            least = T::choose(nearer, depth, least);
+            normal = Signal::choose(nearer, SVector::zeros(), normal);
+            let side = T::choose(from[axis].below(zero), -one, one);
+            normal[axis] = T::choose(nearer, side, normal[axis]);
+        }
+        // A NaN is nearer than nothing: of the other axes alone nothing can be told.
+        let known = from.finite();
+        Nearest { depth: T::choose(known, least, T::of(f64::NAN)), normal }
+    }
+}

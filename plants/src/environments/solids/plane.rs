@@ -1,0 +1,34 @@
+//! Half of the space.
+
+use lyapunov_core::{ParameterError, Requirement, Signal};
+
+use super::axes::{check_axes, largest_axis, length_and_direction};
+use crate::{Nearest, Solid};
+
+/// All that is below a plane: `p = (point − x)·n`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<V> {
+    point: V,
+    normal: V,
+}
+
+impl<V: Signal> Plane<V> {
+    /// The solid below the plane through `point`, m, on the side away from `normal`, which may be of any length.
+    ///
+    /// # Errors
+    /// A coordinate of `point` or of `normal` infinite or NaN; a `normal` of 0.
+    pub fn new(point: V, normal: V) -> Result<Self, ParameterError> {
+        check_axes(Requirement::Finite, "point", point)?;
+        check_axes(Requirement::Finite, "normal", normal)?;
+        Requirement::Positive.check("normal", largest_axis(normal))?;
+        let (_, normal) = length_and_direction(normal, V::zero());
+        Ok(Self { point, normal })
+    }
+}
+
+impl<V: Signal> Solid<V> for Plane<V> {
+    #[inline]
+    fn nearest(&self, position: V) -> Nearest<V> {
+        Nearest { depth: (self.point - position).pair(self.normal), normal: self.normal }
+    }
+}

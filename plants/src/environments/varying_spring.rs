@@ -1,0 +1,58 @@
+//! A spring that is not always as stiff.
+
+use lyapunov_core::{Drive, OnePort, ParameterError, Signal};
+
+use crate::Spring;
+use crate::environments::oscillation::Oscillation;
+
+/// A [`Spring`] whose stiffness swings, two-sided: `f = (stiffness + amplitude sin(2π frequency t(n))) (x − position)`.
+///
+/// A spring that is stretched while soft and let go while stiff gives more than it took: it is active without any
+/// fault of sampling.
+///
+/// `t(n) = n / rate`, with `n` the calls of this environment before the present one, none for the first. Time is
+/// never summed: the phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. Whatever keeps calls
+/// from it, keeps it from changing.
+///
+/// An amplitude of 0 is the spring alone, to the last bit.
+///
+/// ```
+/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_plants::{Spring, VaryingSpring};
+/// let mut spring: VaryingSpring<f64> = VaryingSpring::new(Spring::new(100.0)?, 50.0, 25.0, 100.0)?;
+/// let still = Drive::starting(0.01, 0.02, 0.0);
+/// for force in [2.0_f64, 3.0, 2.0, 1.0] {
+///     assert!((spring.respond(&still) - force).abs() < 1e-12);
+/// }
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VaryingSpring<V: Signal> {
+    spring: Spring<V>,
+    change: Oscillation<V::Scalar>,
+}
+
+impl<V: Signal> VaryingSpring<V> {
+    /// `spring`, its stiffness swinging by `amplitude` N/m at `frequency` Hz, called `rate` times in a second.
+    ///
+    /// # Errors
+    /// `amplitude` infinite or NaN; `frequency` below 0, infinite or NaN; `rate` not above 0 and finite; a
+    /// frequency so high that the phase or how fast the stiffness changes are out of range.
+    pub fn new(
+        spring: Spring<V>,
+        amplitude: V::Scalar,
+        frequency: V::Scalar,
+        rate: V::Scalar,
+    ) -> Result<Self, ParameterError> {
+        Ok(Self { spring, change: Oscillation::new(amplitude, frequency, rate)? })
+    }
+}
+
+impl<V: Signal> OnePort<V> for VaryingSpring<V> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        let mut spring = self.spring.stiffened(self.change.value());
+        self.change.advance();
+        spring.respond(drive)
+    }
+}
