@@ -21,7 +21,12 @@
 mod bodies;
 mod effects;
 mod environments;
+mod random;
 
 pub use bodies::{Body, Impedance, Tethered, held_input};
-pub use effects::{Adapt, Delay, Difference, Encoder, Fallback, Guard, Hold, Saturation};
+pub use effects::{
+    Adapt, AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass,
+    Noise, Saturation,
+};
 pub use environments::{MassSpringDamper, Spring, Wall};
+pub use random::{Random, Source};
