@@ -8,8 +8,6 @@ pub use lyapunov_core::{
     lanes, laws,
 };
 pub use lyapunov_plants::{
-    Adapt, Body, Contact, Cuboid, Delay, Difference, DissipationOf, Encoder, Fallback, Guard, Hold,
-    HuntCrossley, Impedance, LayeredWall, MassSpringDamper, MovingWall, Nearest, Plane, Saturation,
-    Solid, Sphere, Spring, Tethered, VaryingSpring, Wall, held_input,
+    Adapt, AdaptiveWindow, Body, Contact, Cuboid, Delay, Difference, DissipationOf, Dropout, Encoder, Fallback, Guard, Hold, HuntCrossley, Impedance, LayeredWall, LowPass, MassSpringDamper, MovingWall, Nearest, Noise, Plane, Random, Saturation, Solid, Source, Sphere, Spring, Tethered, VaryingSpring, Wall, held_input,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

@@ -22,10 +22,9 @@
 mod bodies;
 mod effects;
 mod environments;
+mod random;
 
 pub use bodies::{Body, Impedance, Tethered, held_input};
-pub use effects::{Adapt, Delay, Difference, Encoder, Fallback, Guard, Hold, Saturation};
-pub use environments::{
-    Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
-    Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
-};
+pub use effects::{Adapt, AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass, Noise, Saturation};
+pub use environments::{Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall};
+pub use random::{Random, Source};

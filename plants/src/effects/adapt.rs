@@ -2,7 +2,10 @@
 
 use lyapunov_core::{OnePort, ParameterError, Signal};
 
-use crate::{Delay, Difference, Encoder, Fallback, Guard, Hold, Saturation};
+use crate::{
+    AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass, Noise,
+    Saturation,
+};
 
 /// What may act on a port, chained like iterator adaptors, innermost first.
 ///
@@ -45,6 +48,52 @@ pub trait Adapt<V: Signal>: OnePort<V> + Sized {
     /// Takes velocities from displacements.
     fn differenced(self) -> Difference<Self> {
         Difference::new(self)
+    }
+
+    /// Takes velocities from displacements behind a low pass of `cutoff`, Hz.
+    ///
+    /// # Errors
+    /// `cutoff` not above 0 and finite, or too large for the scalar.
+    fn low_passed(self, cutoff: V::Scalar) -> Result<LowPass<Self, V>, ParameterError> {
+        LowPass::new(self, cutoff)
+    }
+
+    /// Takes velocities over up to `ticks` calls, as long as positions lie within `band`, m, of a line; `N` is the
+    /// room for them.
+    ///
+    /// # Errors
+    /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
+    fn windowed<const N: usize>(
+        self,
+        ticks: usize,
+        band: V::Scalar,
+    ) -> Result<AdaptiveWindow<Self, V, N>, ParameterError> {
+        AdaptiveWindow::new(self, ticks, band)
+    }
+
+    /// Adds Gaussian noise of a standard `deviation`, m, to positions; `seed` tells that of each lane.
+    ///
+    /// # Errors
+    /// `deviation` below 0, infinite or NaN.
+    fn noisy(
+        self,
+        deviation: V::Scalar,
+        seed: impl Fn(usize) -> u64,
+    ) -> Result<Noise<Self, V>, ParameterError> {
+        Noise::new(self, deviation, seed)
+    }
+
+    /// Loses each answer with a `probability`; `seed` tells that of each lane.
+    ///
+    /// # Errors
+    /// `probability` not within 0 and 1.
+    fn dropped(
+        self,
+        probability: V::Scalar,
+        fallback: Fallback,
+        seed: impl Fn(usize) -> u64,
+    ) -> Result<Dropout<Self, V>, ParameterError> {
+        Dropout::new(self, probability, fallback, seed)
     }
 
     /// Turns away samples that are not finite before anything inside is touched.

@@ -2,14 +2,7 @@
 
 use lyapunov_core::{Action, Drive, OnePort, Scalar, Signal};
 
-/// What a [`Guard`] answers when it turns a sample away.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fallback {
-    /// The last sound effort.
-    Hold,
-    /// No effort.
-    Zero,
-}
+use crate::Fallback;
 
 /// A port that is called with finite drives only, and answers with finite efforts only.
 ///

@@ -1,0 +1,93 @@
+//! Velocity over as many samples as lie on a line.
+
+use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+
+/// A port that is told velocities over a window that is as long as the motion is straight:
+/// `v(n) = (x(n) − x(n−i)) / (i T)`, `v(0) = 0`.
+///
+/// `i` grows from 1 and stops before the first one whose line through `x(n)` and `x(n−i)` passes farther than `band` (m,
+/// an encoder's resolution) from a sample between them, or at `ticks`, or at the first sample. Slow motion gets
+/// the long window that a coarse encoder needs, fast motion the short one. This is the first-order adaptive windowing
+/// of Janabi-Sharifi, Hayward and Chen, in its end-fit form (Discrete-time adaptive windowing for velocity
+/// estimation, IEEE Transactions on Control Systems Technology 8(6), 2000). Each axis has its own window. Of one
+/// tick it is the backward difference, to the bit. `T` is the drive's period. Positions, displacements and work are
+/// left as they are.
+///
+/// Instead of trying every line against every sample, the slopes that serve all samples so far are kept as an
+/// interval. A sample just `band` away from the line is within: the band is widened by
+/// `4 ε (|x(n)| + |x(n) − x(n−j)| + band)`, with `ε` the distance from one to the next number, which covers the
+/// rounding of the positions and of the test. Without it, samples one count off a line, which are common, would be in
+/// or out as they happen to be rounded.
+///
+/// A position that is not finite ends the windows that would reach it; what follows it is not touched otherwise.
+#[derive(Clone, Copy, Debug)]
+pub struct AdaptiveWindow<P, V: Signal, const N: usize> {
+    port: P,
+    ticks: usize,
+    band: V::Scalar,
+    /// The positions of the calls before, latest first.
+    past: [V; N],
+    known: usize,
+}
+
+impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
+    pub(crate) fn new(port: P, ticks: usize, band: V::Scalar) -> Result<Self, ParameterError> {
+        Requirement::Positive.check("window ticks", ticks as f64)?;
+        Requirement::AtMost(N as f64).check("window ticks", ticks as f64)?;
+        let band = Requirement::NonNegative.check("window band", band)?;
+        Ok(Self { port, ticks, band, past: [V::zero(); N], known: 0 })
+    }
+
+    /// The slope of the longest line that fits, m per tick.
+    fn slope(&self, drive: &Drive<V>) -> V {
+        let endless = V::Scalar::of(f64::INFINITY);
+        let none = V::Scalar::of(f64::NAN);
+        let mut slope = if self.known == 0 { V::zero() } else { drive.displacement };
+        let (mut least, mut most) = (V::splat(-endless), V::splat(endless));
+        for (index, &past) in self.past[..self.known].iter().enumerate() {
+            let ticks = V::Scalar::of((index + 1) as f64);
+            let moved = drive.position - past;
+            if index > 0 {
+                // Not a number stands for an axis whose line does not fit, or did not before.
+                let line = moved
+                    .zip(least, |moved, least| {
+                        let line = moved / ticks;
+                        V::Scalar::choose(line.above(least), line, none)
+                    })
+                    .zip(most, |line, most| V::Scalar::choose(line.below(most), line, none));
+                let fits = V::Scalar::choose;
+                slope = line.zip(slope, |line, slope| fits(line.finite(), line, slope));
+                least = line.zip(least, |line, least| fits(line.finite(), least, endless));
+            }
+            let band = drive.position.zip(moved, |position, moved| self.widened(position, moved));
+            least =
+                least.zip(moved.zip(band, |moved, band| (moved - band) / ticks), Scalar::larger);
+            most = most.zip(moved.zip(band, |moved, band| (moved + band) / ticks), Scalar::smaller);
+        }
+        slope
+    }
+
+    /// The band, and what rounding may add.
+    fn widened(&self, position: V::Scalar, moved: V::Scalar) -> V::Scalar {
+        let size = position.magnitude() + moved.magnitude() + self.band;
+        // The smallest normal number keeps the interval open around a rest at zero.
+        self.band + (V::Scalar::of(4.0) * V::Scalar::epsilon() * size + V::Scalar::tiny())
+    }
+}
+
+impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for AdaptiveWindow<P, V, N> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        let velocity = self.slope(drive).map(|slope| slope / drive.period);
+        let window = &mut self.past[..self.ticks];
+        window.rotate_right(1);
+        window[0] = drive.position;
+        self.known = (self.known + 1).min(self.ticks);
+        self.port.respond(&Drive { velocity, ..*drive })
+    }
+
+    #[inline]
+    fn action(&self) -> Action<V> {
+        self.port.action()
+    }
+}

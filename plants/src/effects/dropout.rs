@@ -1,0 +1,55 @@
+//! Answers that are lost on the way.
+
+use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Signal};
+
+use crate::{Fallback, Random, Source};
+
+/// A port each of whose answers is lost with a given probability, independently of the others.
+///
+/// What acts instead is the last answer that arrived, 0 before the first ([`Fallback::Hold`]), or nothing
+/// ([`Fallback::Zero`]). The port inside is asked every time: it is its answer that is lost, as of an environment on
+/// another computer, so the loss stands between the environment and what holds its efforts,
+/// `wall.dropped(0.1, Fallback::Hold, |_| 7)?.held(10)?`. All axes of an answer are lost together. Each call draws
+/// one number a lane ([`Random`]), lost or not. A probability of 0 changes no bit. An answer that is not a number is
+/// an answer like any other.
+#[derive(Clone, Copy, Debug)]
+pub struct Dropout<P, V: Signal> {
+    port: P,
+    probability: V::Scalar,
+    fallback: Fallback,
+    random: Random<V::Scalar>,
+    arrived: V,
+}
+
+impl<P, V: Signal> Dropout<P, V> {
+    pub(crate) fn new(
+        port: P,
+        probability: V::Scalar,
+        fallback: Fallback,
+        seed: impl Fn(usize) -> u64,
+    ) -> Result<Self, ParameterError> {
+        Requirement::NonNegative.check("dropout probability", probability)?;
+        Requirement::AtMost(1.0).check("dropout probability", probability)?;
+        let random = Random::new(seed, Source::Dropout);
+        Ok(Self { port, probability, fallback, random, arrived: V::zero() })
+    }
+}
+
+impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        let answer = self.port.respond(drive);
+        let lost = self.random.chance(self.probability);
+        let instead = match self.fallback {
+            Fallback::Hold => self.arrived,
+            Fallback::Zero => V::zero(),
+        };
+        self.arrived = V::choose(lost, instead, answer);
+        self.arrived
+    }
+
+    #[inline]
+    fn action(&self) -> Action<V> {
+        self.port.action()
+    }
+}

@@ -1,0 +1,54 @@
+//! Positions with noise on them.
+
+use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+
+use super::retold::Retold;
+use crate::{Random, Source};
+
+/// A port that is told positions with white Gaussian noise on them, `xm(n) = x(n) + deviation · z(n)`.
+///
+/// `z` is of the standard normal distribution and independent on every axis, in every lane and in every call
+/// ([`Random`]). The displacement is the difference of the noisy positions, 0 at the first call, and the work the
+/// acting effort's over that displacement. The velocity is left as it is; take it from the noisy positions inside. Noise
+/// is that of the sensor and comes before its counting: `port.encoded(r)?.noisy(deviation, seed)?`. A deviation of 0
+/// changes no bit.
+#[derive(Clone, Copy, Debug)]
+pub struct Noise<P, V: Signal> {
+    port: P,
+    deviation: V::Scalar,
+    random: Random<V::Scalar>,
+    retold: Retold<V>,
+}
+
+impl<P, V: Signal> Noise<P, V> {
+    pub(crate) fn new(
+        port: P,
+        deviation: V::Scalar,
+        seed: impl Fn(usize) -> u64,
+    ) -> Result<Self, ParameterError> {
+        let deviation = Requirement::NonNegative.check("noise deviation", deviation)?;
+        let random = Random::new(seed, Source::Noise);
+        Ok(Self { port, deviation, random, retold: Retold::new() })
+    }
+}
+
+impl<V: Signal, P: OnePort<V>> OnePort<V> for Noise<P, V> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<V>) -> V {
+        let noise = self.random.normal::<V>().scale(self.deviation);
+        let noisy = self.retold.drive(drive, drive.position + noise);
+        // A displacement need not be the difference of rounded positions; without noise it is left alone.
+        let some = self.deviation.above(V::Scalar::of(0.0));
+        self.port.respond(&Drive {
+            position: V::choose(some, noisy.position, drive.position),
+            displacement: V::choose(some, noisy.displacement, drive.displacement),
+            work: V::choose(some, noisy.work, drive.work),
+            ..*drive
+        })
+    }
+
+    #[inline]
+    fn action(&self) -> Action<V> {
+        self.port.action()
+    }
+}
