@@ -8,7 +8,9 @@ pub use lyapunov_core::{
     lanes, laws,
 };
 pub use lyapunov_plants::{
-    Adapt, Body, Delay, Difference, Encoder, Fallback, Guard, Hold, Impedance, MassSpringDamper,
-    Saturation, Spring, Tethered, Wall, held_input,
+    Adapt, Body, Constant, Course, DampedMass, Delay, Difference, Encoder, Fallback, FirstAxis,
+    Grip, Guard, Hold, Impedance, Jitter, Link, Linked, MassSpringDamper, Motion, Perturb, Pulse,
+    Push, Ramp, Samples, Saturation, Sine, Spring, Step, Tethered, TwoMass, Wall, held_input,
+    tick_of,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

@@ -1,8 +1,9 @@
 //! Environments, bodies, exact propagation and the effects that act on a port.
 //!
 //! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2) and the
-//! one-sided [`Wall`] of its evaluation. A [`Body`] is what moves, exactly. Effects are adaptors that own the port
-//! they act on, chained by [`Adapt`]; one that is not written costs nothing.
+//! one-sided [`Wall`] of its evaluation. A [`Body`] is what moves, exactly, and so is [`Linked`], which is two masses.
+//! Effects are adaptors that own the port they act on, chained by [`Adapt`], or the body, chained by [`Perturb`];
+//! one that is not written costs nothing. What follows time by itself, a hand or a load, is a [`Course`].
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};
@@ -19,9 +20,14 @@
 #![no_std]
 
 mod bodies;
+mod courses;
 mod effects;
 mod environments;
 
-pub use bodies::{Body, Impedance, Tethered, held_input};
+pub use bodies::{
+    Body, DampedMass, Grip, Impedance, Jitter, Link, Linked, Motion, Perturb, Push, Tethered,
+    TwoMass, held_input,
+};
+pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
 pub use effects::{Adapt, Delay, Difference, Encoder, Fallback, Guard, Hold, Saturation};
 pub use environments::{MassSpringDamper, Spring, Wall};
