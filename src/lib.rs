@@ -8,6 +8,10 @@ pub use lyapunov_core::{
     lanes, laws,
 };
 pub use lyapunov_plants::{
-    Adapt, AdaptiveWindow, Body, Contact, Cuboid, Delay, Difference, DissipationOf, Dropout, Encoder, Fallback, Guard, Hold, HuntCrossley, Impedance, LayeredWall, LowPass, MassSpringDamper, MovingWall, Nearest, Noise, Plane, Random, Saturation, Solid, Source, Sphere, Spring, Tethered, VaryingSpring, Wall, held_input,
+    Adapt, AdaptiveWindow, Body, Constant, Contact, Course, Cuboid, DampedMass, Delay, Difference,
+    DissipationOf, Dropout, Encoder, Fallback, FirstAxis, Grip, Guard, Hold, HuntCrossley,
+    Impedance, Jitter, LayeredWall, Link, Linked, LowPass, MassSpringDamper, Motion, MovingWall,
+    Nearest, Noise, Perturb, Plane, Pulse, Push, Ramp, Random, Samples, Saturation, Sine, Solid,
+    Source, Sphere, Spring, Step, Tethered, TwoMass, VaryingSpring, Wall, held_input, tick_of,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

@@ -35,6 +35,8 @@ pub enum Requirement {
     Limit,
     /// Not above the given number.
     AtMost(f64),
+    /// Finite and not below the given number.
+    AtLeast(f64),
     /// Such that what is computed from it stays within the range of the scalar.
     InRange,
 }
@@ -47,6 +49,7 @@ impl Requirement {
             Self::NonNegative => value.is_finite() && value >= 0.0,
             Self::Limit => value >= 0.0,
             Self::AtMost(most) => value <= most,
+            Self::AtLeast(least) => value.is_finite() && value >= least,
             Self::InRange => value.is_finite(),
         }
     }
@@ -71,6 +74,7 @@ impl fmt::Display for Requirement {
             Self::NonNegative => f.write_str("at least 0 and finite"),
             Self::Limit => f.write_str("at least 0 (infinity: no limit)"),
             Self::AtMost(most) => write!(f, "at most {most}"),
+            Self::AtLeast(least) => write!(f, "at least {least} and finite"),
             Self::InRange => f.write_str("such that the result is within the range of the scalar"),
         }
     }

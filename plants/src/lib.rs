@@ -1,9 +1,6 @@
 //! Environments, bodies, exact propagation and the effects that act on a port.
 //!
-//! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2), the
-//! one-sided [`Wall`] of its evaluation, [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`],
-//! which swing with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly. Effects are adaptors that own the port
-//! they act on, chained by [`Adapt`]; one that is not written costs nothing.
+//! Effects are adaptors that own the port they act on, //! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2), //! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2) and the, //! one that is not written costs nothing. What follows time by itself, //! one-sided [`Wall`] of its evaluation, //! one-sided [`Wall`] of its evaluation. A [`Body`] is what moves, //! they act on, //! which swing with time; and, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`], a hand or a load, and so is [`Linked`], chained by [`Adapt`], chained by [`Adapt`]; one that is not written costs nothing., chained by [`Perturb`];, exactly, exactly. Effects are adaptors that own the port, is a [`Course`]., on several axes, or the body, the, which is two masses.,
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};
@@ -20,11 +17,22 @@
 #![no_std]
 
 mod bodies;
+mod courses;
 mod effects;
 mod environments;
 mod random;
 
-pub use bodies::{Body, Impedance, Tethered, held_input};
-pub use effects::{Adapt, AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass, Noise, Saturation};
-pub use environments::{Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall};
+pub use bodies::{
+    Body, DampedMass, Grip, Impedance, Jitter, Link, Linked, Motion, Perturb, Push, Tethered,
+    TwoMass, held_input,
+};
+pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
+pub use effects::{
+    Adapt, AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass,
+    Noise, Saturation,
+};
+pub use environments::{
+    Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
+    Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
+};
 pub use random::{Random, Source};

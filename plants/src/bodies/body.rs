@@ -3,14 +3,15 @@
 use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
 use nalgebra::Matrix3;
 
-use crate::{Impedance, Tethered, held_input};
+use super::propagation::increments;
+use crate::{Impedance, Tethered};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
 ///
 /// The effort is held over the period, so the motion is linear and known: `x += E₁₁ p + E₁₂ v + G₁ f` and
 /// `v += E₂₁ p + E₂₂ v + G₂ f` with `p = x − rest` and the increments of the matrix exponential, computed once
-/// ([`held_input`]). On several axes each moves like that. With `stiffness` and `rest` an operator's, mass and
+/// ([`held_input`](crate::held_input)). On several axes each moves like that. With `stiffness` and `rest` an operator's, mass and
 /// damping the operator's and the device's together, it is the left side of the paper's figure 2; that the two
 /// move as one is our reading, the paper does not say.
 #[derive(Clone, Copy, Debug)]
@@ -72,16 +73,13 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
     let mass = Requirement::Positive.check("mass", impedance.mass)?;
     let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
     let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
-    let map = |lane: usize| {
+    let [position, velocity, _] = increments(|lane| {
         let (m, t) = (mass.lane(lane), interval.lane(lane));
         let (b, k) = (damping.lane(lane), stiffness.lane(lane));
-        held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
-    };
-    let row = |index: usize| {
-        let entry = |column| T::from_lanes(|lane| map(lane)[(index, column)]);
-        Row { deflection: entry(0), velocity: entry(1), effort: entry(2) }
-    };
-    let rows = [row(0), row(1)];
+        Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t
+    });
+    let row = |[deflection, velocity, effort]: [T; 3]| Row { deflection, velocity, effort };
+    let rows = [row(position), row(velocity)];
     let finite = rows[0].finite() & rows[1].finite();
     match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
         None => Ok(rows),

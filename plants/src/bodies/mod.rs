@@ -1,11 +1,25 @@
 //! What the operator holds: bodies that move exactly, and what changes their course.
 
 mod body;
+mod grip;
 mod impedance;
+mod jitter;
+mod linked;
+mod motion;
+mod perturb;
 mod propagation;
+mod push;
 mod tethered;
+mod two_mass;
 
 pub use body::Body;
+pub use grip::Grip;
 pub use impedance::Impedance;
+pub use jitter::Jitter;
+pub use linked::Linked;
+pub use motion::Motion;
+pub use perturb::Perturb;
 pub use propagation::held_input;
+pub use push::Push;
 pub use tethered::Tethered;
+pub use two_mass::{DampedMass, Link, TwoMass};

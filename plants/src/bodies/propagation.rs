@@ -1,5 +1,6 @@
 //! The exact motion of a linear body under a held input.
 
+use lyapunov_core::Scalar;
 use nalgebra::SMatrix;
 
 /// `exp(A) − I`, without cancellation where `A` is small.
@@ -32,4 +33,23 @@ pub fn held_input<const N: usize>(matrix: SMatrix<f64, N, N>) -> SMatrix<f64, N,
 /// The largest sum of magnitudes in a row.
 fn size<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     matrix.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
+}
+
+/// [`held_input`] of each lane's matrix, by rows.
+pub(super) fn increments<T: Scalar, const N: usize>(
+    matrix: impl Fn(usize) -> SMatrix<f64, N, N>,
+) -> [[T; N]; N] {
+    let mut rows = [[T::zero(); N]; N];
+    for lane in 0..T::LANES {
+        let increment = held_input(matrix(lane));
+        for (row, entries) in rows.iter_mut().enumerate() {
+            for (column, entry) in entries.iter_mut().enumerate() {
+                let others = *entry;
+                *entry = T::from_lanes(|at| {
+                    if at == lane { increment[(row, column)] } else { others.lane(at) }
+                });
+            }
+        }
+    }
+    rows
 }

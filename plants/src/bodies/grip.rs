@@ -1,0 +1,84 @@
+//! An operator who holds faster or looser.
+
+use lyapunov_core::{Drive, ParameterError, Plant, Requirement, Scalar, Signal};
+
+use crate::Tethered;
+
+/// A body that is made of other parts from given ticks on, and of its own before the first.
+///
+/// `R` is the table: an array, a slice or whatever owns one, of ticks that do not fall and the parts from each on.
+/// Of rows of the same tick the last counts. Position, velocity and rest stay; a spring that is stiffer from now
+/// on takes `(k' − k) (x − rest)² / 2` along. Rows with the body's own parts change nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Grip<B, R, T> {
+    body: B,
+    table: R,
+    period: T,
+    next: usize,
+    tick: u64,
+}
+
+impl<B, R, T: Scalar> Grip<B, R, T> {
+    pub(crate) fn new<V>(body: B, table: R) -> Result<Self, ParameterError>
+    where
+        V: Signal<Scalar = T>,
+        B: Tethered<V> + Clone,
+        R: AsRef<[(u64, B::Parts)]>,
+    {
+        let period = body.start().period;
+        let mut tried = body.clone();
+        let mut earlier = 0;
+        for &(tick, parts) in table.as_ref() {
+            Requirement::AtLeast(earlier as f64).check("tick", tick as f64)?;
+            tried.reshape(parts, period)?;
+            earlier = tick;
+        }
+        Ok(Self { body, table, period, next: 0, tick: 0 })
+    }
+}
+
+impl<V, B, R> Plant<V> for Grip<B, R, V::Scalar>
+where
+    V: Signal,
+    B: Tethered<V>,
+    R: AsRef<[(u64, B::Parts)]>,
+{
+    #[inline]
+    fn start(&self) -> Drive<V> {
+        self.body.start()
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        while let Some(&(tick, parts)) = self.table.as_ref().get(self.next)
+            && tick <= self.tick
+        {
+            // Tried at construction; a table that has changed since is not followed where it is wrong.
+            let _ = self.body.reshape(parts, self.period);
+            self.next += 1;
+        }
+        self.tick = self.tick.wrapping_add(1);
+        self.body.advance(effort)
+    }
+}
+
+impl<V, B, R> Tethered<V> for Grip<B, R, V::Scalar>
+where
+    V: Signal,
+    B: Tethered<V>,
+    R: AsRef<[(u64, B::Parts)]>,
+{
+    type Parts = B::Parts;
+
+    #[inline]
+    fn rest_at(&mut self, rest: V) {
+        self.body.rest_at(rest);
+    }
+
+    /// The table has the last word: its next row replaces `parts`, but keeps `interval`.
+    fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        self.body.reshape(parts, interval)?;
+        self.period = interval;
+        Ok(())
+    }
+}

@@ -1,0 +1,79 @@
+//! A clock that does not keep time.
+
+use lyapunov_core::{Drive, ParameterError, Plant, Requirement, Scalar, Signal};
+
+use crate::Tethered;
+
+/// A body that moves for `max(0, T + deviation g)` instead of `T`, with a standard normal number `g` of `normal`
+/// for each tick, while the drive tells `T`.
+///
+/// Who takes a velocity from the displacement divides by `T` and is wrong by the jitter. Position, displacement
+/// and the held effort's work are the true ones. A deviation of 0 changes nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Jitter<B, P, T, G> {
+    body: B,
+    parts: P,
+    period: T,
+    deviation: T,
+    normal: G,
+}
+
+impl<B, P, T, G> Jitter<B, P, T, G> {
+    pub(crate) fn new<V>(
+        mut body: B,
+        parts: P,
+        deviation: T,
+        normal: G,
+    ) -> Result<Self, ParameterError>
+    where
+        V: Signal<Scalar = T>,
+        B: Tethered<V, Parts = P>,
+        P: Copy,
+        T: Scalar,
+    {
+        let deviation = Requirement::NonNegative.check("deviation", deviation)?;
+        let period = body.start().period;
+        body.reshape(parts, period)?;
+        Ok(Self { body, parts, period, deviation, normal })
+    }
+}
+
+impl<V, B, G> Plant<V> for Jitter<B, B::Parts, V::Scalar, G>
+where
+    V: Signal,
+    B: Tethered<V>,
+    G: FnMut() -> V::Scalar,
+{
+    #[inline]
+    fn start(&self) -> Drive<V> {
+        Drive { period: self.period, ..self.body.start() }
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        let interval = self.period + self.deviation * (self.normal)();
+        // An interval so long that the motion leaves the scalar's range keeps the one before.
+        let _ = self.body.reshape(self.parts, interval.larger(V::Scalar::of(0.0)));
+        Drive { period: self.period, ..self.body.advance(effort) }
+    }
+}
+
+impl<V, B, G> Tethered<V> for Jitter<B, B::Parts, V::Scalar, G>
+where
+    V: Signal,
+    B: Tethered<V>,
+    G: FnMut() -> V::Scalar,
+{
+    type Parts = B::Parts;
+
+    #[inline]
+    fn rest_at(&mut self, rest: V) {
+        self.body.rest_at(rest);
+    }
+
+    fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        self.body.reshape(parts, interval)?;
+        (self.parts, self.period) = (parts, interval);
+        Ok(())
+    }
+}

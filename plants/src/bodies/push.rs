@@ -1,0 +1,50 @@
+//! What pushes a plant beside the effort at its port.
+
+use lyapunov_core::{Drive, ParameterError, Plant, Signal};
+
+use crate::{Course, Tethered};
+
+/// A plant that something else pushes too: it moves under `effort − push(t_n)`, held over the tick.
+///
+/// The drive tells the effort and its own work only: the push is no part of the port. Several pushes nest.
+/// A push of 0 changes nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Push<B, C> {
+    body: B,
+    course: C,
+    tick: u64,
+}
+
+impl<B, C> Push<B, C> {
+    pub(crate) fn new(body: B, course: C) -> Self {
+        Self { body, course, tick: 0 }
+    }
+}
+
+impl<V: Signal, B: Plant<V>, C: Course<V>> Plant<V> for Push<B, C> {
+    #[inline]
+    fn start(&self) -> Drive<V> {
+        self.body.start()
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        let push = self.course.at(self.tick);
+        self.tick = self.tick.wrapping_add(1);
+        let drive = self.body.advance(effort - push);
+        Drive::new(drive.period, drive.position, drive.velocity, drive.displacement, effort)
+    }
+}
+
+impl<V: Signal, B: Tethered<V>, C: Course<V>> Tethered<V> for Push<B, C> {
+    type Parts = B::Parts;
+
+    #[inline]
+    fn rest_at(&mut self, rest: V) {
+        self.body.rest_at(rest);
+    }
+
+    fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        self.body.reshape(parts, interval)
+    }
+}

@@ -1,0 +1,45 @@
+//! Instants and ticks.
+
+use lyapunov_core::{ParameterError, Requirement};
+
+/// The tick from which on an instant of `instant` s counts, `ceil(instant · servo_rate − 1e-9)`.
+///
+/// The billionth of a tick lets an instant that is meant to fall on a tick do so: 0.3 s at 10 Hz is tick 3, though
+/// the product may lie above 3 by rounding. What is below 0 or NaN is tick 0, and what is too large the last one.
+///
+/// ```
+/// use lyapunov_plants::tick_of;
+/// assert_eq!(tick_of(0.3, 10.0), 3);
+/// assert_eq!(tick_of(0.31, 10.0), 4);
+/// ```
+pub fn tick_of(instant: f64, servo_rate: f64) -> u64 {
+    // A conversion from a float saturates.
+    libm::ceil(instant * servo_rate - 1e-9) as u64
+}
+
+/// A servo rate, to tell the time by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Clock {
+    rate: f64,
+}
+
+impl Clock {
+    pub(super) fn new(servo_rate: f64) -> Result<Self, ParameterError> {
+        let rate = Requirement::Positive.check("servo_rate", servo_rate)?;
+        Ok(Self { rate })
+    }
+
+    /// `t_n = n / servo_rate`, s.
+    pub(super) fn time(self, tick: u64) -> f64 {
+        (tick as f64 / self.rate).min(f64::MAX)
+    }
+
+    /// What `t_n` lacks of `n / servo_rate` by rounding, s.
+    pub(super) fn lacking(self, tick: u64) -> f64 {
+        -libm::fma(self.time(tick), self.rate, -(tick as f64)) / self.rate
+    }
+
+    pub(super) fn tick_of(self, instant: f64) -> u64 {
+        tick_of(instant, self.rate)
+    }
+}

@@ -1,0 +1,28 @@
+//! The trait of a course.
+
+use lyapunov_core::Signal;
+
+/// A value that follows time by ticks of the servo rate, `t_n = n / servo_rate`.
+///
+/// The courses of this crate are computed in `f64` and rounded to the scalar once, alike in every lane. Every
+/// `Fn(u64) -> V` is a course; one given by a box or a reference is written `|tick| course.at(tick)`.
+///
+/// ```
+/// use lyapunov_plants::{Course, Step};
+/// let step = Step::new(0.0, 0.02, 0.5, 1000.0)?;
+/// assert_eq!([499, 500].map(|tick| step.at(tick)), [0.0, 0.02]);
+/// let twice = |tick| 2.0 * Course::<f64>::at(&step, tick);
+/// assert_eq!(twice.at(500), 0.04);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+pub trait Course<V: Signal> {
+    /// The value from `tick` to the next.
+    fn at(&self, tick: u64) -> V;
+}
+
+impl<V: Signal, F: Fn(u64) -> V> Course<V> for F {
+    #[inline]
+    fn at(&self, tick: u64) -> V {
+        self(tick)
+    }
+}
