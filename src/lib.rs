@@ -8,7 +8,8 @@ pub use lyapunov_core::{
     lanes, laws,
 };
 pub use lyapunov_plants::{
-    Adapt, Body, Delay, Difference, Encoder, Fallback, Guard, Hold, Impedance, MassSpringDamper,
-    Saturation, Spring, Tethered, Wall, held_input,
+    Adapt, Body, Delay, Difference, Encoder, Fallback, Friction, Guard, Hold, Impedance, Linear,
+    MassSpringDamper, Saturation, Spring, Stribeck, Tethered, Transition, Transitions, Wall,
+    held_input,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

@@ -22,6 +22,8 @@ mod bodies;
 mod effects;
 mod environments;
 
-pub use bodies::{Body, Impedance, Tethered, held_input};
+pub use bodies::{
+    Body, Friction, Impedance, Linear, Stribeck, Tethered, Transition, Transitions, held_input,
+};
 pub use effects::{Adapt, Delay, Difference, Encoder, Fallback, Guard, Hold, Saturation};
 pub use environments::{MassSpringDamper, Spring, Wall};

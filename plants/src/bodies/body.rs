@@ -1,9 +1,9 @@
 //! What the operator holds: one mass.
 
 use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
-use nalgebra::Matrix3;
+use nalgebra::{Matrix2, Matrix3};
 
-use crate::{Impedance, Tethered, held_input};
+use crate::{Impedance, Linear, Tethered, held_input};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
@@ -123,5 +123,31 @@ impl<V: Signal> Tethered<V> for Body<V> {
         [self.position_map, self.velocity_map] = maps(parts, interval)?;
         self.period = interval;
         Ok(())
+    }
+}
+
+impl<T: Scalar> Linear<T, 2> for Body<T> {
+    fn rate(parts: &Impedance<T>, lane: usize) -> Matrix2<f64> {
+        let mass = parts.mass.lane(lane);
+        Matrix2::new(0.0, 1.0, -parts.stiffness.lane(lane) / mass, -parts.damping.lane(lane) / mass)
+    }
+
+    fn device_mass(parts: &Impedance<T>, lane: usize) -> f64 {
+        parts.mass.lane(lane)
+    }
+
+    #[inline]
+    fn rest(&self) -> T {
+        self.rest
+    }
+
+    #[inline]
+    fn state(&self) -> [T; 2] {
+        [self.position, self.velocity]
+    }
+
+    #[inline]
+    fn place(&mut self, [position, velocity]: [T; 2]) {
+        (self.position, self.velocity) = (position, velocity);
     }
 }
