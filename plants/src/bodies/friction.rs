@@ -68,6 +68,11 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
         Ok(Self { body, parts, law, heat, transitions })
     }
 
+    /// The body as it stands now.
+    pub fn body(&self) -> &B {
+        &self.body
+    }
+
     /// What friction has burnt so far, J.
     pub fn heat(&self) -> T {
         self.heat.value()
