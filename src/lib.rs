@@ -9,9 +9,10 @@ pub use lyapunov_core::{
 };
 pub use lyapunov_plants::{
     Adapt, AdaptiveWindow, Body, Constant, Contact, Course, Cuboid, DampedMass, Delay, Difference,
-    DissipationOf, Dropout, Encoder, Fallback, FirstAxis, Grip, Guard, Hold, HuntCrossley,
-    Impedance, Jitter, LayeredWall, Link, Linked, LowPass, MassSpringDamper, Motion, MovingWall,
-    Nearest, Noise, Perturb, Plane, Pulse, Push, Ramp, Random, Samples, Saturation, Sine, Solid,
-    Source, Sphere, Spring, Step, Tethered, TwoMass, VaryingSpring, Wall, held_input, tick_of,
+    DissipationOf, Dropout, Encoder, Fallback, FirstAxis, Friction, Grip, Guard, Hold,
+    HuntCrossley, Impedance, Jitter, LayeredWall, Linear, Link, Linked, LowPass, MassSpringDamper,
+    Motion, MovingWall, Nearest, Noise, Perturb, Plane, Pulse, Push, Ramp, Random, Samples,
+    Saturation, Sine, Solid, Source, Sphere, Spring, Step, Stribeck, Tethered, Transition,
+    Transitions, TwoMass, VaryingSpring, Wall, held_input, tick_of,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

@@ -23,8 +23,8 @@ mod environments;
 mod random;
 
 pub use bodies::{
-    Body, DampedMass, Grip, Impedance, Jitter, Link, Linked, Motion, Perturb, Push, Tethered,
-    TwoMass, held_input,
+    Body, DampedMass, Friction, Grip, Impedance, Jitter, Linear, Link, Linked, Motion, Perturb,
+    Push, Stribeck, Tethered, Transition, Transitions, TwoMass, held_input,
 };
 pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
 pub use effects::{

@@ -1,17 +1,17 @@
 //! What the operator holds: one mass.
 
 use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
-use nalgebra::Matrix3;
+use nalgebra::{Matrix2, Matrix3};
 
-use super::propagation::increments;
-use crate::{Impedance, Tethered};
+use super::propagation::by_rows;
+use crate::{Impedance, Linear, Tethered, held_input};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
 ///
 /// The effort is held over the period, so the motion is linear and known: `x += E₁₁ p + E₁₂ v + G₁ f` and
 /// `v += E₂₁ p + E₂₂ v + G₂ f` with `p = x − rest` and the increments of the matrix exponential, computed once
-/// ([`held_input`](crate::held_input)). On several axes each moves like that. With `stiffness` and `rest` an operator's, mass and
+/// ([`held_input`]). On several axes each moves like that. With `stiffness` and `rest` an operator's, mass and
 /// damping the operator's and the device's together, it is the left side of the paper's figure 2; that the two
 /// move as one is our reading, the paper does not say.
 #[derive(Clone, Copy, Debug)]
@@ -73,10 +73,10 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
     let mass = Requirement::Positive.check("mass", impedance.mass)?;
     let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
     let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
-    let [position, velocity, _] = increments(|lane| {
+    let [position, velocity, _] = by_rows(|lane| {
         let (m, t) = (mass.lane(lane), interval.lane(lane));
         let (b, k) = (damping.lane(lane), stiffness.lane(lane));
-        Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t
+        held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
     });
     let row = |[deflection, velocity, effort]: [T; 3]| Row { deflection, velocity, effort };
     let rows = [row(position), row(velocity)];
@@ -121,5 +121,31 @@ impl<V: Signal> Tethered<V> for Body<V> {
         [self.position_map, self.velocity_map] = maps(parts, interval)?;
         self.period = interval;
         Ok(())
+    }
+}
+
+impl<T: Scalar> Linear<T, 2> for Body<T> {
+    fn rate(parts: &Impedance<T>, lane: usize) -> Matrix2<f64> {
+        let mass = parts.mass.lane(lane);
+        Matrix2::new(0.0, 1.0, -parts.stiffness.lane(lane) / mass, -parts.damping.lane(lane) / mass)
+    }
+
+    fn device_mass(parts: &Impedance<T>, lane: usize) -> f64 {
+        parts.mass.lane(lane)
+    }
+
+    #[inline]
+    fn rest(&self) -> T {
+        self.rest
+    }
+
+    #[inline]
+    fn state(&self) -> [T; 2] {
+        [self.position, self.velocity]
+    }
+
+    #[inline]
+    fn place(&mut self, [position, velocity]: [T; 2]) {
+        (self.position, self.velocity) = (position, velocity);
     }
 }

@@ -1,10 +1,10 @@
 //! Operator and device as two masses.
 
 use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
-use nalgebra::SMatrix;
+use nalgebra::{Matrix4, SMatrix};
 
-use super::propagation::increments;
-use crate::{Tethered, TwoMass};
+use super::propagation::by_rows;
+use crate::{Linear, Tethered, TwoMass, held_input};
 
 /// An operator and a device joined by a link, moved exactly over each period; the drive tells the device's motion:
 ///
@@ -13,27 +13,24 @@ use crate::{Tethered, TwoMass};
 /// m_d ẍ_d + b_d ẋ_d + k_l (x_d − x_o) + b_l (ẋ_d − ẋ_o) = −effort
 /// ```
 ///
-/// The effort is held over the period, so the motion is linear and known ([`held_input`](crate::held_input)). What
-/// is kept and propagated is the centre of mass `X` and the stretch `s = x_o − x_d`, with their velocities: the
-/// link's force comes of a small number that is known by itself, not of a difference of two large ones, and a stiff
-/// link's fast motion stays out of the slow one's digits. `x_o = X + m_d s / M` and `x_d = X − m_o s / M` with
-/// `M = m_o + m_d`.
+/// The effort is held over the period, so the motion is linear and known ([`held_input`](crate::held_input)). It is
+/// worked out for the centre of mass `X` and the stretch `s = x_o − x_d`, where a stiff link's fast motion stays out
+/// of the slow one's digits: `x_o = X + m_d s / M` and `x_d = X − m_o s / M` with `M = m_o + m_d`. What is kept is
+/// `x_d` and `s`, with their velocities: the link's force comes of a small number that is known by itself, not of a
+/// difference of two large ones, and a device that stands still does so to the bit.
 #[derive(Clone, Copy, Debug)]
 pub struct Linked<V: Signal> {
     period: V::Scalar,
     maps: Maps<V::Scalar>,
-    /// The device's share in the stretch, `m_o / M`; the operator's is `m_d / M`.
-    device_share: V::Scalar,
-    operator_share: V::Scalar,
     rest: V,
-    centre: V,
+    position: V,
     stretch: V,
     velocity: V,
     stretching: V,
 }
 
-/// What the state gains over a period: centre, stretch and their velocities by row, the columns per unit of the
-/// centre's deflection from the rest, of stretch, of their velocities and of effort.
+/// What the state gains over a period: device, stretch and their velocities by row, the columns per unit of the
+/// device's deflection from the rest, of stretch, of their velocities and of effort.
 type Maps<T> = [[T; 5]; 4];
 
 impl<V: Signal> Linked<V> {
@@ -46,19 +43,9 @@ impl<V: Signal> Linked<V> {
     pub fn new(parts: TwoMass<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
         let maps = maps(parts, period)?;
-        let (device_share, operator_share) = shares(parts);
-        let zero = V::zero();
-        Ok(Self {
-            period,
-            maps,
-            device_share,
-            operator_share,
-            rest: zero,
-            centre: zero,
-            stretch: zero,
-            velocity: zero,
-            stretching: zero,
-        })
+        let (rest, position, stretch) = (V::zero(), V::zero(), V::zero());
+        let (velocity, stretching) = (V::zero(), V::zero());
+        Ok(Self { period, maps, rest, position, stretch, velocity, stretching })
     }
 
     /// The same masses with the operator's spring at rest at `rest`, m.
@@ -68,40 +55,23 @@ impl<V: Signal> Linked<V> {
 
     /// The same masses, both at `position` m and moving at `velocity` m/s.
     pub fn starting(self, position: V, velocity: V) -> Self {
-        let (centre, stretch, stretching) = (position, V::zero(), V::zero());
-        Self { centre, stretch, velocity, stretching, ..self }
+        Self { position, velocity, stretch: V::zero(), stretching: V::zero(), ..self }
     }
 
     /// The operator's position, m, and velocity, m/s.
     #[inline]
     pub fn operator(&self) -> (V, V) {
-        let share = self.operator_share;
-        (self.centre + self.stretch.scale(share), self.velocity + self.stretching.scale(share))
+        (self.position + self.stretch, self.velocity + self.stretching)
     }
-
-    #[inline]
-    fn device(&self) -> (V, V) {
-        let share = self.device_share;
-        (self.centre - self.stretch.scale(share), self.velocity - self.stretching.scale(share))
-    }
-}
-
-/// `m_o / M` and `m_d / M`.
-fn shares<T: Scalar>(parts: TwoMass<T>) -> (T, T) {
-    let of = |ratio: fn([f64; 2]) -> f64| {
-        T::from_lanes(|lane| ratio([parts.operator.mass, parts.device.mass].map(|m| m.lane(lane))))
-    };
-    (
-        of(|[operator, device]| operator / (operator + device)),
-        of(|[operator, device]| device / (operator + device)),
-    )
 }
 
 fn maps<T: Scalar>(parts: TwoMass<T>, interval: T) -> Result<Maps<T>, ParameterError> {
     let parts = parts.checked()?;
-    let [centre, stretch, velocity, stretching, _]: [[T; 5]; 5] =
-        increments(|lane| equations(parts, lane) * interval.lane(lane));
-    let maps = [centre, stretch, velocity, stretching];
+    let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
+        let (device, centre) = views(parts, lane);
+        device * held_input(equations(parts, lane) * interval.lane(lane)) * centre
+    });
+    let maps = [position, stretch, velocity, stretching];
     let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
     match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
         None => Ok(maps),
@@ -111,6 +81,18 @@ fn maps<T: Scalar>(parts: TwoMass<T>, interval: T) -> Result<Maps<T>, ParameterE
             requirement: Requirement::InRange,
         }),
     }
+}
+
+/// From centre to device, and from device to centre: `x_d = X − m_o s / M`, alike for the velocities.
+fn views<T: Scalar>(parts: TwoMass<T>, lane: usize) -> (SMatrix<f64, 5, 5>, SMatrix<f64, 5, 5>) {
+    let (operator, device) = (parts.operator.mass.lane(lane), parts.device.mass.lane(lane));
+    let share = operator / (operator + device);
+    let view = |share: f64| {
+        let mut view = SMatrix::identity();
+        (view[(0, 1)], view[(2, 3)]) = (share, share);
+        view
+    };
+    (view(-share), view(share))
 }
 
 /// The time derivatives of centre, stretch, their velocities and the held effort, by the same.
@@ -139,14 +121,13 @@ fn equations<T: Scalar>(parts: TwoMass<T>, lane: usize) -> SMatrix<f64, 5, 5> {
 impl<V: Signal> Plant<V> for Linked<V> {
     #[inline]
     fn start(&self) -> Drive<V> {
-        let (position, velocity) = self.device();
-        Drive::starting(self.period, position, velocity)
+        Drive::starting(self.period, self.position, self.velocity)
     }
 
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
-        let (before, _) = self.device();
-        let deflection = self.centre - self.rest;
+        let before = self.position;
+        let deflection = before - self.rest;
         let (stretch, velocity, stretching) = (self.stretch, self.velocity, self.stretching);
         let gain = |row: [V::Scalar; 5]| {
             deflection.scale(row[0])
@@ -155,12 +136,11 @@ impl<V: Signal> Plant<V> for Linked<V> {
                 + stretching.scale(row[3])
                 + effort.scale(row[4])
         };
-        self.centre = self.centre + gain(self.maps[0]);
+        self.position = before + gain(self.maps[0]);
         self.stretch = stretch + gain(self.maps[1]);
         self.velocity = velocity + gain(self.maps[2]);
         self.stretching = stretching + gain(self.maps[3]);
-        let (position, velocity) = self.device();
-        Drive::new(self.period, position, velocity, position - before, effort)
+        Drive::new(self.period, self.position, self.velocity, self.position - before, effort)
     }
 }
 
@@ -176,12 +156,44 @@ impl<V: Signal> Tethered<V> for Linked<V> {
         let interval = Requirement::NonNegative.check("period", interval)?;
         self.maps = maps(parts, interval)?;
         self.period = interval;
-        let (device_share, operator_share) = shares(parts);
-        // Other masses have their centre elsewhere between where the two are.
-        let shift = device_share - self.device_share;
-        self.centre = self.centre + self.stretch.scale(shift);
-        self.velocity = self.velocity + self.stretching.scale(shift);
-        (self.device_share, self.operator_share) = (device_share, operator_share);
         Ok(())
+    }
+}
+
+impl<T: Scalar> Linear<T, 4> for Linked<T> {
+    fn rate(parts: &TwoMass<T>, lane: usize) -> Matrix4<f64> {
+        let of = |value: T| value.lane(lane);
+        let (operator, device, link) = (parts.operator, parts.device, parts.link);
+        let (mo, md) = (of(operator.mass), of(device.mass));
+        let (kl, bl) = (of(link.stiffness), of(link.damping));
+        let (k, bo, bd) = (of(operator.stiffness), of(operator.damping), of(device.damping));
+        let rows = [
+            [0.0, 1.0, 0.0, 0.0],
+            [-(k + kl) / mo, -(bo + bl) / mo, kl / mo, bl / mo],
+            [0.0, 0.0, 0.0, 1.0],
+            [kl / md, bl / md, -kl / md, -(bd + bl) / md],
+        ];
+        Matrix4::from_row_slice(rows.as_flattened())
+    }
+
+    fn device_mass(parts: &TwoMass<T>, lane: usize) -> f64 {
+        parts.device.mass.lane(lane)
+    }
+
+    #[inline]
+    fn rest(&self) -> T {
+        self.rest
+    }
+
+    #[inline]
+    fn state(&self) -> [T; 4] {
+        let (position, velocity) = self.operator();
+        [position, velocity, self.position, self.velocity]
+    }
+
+    #[inline]
+    fn place(&mut self, [x, v, position, velocity]: [T; 4]) {
+        (self.position, self.velocity) = (position, velocity);
+        (self.stretch, self.stretching) = (x - position, v - velocity);
     }
 }

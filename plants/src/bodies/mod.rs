@@ -1,9 +1,11 @@
 //! What the operator holds: bodies that move exactly, and what changes their course.
 
 mod body;
+mod friction;
 mod grip;
 mod impedance;
 mod jitter;
+mod linear;
 mod linked;
 mod motion;
 mod perturb;
@@ -13,9 +15,11 @@ mod tethered;
 mod two_mass;
 
 pub use body::Body;
+pub use friction::{Friction, Stribeck, Transition, Transitions};
 pub use grip::Grip;
 pub use impedance::Impedance;
 pub use jitter::Jitter;
+pub use linear::Linear;
 pub use linked::Linked;
 pub use motion::Motion;
 pub use perturb::Perturb;

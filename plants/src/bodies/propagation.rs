@@ -35,19 +35,22 @@ fn size<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     matrix.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
 }
 
-/// [`held_input`] of each lane's matrix, by rows.
-pub(super) fn increments<T: Scalar, const N: usize>(
+/// Each lane's matrix, by rows, rounded to the scalar.
+pub(super) fn by_rows<T: Scalar, const N: usize>(
     matrix: impl Fn(usize) -> SMatrix<f64, N, N>,
 ) -> [[T; N]; N] {
     let mut rows = [[T::zero(); N]; N];
     for lane in 0..T::LANES {
-        let increment = held_input(matrix(lane));
+        let matrix = matrix(lane);
         for (row, entries) in rows.iter_mut().enumerate() {
             for (column, entry) in entries.iter_mut().enumerate() {
                 let others = *entry;
-                *entry = T::from_lanes(|at| {
-                    if at == lane { increment[(row, column)] } else { others.lane(at) }
-                });
+                *entry =
+                    T::from_lanes(
+                        |at| {
+                            if at == lane { matrix[(row, column)] } else { others.lane(at) }
+                        },
+                    );
             }
         }
     }

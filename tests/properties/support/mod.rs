@@ -5,6 +5,7 @@ mod models;
 mod motion;
 mod numbers;
 mod ports;
+mod two_masses;
 
 use std::fmt::Debug;
 
@@ -19,6 +20,7 @@ pub(crate) use models::{Book, Credit, Ledger, Stream, drive_of, power, stream};
 pub(crate) use motion::{Gain, Motion, State, runge_kutta};
 pub(crate) use numbers::{Bits, bad, hostile, log_between, ordinary, unit, wild};
 pub(crate) use ports::{Faulty, Scripted, Spy};
+pub(crate) use two_masses::TwoMasses;
 
 /// How many random cases a property has to hold for.
 pub(crate) const CASES: u32 = 10_000;

@@ -1,0 +1,184 @@
+//! Dry friction on the device, with true sticking.
+
+mod course;
+mod root;
+mod series;
+mod stribeck;
+mod transition;
+
+use lyapunov_core::{Accumulator, Compensated, Drive, ParameterError, Plant, Scalar};
+
+use crate::{Linear, Tethered};
+use course::Course;
+use series::System;
+pub use stribeck::Stribeck;
+use transition::set;
+pub use transition::{Transition, Transitions};
+
+/// A linear body with [`Stribeck`] friction on its device: `m v̇ = f − F(|v|) sgn v` while it slides, with `f` all
+/// other forces on the device, and `v = 0` exactly while it sticks.
+///
+/// It sticks where it comes to rest with `|f| ≤ static`, and slips at the first instant at which `|f|` exceeds it.
+/// Within a period each piece of sliding or sticking is a polynomial (Taylor's method, order 24, to rounding), and
+/// the instant at which it ends is a root of that polynomial, isolated for certain and polished to the last digit.
+/// There is no band of velocities that counts as rest (Karnopp 1985), and the position of a device that sticks does
+/// not move by a bit.
+///
+/// One axis. Events branch, so each lane is computed by itself, in `f64`, and rounded at the end of the period; a
+/// step is not of constant time. With `static` 0 the body moves as it does without friction, bit for bit.
+///
+/// A period may have 1024 pieces, about one for every radian that the fastest mode turns and one for each event.
+/// One that needs more, or leaves the range of `f64` on the way, is moved over roughly: with the friction that
+/// acted at its start, held, if that takes energy from the device; if not, everything stands still for the period
+/// and the device is at rest after it. [`Transition::Cut`] tells. Friction adds energy in no case.
+///
+/// ```
+/// use lyapunov_core::{ParameterError, Plant};
+/// use lyapunov_plants::{Body, Friction, Impedance, Stribeck, Transition};
+/// let parts = Impedance { mass: 0.5, damping: 0.0, stiffness: 0.0 };
+/// let law = Stribeck { coulomb: 1.0, breakaway: 1.0, stribeck_velocity: 0.01 };
+/// let body = Body::new(parts, 0.1)?.starting(0.0_f64, 0.1);
+/// let mut plant = Friction::new(body, parts, law)?;
+/// let drive = plant.advance(0.0);
+/// // It stops after m v / F = 50 ms and m v² / (2 F) = 2.5 mm.
+/// assert!((drive.position - 2.5e-3).abs() < 1e-16 && drive.velocity == 0.0);
+/// let (instant, transition) = plant.transitions().last(0).next().expect("one");
+/// assert!((instant - 0.05).abs() < 1e-15 && transition == Transition::Stick);
+/// # Ok::<(), ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Friction<B: Tethered<T>, T: Scalar, const S: usize> {
+    body: B,
+    parts: B::Parts,
+    law: Stribeck<T>,
+    heat: Compensated<T>,
+    transitions: Transitions<T>,
+}
+
+impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
+    /// Friction of `law` on the device of `body`, which is made of `parts` from now on.
+    ///
+    /// # Errors
+    /// `coulomb` or `static` below 0, infinite or NaN; `coulomb` above `static`; `stribeck_velocity` not above 0 and
+    /// finite; `parts` that the body does not take.
+    pub fn new(mut body: B, parts: B::Parts, law: Stribeck<T>) -> Result<Self, ParameterError> {
+        let law = law.checked()?;
+        body.reshape(parts, body.start().period)?;
+        let (heat, transitions) = (Compensated::zero(), Transitions::none());
+        Ok(Self { body, parts, law, heat, transitions })
+    }
+
+    /// The body as it stands now.
+    pub fn body(&self) -> &B {
+        &self.body
+    }
+
+    /// What friction has burnt so far, J.
+    pub fn heat(&self) -> T {
+        self.heat.value()
+    }
+
+    /// What happened in the last period.
+    pub fn transitions(&self) -> &Transitions<T> {
+        &self.transitions
+    }
+
+    fn system(&self, lane: usize, effort: T) -> System<S> {
+        System {
+            rate: B::rate(&self.parts, lane),
+            mass: B::device_mass(&self.parts, lane),
+            effort: effort.lane(lane),
+            law: self.law.lane(lane),
+        }
+    }
+
+    /// Deflections and velocities.
+    fn deflected(&self, lane: usize) -> [f64; S] {
+        let (state, rest) = (self.body.state(), self.body.rest().lane(lane));
+        core::array::from_fn(|at| state[at].lane(lane) - if at % 2 == 0 { rest } else { 0.0 })
+    }
+
+    /// Where one lane of the body that stood as `self` ends, and what friction burns.
+    fn passed(&mut self, lane: usize, effort: T, interval: T, after: &mut [T; S]) -> f64 {
+        let (system, state) = (self.system(lane, effort), self.deflected(lane));
+        let before = self.body.state();
+        let course = Course::run(&system, state, interval.lane(lane));
+        self.transitions.set(lane, &course.log);
+        if !course.complete() {
+            return self.passed_roughly(lane, effort, after);
+        }
+        for index in 0..S {
+            if index % 2 == 0 {
+                let mut gain = T::zero();
+                set(&mut gain, lane, course.gain[index]);
+                set(&mut after[index], lane, (before[index] + gain).lane(lane));
+            } else {
+                set(&mut after[index], lane, course.velocity(index));
+            }
+        }
+        course.heat
+    }
+
+    /// The same where the course has too many pieces.
+    fn passed_roughly(&mut self, lane: usize, effort: T, after: &mut [T; S]) -> f64 {
+        let (system, state) = (self.system(lane, effort), self.deflected(lane));
+        let (before, velocity) = (self.body.state(), state[S - 1]);
+        let towards = if velocity == 0.0 { system.force(&state) } else { velocity };
+        let friction = system.law.at(velocity.abs()).copysign(towards);
+        let mut total = effort;
+        set(&mut total, lane, effort.lane(lane) + friction);
+        let mut held = self.body;
+        held.advance(total);
+        let held = held.state();
+        let heat = friction * (held[S - 2].lane(lane) - before[S - 2].lane(lane));
+        for (index, after) in after.iter_mut().enumerate() {
+            let kept = if index == S - 1 { 0.0 } else { before[index].lane(lane) };
+            set(after, lane, if heat < 0.0 { kept } else { held[index].lane(lane) });
+        }
+        if heat < 0.0 { 0.5 * system.mass * velocity * velocity } else { heat }
+    }
+}
+
+impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> {
+    fn start(&self) -> Drive<T> {
+        self.body.start()
+    }
+
+    fn advance(&mut self, effort: T) -> Drive<T> {
+        let before = self.body.state();
+        let free = self.body;
+        let period = self.body.advance(effort).period;
+        let mut after = self.body.state();
+        // Friction reads where the body was; the body it owns stands there until all lanes are done.
+        self.body = free;
+        self.transitions = Transitions::none();
+        let mut heat = T::zero();
+        for lane in 0..T::LANES {
+            let finite = before.iter().all(|part| part.lane(lane).is_finite())
+                && effort.lane(lane).is_finite()
+                && self.body.rest().lane(lane).is_finite();
+            if finite && self.law.breakaway.lane(lane) > 0.0 {
+                let burnt = self.passed(lane, effort, period, &mut after);
+                set(&mut heat, lane, burnt);
+            }
+        }
+        self.heat.add(heat);
+        self.body.place(after);
+        let displacement = after[S - 2] - before[S - 2];
+        Drive::new(period, after[S - 2], after[S - 1], displacement, effort)
+    }
+}
+
+impl<T: Scalar, B: Linear<T, S>, const S: usize> Tethered<T> for Friction<B, T, S> {
+    type Parts = B::Parts;
+
+    fn rest_at(&mut self, rest: T) {
+        self.body.rest_at(rest);
+    }
+
+    fn reshape(&mut self, parts: B::Parts, interval: T) -> Result<(), ParameterError> {
+        self.body.reshape(parts, interval)?;
+        self.parts = parts;
+        Ok(())
+    }
+}

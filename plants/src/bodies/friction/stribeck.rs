@@ -1,0 +1,60 @@
+//! The friction law.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar};
+
+/// Stribeck friction: `(coulomb + (static − coulomb) exp(−(v / stribeck_velocity)²)) sgn v` against the motion,
+/// and at rest whatever holds the device, up to `static`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stribeck<T> {
+    /// Force at high speed, N: Coulomb friction.
+    pub coulomb: T,
+    /// Most force at rest, N: static friction, or break-away force. Named `static` in errors and scenes.
+    pub breakaway: T,
+    /// Speed over which friction falls from the one to the other, m/s.
+    pub stribeck_velocity: T,
+}
+
+impl<T: Scalar> Stribeck<T> {
+    pub(super) fn checked(self) -> Result<Self, ParameterError> {
+        let coulomb = Requirement::NonNegative.check("coulomb", self.coulomb)?;
+        let breakaway = Requirement::NonNegative.check("static", self.breakaway)?;
+        Requirement::Positive.check("stribeck_velocity", self.stribeck_velocity)?;
+        match (0..T::LANES).find(|&lane| coulomb.lane(lane) > breakaway.lane(lane)) {
+            None => Ok(self),
+            Some(lane) => Err(ParameterError {
+                parameter: "coulomb",
+                value: coulomb.lane(lane),
+                requirement: Requirement::AtMost(breakaway.lane(lane)),
+            }),
+        }
+    }
+
+    pub(super) fn lane(self, lane: usize) -> Stribeck<f64> {
+        Stribeck {
+            coulomb: self.coulomb.lane(lane),
+            breakaway: self.breakaway.lane(lane),
+            stribeck_velocity: self.stribeck_velocity.lane(lane),
+        }
+    }
+}
+
+/// From this many Stribeck velocities on friction is Coulomb's: what is left of the rest is `exp(−64)` of it.
+const FAST: f64 = 8.0;
+
+impl Stribeck<f64> {
+    /// The magnitude of the friction at `speed`, N.
+    pub(super) fn at(&self, speed: f64) -> f64 {
+        let ratio = speed / self.stribeck_velocity;
+        self.coulomb + (self.breakaway - self.coulomb) * libm::exp(-ratio * ratio)
+    }
+
+    /// Down to which speed friction is as good as constant, m/s, if it is so at `speed`.
+    pub(super) fn constant_above(&self, speed: f64) -> Option<f64> {
+        if self.coulomb == self.breakaway {
+            return Some(0.0);
+        }
+        // A little more to get in than to stay in: a motion that has just left does not come back at once.
+        let fast = speed > (FAST + 1.0) * self.stribeck_velocity;
+        fast.then_some(FAST * self.stribeck_velocity)
+    }
+}
