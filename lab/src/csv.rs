@@ -15,12 +15,14 @@ pub struct Csv<W> {
 }
 
 impl<W: Write> Csv<W> {
-    /// Writes the names of the columns.
+    /// Writes the names of the columns, with those of `further` ones at the end.
     ///
     /// # Errors
     /// What the writer cannot take.
-    pub fn new(mut writer: W) -> io::Result<Self> {
-        writeln!(writer, "{COLUMNS}")?;
+    pub fn new(mut writer: W, further: &[String]) -> io::Result<Self> {
+        write!(writer, "{COLUMNS}")?;
+        further.iter().try_for_each(|name| write!(writer, ",{name}"))?;
+        writeln!(writer)?;
         Ok(Self { writer })
     }
 
@@ -28,12 +30,14 @@ impl<W: Write> Csv<W> {
     ///
     /// # Errors
     /// What the writer cannot take.
-    pub fn write(&mut self, row: &Row) -> io::Result<()> {
+    pub fn write(&mut self, row: &Row, further: &[f64]) -> io::Result<()> {
         for number in row.numbers() {
             // The sum turns -0.0 into 0.0.
             write!(self.writer, "{:?},", number + 0.0)?;
         }
-        writeln!(self.writer, "{}", u8::from(row.accepted))
+        write!(self.writer, "{}", u8::from(row.accepted))?;
+        further.iter().try_for_each(|number| write!(self.writer, ",{:?}", number + 0.0))?;
+        writeln!(self.writer)
     }
 
     /// Hands back the writer.

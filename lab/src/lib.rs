@@ -21,22 +21,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod building;
 pub mod chart;
 pub mod compare;
 mod csv;
+mod described;
+mod equilibrium;
 pub mod observe;
 mod output;
 pub mod paper;
-mod port;
 mod rollout;
+mod row;
 pub mod scene;
-mod stabilizer;
 mod summary;
 
+pub use building::{AnyPlant, AnyStabilizer, AnyTerm, Assembly, Port, Space};
 pub use csv::{COLUMNS, Csv};
+#[doc(no_inline)]
+pub use nalgebra::SVector;
 pub use output::{Output, OutputError};
-pub use port::Port;
-pub use rollout::{Rollout, Row};
+pub use rollout::Rollout;
+pub use row::{Row, further_columns};
 pub use scene::Scene;
-pub use stabilizer::AnyStabilizer;
 pub use summary::Summary;

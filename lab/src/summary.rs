@@ -3,14 +3,19 @@
 use std::fmt;
 
 use crate::Row;
+use crate::described::{self, Described};
+use crate::equilibrium::{equilibrium, swing};
 use crate::scene::{
-    Candidate, Cap, Effects, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
+    Candidate, Cap, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
 };
 
 /// Settled means within this share of the starting swing about the equilibrium.
 pub(crate) const BAND: f64 = 0.05;
 /// Settled in the last tenth of a run is not yet settled.
 const LATE: f64 = 0.9;
+
+/// The widest line.
+const WIDTH: usize = 98;
 
 /// Lengths and energies are told in thousandths of their units.
 const MILLI: f64 = 1e3;
@@ -55,7 +60,7 @@ impl Summary {
         let shown = |metres: f64| (MILLI * metres).is_finite();
         let (equilibrium, band) = rest.filter(|(rest, band)| shown(*rest) && shown(*band)).unzip();
         Self {
-            scene: *scene,
+            scene: scene.clone(),
             rows: 0,
             last: None,
             equilibrium,
@@ -110,23 +115,6 @@ fn sum(total: f64, force: f64, way: f64) -> f64 {
     if total.is_finite() && force != 0.0 { total + force * way } else { total }
 }
 
-/// Where the operator's spring and a one-sided wall balance.
-pub(crate) fn equilibrium(scene: &Scene) -> Option<f64> {
-    let Environment::Wall(wall) = scene.environment;
-    let (pull, rest) = (scene.operator.stiffness.get(), scene.operator.rest.get());
-    let (push, surface) = (wall.stiffness.get(), wall.position.get());
-    let pressed = surface + (rest - surface) * (pull / (pull + push));
-    (pull > 0.0).then_some(if rest > surface { pressed } else { rest })
-}
-
-/// How far the plant would swing about `rest` if nothing else acted.
-pub(crate) fn swing(scene: &Scene, rest: f64) -> f64 {
-    let mass = scene.operator.mass.get() + scene.device.mass.get();
-    let frequency = (scene.operator.stiffness.get() / mass).sqrt();
-    let away = scene.initial.position.get() - rest;
-    away.hypot(scene.initial.velocity.get() / frequency)
-}
-
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_scene(f)?;
@@ -157,7 +145,6 @@ impl Summary {
     /// The scene, as far as it is not the same for every scene.
     fn write_scene(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let scene = &self.scene;
-        let Environment::Wall(wall) = scene.environment;
         write!(
             f,
             "  run          {} s at {} Hz",
@@ -173,8 +160,15 @@ impl Summary {
         if scene.scalar == Scalar::F32 {
             f.write_str(", in f32")?;
         }
-        let (stiffness, damping) = (given(wall.stiffness.get()), given(wall.damping.get()));
-        write!(f, "\n  wall         {stiffness} N/m, {damping} N.s/m")?;
+        if scene.dimensions() > 1 {
+            write!(f, ", in {} dimensions", scene.dimensions())?;
+        }
+        let environment = Described(&scene.environment);
+        match scene.environment {
+            Environment::Wall(_) => write!(f, "\n  wall         {environment}")?,
+            _ => write!(f, "\n  environment  {}: {environment}", scene.environment.name())?,
+        }
+        write_list("operator", &described::operator(scene), f)?;
         match scene.stabilizer {
             None => f.write_str("\n  stabilizer   none")?,
             Some(Stabilizer::Popc(Popc { work, damping_cap })) => {
@@ -190,7 +184,7 @@ impl Summary {
                 write!(f, "\n  stabilizer   LOLC: {candidate}, {booking}")?;
             }
         }
-        write_effects(&scene.effects, f)
+        write_list("effects", &described::effects(scene), f)
     }
 
     fn write_settling(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -201,6 +195,12 @@ impl Summary {
             (None, ..) if self.scene.operator.stiffness.get() == 0.0 => {
                 return f
                     .write_str("no: without an operator's spring there is no place to settle at");
+            }
+            (None, ..) if self.scene.dimensions() > 1 => {
+                return f.write_str("not judged in more than one dimension");
+            }
+            (None, ..) if never_rests(&self.scene) => {
+                return f.write_str("no: what moves the plant never rests");
             }
             (None, ..) => return f.write_str("no: the place to settle at is out of range"),
             (Some(rest), Some(last), None) => (rest, last),
@@ -241,16 +241,30 @@ impl Summary {
     }
 }
 
-fn write_effects(effects: &Effects, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let effects: Vec<String> = [
-        effects.encoder.map(|it| format!("encoder {} m", given(it.resolution.get()))),
-        effects.delay.map(|it| format!("delay {} ticks", it.ticks.get())),
-        effects.saturation.map(|it| format!("saturation {} N", given(it.force.get()))),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
-    if effects.is_empty() { Ok(()) } else { write!(f, "\n  effects      {}", effects.join(", ")) }
+/// Whether the scene is driven for as long as it lasts.
+fn never_rests(scene: &Scene) -> bool {
+    let moves = |environment: &Environment| {
+        matches!(environment, Environment::MovingWall(_) | Environment::VaryingSpring(_))
+    };
+    scene.last_rest().is_none() || moves(&scene.environment)
+}
+
+/// A line of things with their name in front, folded where it grows long; nothing where there is none.
+fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut column = usize::MAX;
+    for thing in things {
+        if column == usize::MAX {
+            write!(f, "\n  {name:<13}{thing}")?;
+            column = 15 + thing.len();
+        } else if column + 2 + thing.len() < WIDTH {
+            write!(f, ", {thing}")?;
+            column += 2 + thing.len();
+        } else {
+            write!(f, ",\n{:15}{thing}", "")?;
+            column = 15 + thing.len();
+        }
+    }
+    Ok(())
 }
 
 /// How a stabilizer books work, and how much it may inject.

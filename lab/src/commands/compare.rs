@@ -8,10 +8,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use lyapunov::Scalar as Number;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
 use lyapunov_lab::scene::{Scalar, Scene};
-use lyapunov_lab::{Output, OutputError};
+use lyapunov_lab::{Output, OutputError, Space};
 
 use super::{End, heed_interrupts, standard_output};
 
@@ -98,7 +97,7 @@ impl Compare {
     }
 }
 
-fn meet<T: Number + Send>(name: &str, scene: &Scene, bar: &ProgressBar) -> Result<Comparison, End> {
+fn meet<V: Space>(name: &str, scene: &Scene, bar: &ProgressBar) -> Result<Comparison, End> {
     let watch = |ticks| {
         bar.inc(ticks);
         match End::if_interrupted() {
@@ -106,7 +105,7 @@ fn meet<T: Number + Send>(name: &str, scene: &Scene, bar: &ProgressBar) -> Resul
             Err(_) => ControlFlow::Break(()),
         }
     };
-    let contestants = Contestants::<T>::standard();
+    let contestants = Contestants::<V>::standard();
     Comparison::watched(name, scene, &contestants, &watch).map_err(|error| match error {
         CompareError::Stopped => End::Interrupted,
         error => End::input(error),

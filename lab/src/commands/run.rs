@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use lyapunov::{ParameterError, Scalar as Number};
-use lyapunov_lab::scene::{Scalar, Scene};
-use lyapunov_lab::{Csv, Output, OutputError, Rollout, Row, Summary};
+use lyapunov::ParameterError;
+use lyapunov_lab::scene::Scene;
+use lyapunov_lab::{
+    Csv, Output, OutputError, Rollout, Row, Space, Summary, further_columns, in_space,
+};
 
 use super::{End, heed_interrupts, say, standard_output};
 
@@ -28,13 +30,16 @@ pub(crate) struct Run {
 impl Run {
     pub(crate) fn run(&self) -> Result<(), End> {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
+        let further = further_columns(&scene);
         match &self.csv {
             Some(path) if path == Path::new("-") => {
                 heed_interrupts(false);
                 // Standard output by itself hands on every line alone.
                 let output = BufWriter::new(io::stdout().lock());
-                let mut csv = Csv::new(output).map_err(standard_output)?;
-                let summary = simulate(&scene, |row| csv.write(row).map_err(standard_output))?;
+                let mut csv = Csv::new(output, &further).map_err(standard_output)?;
+                let summary = simulate(&scene, |row, further| {
+                    csv.write(row, further).map_err(standard_output)
+                })?;
                 csv.into_inner().flush().map_err(standard_output)?;
                 say(format_args!("{}\n{summary}", self.scene.display()));
             }
@@ -43,14 +48,15 @@ impl Run {
                 heed_interrupts(!Output::is_direct(path));
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
-                let mut csv = Csv::new(output).map_err(refused)?;
-                let summary = simulate(&scene, |row| csv.write(row).map_err(refused))?;
+                let mut csv = Csv::new(output, &further).map_err(refused)?;
+                let summary =
+                    simulate(&scene, |row, further| csv.write(row, further).map_err(refused))?;
                 csv.into_inner().keep().map_err(End::input)?;
                 self.tell(&summary)?;
             }
             None => {
                 heed_interrupts(false);
-                self.tell(&simulate(&scene, |_| Ok(()))?)?;
+                self.tell(&simulate(&scene, |_, _| Ok(()))?)?;
             }
         }
         Ok(())
@@ -75,26 +81,27 @@ impl Run {
     }
 }
 
-fn simulate(scene: &Scene, write: impl FnMut(&Row) -> Result<(), End>) -> Result<Summary, End> {
-    match scene.scalar {
-        Scalar::F64 => drain(scene, Rollout::<f64>::of(scene), write),
-        Scalar::F32 => drain(scene, Rollout::<f32>::of(scene), write),
-    }
+fn simulate(
+    scene: &Scene,
+    write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
+) -> Result<Summary, End> {
+    in_space!(scene, Axes => drain(scene, Rollout::<Axes>::of(scene), write))
 }
 
-fn drain<T: Number>(
+fn drain<V: Space>(
     scene: &Scene,
-    rollout: Result<Rollout<T>, ParameterError>,
-    mut write: impl FnMut(&Row) -> Result<(), End>,
+    rollout: Result<Rollout<V>, ParameterError>,
+    mut write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
 ) -> Result<Summary, End> {
     let bar = progress(scene.ticks());
     let mut summary = Summary::new(scene);
-    for row in rollout.map_err(End::input)? {
+    let mut rollout = rollout.map_err(End::input)?;
+    while let Some(row) = rollout.next() {
         if summary.rows.is_multiple_of(BREATH) {
             End::if_interrupted()?;
             bar.set_position(summary.rows);
         }
-        write(&row)?;
+        write(&row, rollout.further())?;
         summary.add(&row);
     }
     bar.finish_and_clear();

@@ -1,8 +1,9 @@
 //! Whether a run stays where it belongs.
 
 use crate::Row;
+use crate::equilibrium::{equilibrium, swing};
 use crate::scene::Scene;
-use crate::summary::{BAND, equilibrium, swing};
+use crate::summary::BAND;
 
 /// How much larger the last quarter's swing may be than the second's: what sampling the peaks of an undamped
 /// swing may come to, and no more.

@@ -13,7 +13,7 @@ use super::energies::Energies;
 use super::score::Score;
 use super::tick::{Share, Tick, wall};
 use super::trace::Trace;
-use crate::{Rollout, Row, Scene, Summary};
+use crate::{Rollout, Row, Scene, Space, Summary};
 
 /// Ticks between two reports of progress.
 const BREATH: u64 = 1 << 14;
@@ -23,10 +23,10 @@ pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
 
 /// What one contestant came to on one scene, with its curves and what its step is to be timed with.
 #[derive(Debug)]
-pub(super) struct Bout<T: Scalar> {
+pub(super) struct Bout<V: Space> {
     pub(super) score: Score,
     pub(super) curves: Curves,
-    pub(super) samples: Samples<T>,
+    pub(super) samples: Samples<V>,
 }
 
 /// The curves of a run: time and position in m, time and observer sum in J.
@@ -49,10 +49,10 @@ impl From<ParameterError> for NoBout {
     }
 }
 
-impl<T: Scalar> Bout<T> {
+impl<V: Space> Bout<V> {
     pub(super) fn of(
         scene: &Scene,
-        contestant: &Contestant<T>,
+        contestant: &Contestant<V>,
         watch: &Watch<'_>,
     ) -> Result<Self, NoBout> {
         let stabilizer = contestant.stabilizer(scene)?;
@@ -60,13 +60,13 @@ impl<T: Scalar> Bout<T> {
         let mut rollout = Rollout::stabilized_by(scene, stabilizer)?;
         let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| {
             // As the loop rounds it.
-            T::of(limit.force.get()).lane(0)
+            V::Scalar::of(limit.force.get()).lane(0)
         });
         let (mut share, mut meters) = (Share::new(scene, most), Meters::new(scene));
         let mut samples = Vec::new();
         let mut ticks = 0;
         loop {
-            let velocity = rollout.drive().velocity.lane(0);
+            let velocity = rollout.drive().velocity.axis(0);
             let Some(row) = rollout.next() else { break };
             meters.add(&share.tick(row, velocity));
             samples.extend(rollout.seen().filter(|_| samples.len() < KEPT));
@@ -87,7 +87,7 @@ impl<T: Scalar> Bout<T> {
 /// Everything that is measured along a run.
 #[derive(Debug)]
 struct Meters {
-    stiffness: f64,
+    stiffness: Option<f64>,
     summary: Summary,
     boundedness: Boundedness,
     contacts: Contacts,
@@ -100,7 +100,7 @@ struct Meters {
 impl Meters {
     fn new(scene: &Scene) -> Self {
         Self {
-            stiffness: wall(scene).stiffness.get(),
+            stiffness: wall(scene).map(|wall| wall.stiffness.get()),
             summary: Summary::new(scene),
             boundedness: Boundedness::new(scene),
             contacts: Contacts::new(scene),
@@ -142,7 +142,9 @@ impl Meters {
             energy_taken: millijoules(energies.taken()),
             shortfall: millijoules(summary.shortfall),
             stiffness_felt: felt,
-            stiffness_percent: told(felt.map(|felt| 100.0 * felt / self.stiffness)),
+            stiffness_percent: told(
+                felt.zip(self.stiffness).map(|(felt, asked)| 100.0 * felt / asked),
+            ),
             force_error: told(contacts.force_error().filter(|_| stable == Some(true))),
             chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
             active: told(Some(active)),

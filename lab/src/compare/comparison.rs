@@ -5,15 +5,15 @@ use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 use std::thread;
 
-use lyapunov::{ParameterError, Scalar};
+use lyapunov::ParameterError;
 
 use super::bout::{Bout, Curves, NoBout, Watch};
 use super::column::Column;
 use super::contestants::{Contestants, Settings};
 use super::score::Score;
 use super::{cost, picture, table};
-use crate::Scene;
 use crate::chart::Figure;
+use crate::{Scene, Space};
 
 /// All contestants on one scene; shown, it is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
@@ -67,14 +67,14 @@ impl fmt::Display for CompareError {
 impl std::error::Error for CompareError {}
 
 impl Comparison {
-    /// Runs all `contestants` on `scene` in the scalar `T`, whatever the scene says of it, and times their steps.
+    /// Runs all `contestants` on `scene` in the scalar of `V`, whatever the scene says of it, and times their steps.
     ///
     /// # Errors
     /// A stabilizer that cannot be made on this scene.
-    pub fn of<T: Scalar + Send>(
+    pub fn of<V: Space>(
         name: &str,
         scene: &Scene,
-        contestants: &Contestants<T>,
+        contestants: &Contestants<V>,
     ) -> Result<Self, CompareError> {
         Self::watched(name, scene, contestants, &|_| ControlFlow::Continue(()))
     }
@@ -83,10 +83,10 @@ impl Comparison {
     ///
     /// # Errors
     /// As [`Comparison::of`], and [`CompareError::Stopped`] if `watch` says so.
-    pub fn watched<T: Scalar + Send>(
+    pub fn watched<V: Space>(
         name: &str,
         scene: &Scene,
-        contestants: &Contestants<T>,
+        contestants: &Contestants<V>,
         watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, CompareError> {
         let refused = |stabilizer: &str, error| CompareError::Parameter {
@@ -111,7 +111,7 @@ impl Comparison {
             outcome.score.step_time = time;
         }
         let settings = Settings::of(scene);
-        Ok(Self { name: name.to_owned(), scene: *scene, settings, outcomes })
+        Ok(Self { name: name.to_owned(), scene: scene.clone(), settings, outcomes })
     }
 
     /// What each contestant came to.
@@ -140,11 +140,11 @@ impl fmt::Display for Comparison {
 }
 
 /// One thread for each contestant: runs are independent, and the system shares out the cores.
-fn bouts<T: Scalar + Send>(
+fn bouts<V: Space>(
     scene: &Scene,
-    contestants: &Contestants<T>,
+    contestants: &Contestants<V>,
     watch: &Watch<'_>,
-) -> Vec<Result<Bout<T>, NoBout>> {
+) -> Vec<Result<Bout<V>, NoBout>> {
     thread::scope(|scope| {
         let started: Vec<_> = contestants
             .entries()

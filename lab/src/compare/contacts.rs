@@ -9,7 +9,8 @@ const LONG: f64 = 0.5;
 /// Watches contacts: unbroken runs of ticks on which the environment's force acts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contacts {
-    wall: Wall,
+    /// What transparency is measured against; the other meters need none.
+    wall: Option<Wall>,
     long: f64,
     now: Contact,
     short_peak: Option<f64>,
@@ -41,7 +42,8 @@ impl Contacts {
     }
 
     pub(super) fn add(&mut self, tick: &Tick) {
-        let (force, depth) = (tick.row.f_act, tick.depth(self.wall));
+        let force = tick.row.f_act;
+        let depth = self.wall.map_or(0.0, |wall| tick.depth(wall));
         if tick.environment != 0.0 {
             self.now.ticks += 1;
             self.now.peak = self.now.peak.max(force.abs());
@@ -51,8 +53,10 @@ impl Contacts {
             self.end();
         }
         // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
-        if tick.environment != 0.0 || depth > 0.0 {
-            self.error.0 += (force - tick.ideal(self.wall)).powi(2);
+        if let Some(wall) = self.wall
+            && (tick.environment != 0.0 || depth > 0.0)
+        {
+            self.error.0 += (force - tick.ideal(wall)).powi(2);
             self.error.1 += 1;
         }
     }

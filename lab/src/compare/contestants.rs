@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use lyapunov::{Action, Drive, ParameterError, Scalar, Stabilizer};
+use lyapunov::{Action, Drive, ParameterError, Stabilizer};
 
-use crate::AnyStabilizer;
 use crate::scene::{self, Candidate, Cap, Lolc, Popc, Scene, Work};
+use crate::{AnyStabilizer, Space};
 
 /// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
 ///
@@ -28,20 +28,20 @@ use crate::scene::{self, Candidate, Cap, Lolc, Popc, Scene, Work};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct Contestants<T: Scalar = f64> {
-    entries: Vec<Contestant<T>>,
+pub struct Contestants<V: Space = f64> {
+    entries: Vec<Contestant<V>>,
 }
 
 /// How the stabilizer of a contestant is made.
-type Make<T> = dyn Fn(&Scene) -> Result<AnyStabilizer<T>, ParameterError> + Send + Sync;
+type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
 
 /// A name, and a way to make a stabilizer for a scene.
-pub(super) struct Contestant<T: Scalar> {
+pub(super) struct Contestant<V: Space> {
     pub(super) name: String,
-    make: Box<Make<T>>,
+    make: Box<Make<V>>,
 }
 
-impl<T: Scalar> Contestants<T> {
+impl<V: Space> Contestants<V> {
     /// Nobody yet.
     pub fn nobody() -> Self {
         Self { entries: Vec::new() }
@@ -67,7 +67,7 @@ impl<T: Scalar> Contestants<T> {
 
     /// The same with one more, whose stabilizer is made by `make` for each scene.
     #[must_use]
-    pub fn with<S: Stabilizer<T> + 'static>(
+    pub fn with<S: Stabilizer<V> + 'static>(
         self,
         name: impl Into<String>,
         make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
@@ -80,7 +80,7 @@ impl<T: Scalar> Contestants<T> {
         self.entries.iter().map(|contestant| contestant.name.as_str())
     }
 
-    pub(super) fn entries(&self) -> &[Contestant<T>] {
+    pub(super) fn entries(&self) -> &[Contestant<V>] {
         &self.entries
     }
 
@@ -97,20 +97,20 @@ impl<T: Scalar> Contestants<T> {
     fn entered(
         mut self,
         name: String,
-        make: impl Fn(&Scene) -> Result<AnyStabilizer<T>, ParameterError> + Send + Sync + 'static,
+        make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
         self.entries.push(Contestant { name, make: Box::new(make) });
         self
     }
 }
 
-impl<T: Scalar> Contestant<T> {
-    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
+impl<V: Space> Contestant<V> {
+    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
         (self.make)(scene)
     }
 }
 
-impl<T: Scalar> fmt::Debug for Contestant<T> {
+impl<V: Space> fmt::Debug for Contestant<V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Contestant").field("name", &self.name).finish_non_exhaustive()
     }
@@ -159,9 +159,9 @@ impl fmt::Display for Settings {
 #[derive(Clone, Copy, Debug)]
 struct Nothing;
 
-impl<T: Scalar> Stabilizer<T> for Nothing {
+impl<V: Space> Stabilizer<V> for Nothing {
     #[inline]
-    fn stabilize(&mut self, _drive: &Drive<T>, effort: T) -> Action<T> {
+    fn stabilize(&mut self, _drive: &Drive<V>, effort: V) -> Action<V> {
         Action::none(effort)
     }
 }

@@ -3,11 +3,11 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use lyapunov::{Action, Drive, ParameterError, Scalar};
+use lyapunov::{Action, Drive, ParameterError};
 
 use super::contestants::Contestant;
 use super::score::StepTime;
-use crate::Scene;
+use crate::{Scene, Space};
 
 /// How many ticks of a run are kept to be replayed: few enough to stay in the processor's cache.
 pub(super) const KEPT: usize = 4096;
@@ -19,7 +19,7 @@ const ROUNDS: usize = 31;
 const STEPS: usize = 1 << 15;
 
 /// What stood before a stabilizer, tick by tick.
-pub(super) type Samples<T> = Vec<(Drive<T>, T)>;
+pub(super) type Samples<V> = Vec<(Drive<V>, V)>;
 
 /// Times the step of every contestant over the samples of its own run.
 ///
@@ -28,10 +28,10 @@ pub(super) type Samples<T> = Vec<(Drive<T>, T)>;
 ///
 /// # Errors
 /// What making a stabilizer may meet.
-pub(super) fn of<T: Scalar>(
+pub(super) fn of<V: Space>(
     scene: &Scene,
-    contestants: &[Contestant<T>],
-    samples: &[Samples<T>],
+    contestants: &[Contestant<V>],
+    samples: &[Samples<V>],
 ) -> Result<Vec<Option<StepTime>>, ParameterError> {
     let mut rounds = vec![Vec::with_capacity(ROUNDS); contestants.len()];
     // The round before the first warms up and does not count.
@@ -47,15 +47,15 @@ pub(super) fn of<T: Scalar>(
     Ok(rounds.into_iter().map(spread).collect())
 }
 
-fn replay<T: Scalar>(
+fn replay<V: Space>(
     scene: &Scene,
-    contestant: &Contestant<T>,
-    samples: &Samples<T>,
+    contestant: &Contestant<V>,
+    samples: &Samples<V>,
     passes: usize,
 ) -> Result<Duration, ParameterError> {
     let fresh = (0..passes).map(|_| contestant.stabilizer(scene));
     let mut stabilizers = fresh.collect::<Result<Vec<_>, _>>()?;
-    let mut actions = vec![Action::none(T::zero()); samples.len()];
+    let mut actions = vec![Action::none(V::zero()); samples.len()];
     let start = Instant::now();
     for stabilizer in &mut stabilizers {
         stabilizer.replay(black_box(samples), black_box(&mut actions));

@@ -18,7 +18,7 @@ struct Document<'a> {
 #[derive(Serialize)]
 struct Circumstances<'a> {
     scene: &'a str,
-    stiffness_asked_n_per_m: f64,
+    stiffness_asked_n_per_m: Option<f64>,
     work: &'static str,
     /// None: no limit.
     damping_cap: Option<f64>,
@@ -39,7 +39,7 @@ struct Line<'a> {
 pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
         let cap = comparison.settings.damping_cap.get();
-        (wall(&comparison.scene).stiffness.get(), cap.is_finite().then_some(cap))
+        (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {
         let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);

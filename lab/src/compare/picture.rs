@@ -5,7 +5,7 @@ use super::comparison::{Comparison, Outcome};
 use super::tick::wall;
 use crate::chart::{Figure, Guide, Panel, Series};
 use crate::compare::setting::Setting;
-use crate::summary::equilibrium;
+use crate::equilibrium::equilibrium;
 
 /// How many times the starting swing is shown where nobody is stable.
 const SHOWN: f64 = 3.0;
@@ -13,7 +13,7 @@ const SHOWN: f64 = 3.0;
 type Points = Vec<(f64, f64)>;
 
 pub(super) fn of(comparison: &Comparison) -> Figure {
-    let surface = 1e3 * wall(&comparison.scene).position.get();
+    let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
     let observed: Vec<&Outcome> =
         comparison.outcomes.iter().filter(|outcome| observes(outcome)).collect();
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
@@ -26,7 +26,10 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let figure = Figure::new(format!("{}: {}", comparison.name, Setting(&comparison.scene)))
         .with_width(960.0)
         .with_panel_height(280.0)
-        .with_panel(position.with_guide(Guide::horizontal(surface, "wall surface")));
+        .with_panel(match surface {
+            Some(surface) => position.with_guide(Guide::horizontal(surface, "wall surface")),
+            None => position,
+        });
     if observed.is_empty() {
         return figure;
     }

@@ -56,10 +56,12 @@ impl Share {
     }
 }
 
-/// The wall of a scene.
-pub(super) fn wall(scene: &Scene) -> Wall {
-    let Environment::Wall(wall) = scene.environment;
-    wall
+/// The wall of a scene, if that is what it has.
+pub(super) fn wall(scene: &Scene) -> Option<Wall> {
+    match scene.environment {
+        Environment::Wall(wall) => Some(wall),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -82,7 +84,7 @@ mod tests {
 
     #[test]
     fn the_ideal_wall_never_pulls_and_knows_the_surface() {
-        let wall = wall(&scene("")); // 1000 N/m, 2 N·s/m, surface at 1 mm
+        let wall = wall(&scene("")).unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
         let at =
             |x: f64, velocity: f64| Tick { row: Row { x, ..row() }, velocity, environment: 0.0 };
         assert_eq!(at(0.001, 1.0).ideal(wall), 0.0);

@@ -40,7 +40,7 @@ fn put(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), PaperError> {
 }
 
 fn csv(rows: &[Row]) -> io::Result<Vec<u8>> {
-    let mut csv = Csv::new(Vec::new())?;
-    rows.iter().try_for_each(|row| csv.write(row))?;
+    let mut csv = Csv::new(Vec::new(), &[])?;
+    rows.iter().try_for_each(|row| csv.write(row, &[]))?;
     Ok(csv.into_inner())
 }

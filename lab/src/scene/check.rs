@@ -5,7 +5,8 @@ use std::fmt;
 use lyapunov::{ParameterError, Requirement};
 
 use super::{Scalar, Scene};
-use crate::Rollout;
+use crate::Assembly;
+use crate::in_space;
 
 /// The most ticks that one run may have.
 const MOST_TICKS: f64 = 1e9;
@@ -22,6 +23,14 @@ pub struct Conflict {
 }
 
 impl Conflict {
+    pub(super) fn new(
+        key: impl Into<String>,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self { key: key.into(), problem: problem.into(), remedy: remedy.into() }
+    }
+
     /// The key whose value is to be changed, with its table path.
     pub fn key(&self) -> &str {
         &self.key
@@ -47,14 +56,15 @@ impl fmt::Display for Conflict {
 impl std::error::Error for Conflict {}
 
 impl Scene {
-    /// Checks the rules between values: the number of ticks, the ratio of the rates, the range of f32 where the run
-    /// computes in it, and what the blocks of the loop take.
+    /// Checks the rules between values: the number of ticks, the ratio of the rates, what tables ask of each other, the
+    /// range of f32 where the run computes in it, and what the blocks of the loop take.
     ///
     /// # Errors
     /// The first rule that is broken, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_ticks()?;
         self.check_environment_rate()?;
+        self.check_tables()?;
         self.check_scalar()?;
         self.check_blocks()
     }
@@ -136,11 +146,12 @@ impl Scene {
 
     /// Builds the loop, because values that are each allowed may join to one that is not.
     fn check_blocks(&self) -> Result<(), Conflict> {
-        let (refused, scalar) = match self.scalar {
-            Scalar::F64 => (Rollout::<f64>::of(self).err(), "f64"),
-            Scalar::F32 => (Rollout::<f32>::of(self).err(), "f32"),
+        let built = in_space!(self, Axes => Assembly::<Axes>::of(self).map(drop));
+        let scalar = match self.scalar {
+            Scalar::F64 => "f64",
+            Scalar::F32 => "f32",
         };
-        refused.map_or(Ok(()), |error| Err(self.out_of_range(&error, scalar)))
+        built.map_err(|error| self.out_of_range(&error, scalar))
     }
 
     fn out_of_range(&self, error: &ParameterError, scalar: &str) -> Conflict {
@@ -187,6 +198,7 @@ fn lost_in_f32(value: &toml::Value, path: &str) -> Option<(String, f64)> {
                 number.is_finite() && (single.is_infinite() || (single == 0.0) != (*number == 0.0));
             lost.then(|| (path.to_owned(), *number))
         }
+        toml::Value::Array(list) => list.iter().find_map(|value| lost_in_f32(value, path)),
         toml::Value::Table(table) => table.iter().find_map(|(key, value)| {
             let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
             lost_in_f32(value, &path)

@@ -21,8 +21,8 @@ const LIMIT: u64 = 1 << 20;
 
 const EXPECTED: &str = "give the path of a scene file, a text in TOML";
 
-/// See [`Scene::parse`].
-pub(super) fn parse(text: &str, name: &str) -> Result<Scene, Diagnostic> {
+/// See [`Scene::parse`]; files that the scene names are looked for in `folder`.
+pub(super) fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diagnostic> {
     // Some editors write a byte order mark; left in, it would shift every column of the first line.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let table = DeTable::parse(text).map_err(|error| syntax::explain(&error, text, name))?;
@@ -31,9 +31,9 @@ pub(super) fn parse(text: &str, name: &str) -> Result<Scene, Diagnostic> {
         return Err(Diagnostic::new(name, "the scene is empty")
             .with_help(format!("the smallest scene is:\n{SMALLEST}")));
     }
-    let scene = Scene::deserialize(Reader::new(&root, Place::default()))
+    let mut scene = Scene::deserialize(Reader::new(&root, Place::default()))
         .map_err(|fault| explain::explain(fault, text, name))?;
-    match scene.check() {
+    match scene.read_motion(folder).and_then(|()| scene.check()) {
         Ok(()) => Ok(scene),
         Err(conflict) => Err(place(&conflict, &root, text, name)),
     }
@@ -44,7 +44,9 @@ pub(super) fn load(path: &Path) -> Result<Scene, Diagnostic> {
     let name = path.display().to_string();
     let bytes = read(path, &name)?;
     match str::from_utf8(&bytes) {
-        Ok(text) if !text.contains('\0') => parse(text, &name),
+        Ok(text) if !text.contains('\0') => {
+            parse(text, &name, path.parent().unwrap_or(Path::new("")))
+        }
         _ => Err(not_text(&bytes, &name)),
     }
 }

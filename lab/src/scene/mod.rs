@@ -8,7 +8,7 @@
 //! fault as a sentence in serde's words, from which key, value and remedy would have to be guessed back.
 //!
 //! A rule about one value lives in the type of that value ([`Positive`], [`NonNegative`], [`Finite`], [`Cap`],
-//! [`DelayTicks`]); the rules between values live in [`Scene::check`].
+//! [`DelayTicks`] and so on); the rules between values live in [`Scene::check`].
 //!
 //! ```
 //! use lyapunov_lab::scene::Scene;
@@ -31,33 +31,54 @@
 
 mod check;
 mod choice;
+mod coordinates;
 mod diagnostic;
+mod effects;
+mod environment;
 mod excerpt;
 mod explain;
 mod fault;
 mod keys;
 mod load;
+mod motion;
 mod number;
+mod operator;
 mod parts;
 mod quantity;
 mod reader;
+mod rules;
+mod schema;
+mod stabilizer;
 mod suggest;
 mod syntax;
 #[cfg(test)]
 mod tests;
 
 pub use check::Conflict;
+pub use coordinates::Coordinates;
 pub use diagnostic::Diagnostic;
-pub(crate) use excerpt::{printable, shorten};
-pub use parts::{
-    Candidate, Delay, Device, Effects, Encoder, Environment, Initial, Integrator, Lolc, Operator,
-    Popc, Saturation, Scalar, Stabilizer, Velocity, Wall, Work,
+pub use effects::{
+    Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
+    Saturation,
 };
-pub use quantity::{Cap, DelayTicks, Finite, NonNegative, OutOfRange, Positive};
+pub use environment::{
+    Cuboid, Environment, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Plane, Sphere,
+    Spring, VaryingSpring, Wall,
+};
+pub(crate) use excerpt::{printable, shorten};
+pub use operator::{Grip, Motion, Operator};
+pub use parts::{Device, Initial, Integrator, Link, Scalar, Space, Velocity};
+pub use quantity::{
+    Cap, DelayTicks, Dimensions, Finite, NonNegative, OutOfRange, Positive, Probability, Seed,
+    WindowTicks,
+};
+pub use schema::schema;
+pub use stabilizer::{Candidate, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;
 
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// One simulated run: two bodies that move as one, an environment at the port, at most one stabilizer, and the effects
@@ -65,7 +86,7 @@ use serde::{Deserialize, Serialize};
 ///
 /// [`Scene::parse`] and [`Scene::load`] give only scenes that pass [`Scene::check`]. Whoever changes a field afterwards
 /// calls it again before the derived quantities are used.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Simulated time in s, greater than 0; required.
@@ -90,6 +111,12 @@ pub struct Scene {
     pub operator: Operator,
     /// The haptic device; required.
     pub device: Device,
+    /// What joins the two; default: they move as one.
+    #[serde(default)]
+    pub link: Option<Link>,
+    /// The space that the scene is in; default: a line.
+    #[serde(default)]
+    pub space: Option<Space>,
     /// State of the plant at t = 0; default: at rest at 0.
     #[serde(default)]
     pub initial: Initial,
@@ -104,12 +131,13 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Reads a scene from TOML text; `name` stands for the text in messages, usually the path of its file.
+    /// Reads a scene from TOML text; `name` stands for the text in messages, usually the path of its file. Files that
+    /// the scene names are looked for in the current folder.
     ///
     /// # Errors
     /// The first rule that is broken, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
-        load::parse(text, name)
+        load::parse(text, name, Path::new(""))
     }
 
     /// Reads a scene from a file of at most 1 MiB.
@@ -139,5 +167,21 @@ impl Scene {
     /// Servo ticks from one evaluation of the environment to the next, r = servo_rate / environment_rate, at least 1.
     pub fn environment_ratio(&self) -> u64 {
         (self.servo_rate.get() / self.environment_rate()).round() as u64
+    }
+
+    /// Dimensions of the space: 1, 2 or 3.
+    pub fn dimensions(&self) -> usize {
+        self.space.map_or(1, |space| space.dimensions.get().into())
+    }
+
+    /// Mass in kg that the damping limit is taken from: the device's, and the operator's where they move as one.
+    pub fn mass(&self) -> f64 {
+        let operator = if self.link.is_some() { 0.0 } else { self.operator.mass.get() };
+        operator + self.device.mass.get()
+    }
+
+    /// The tick from which on an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
+    pub fn tick_of(&self, instant: f64) -> u64 {
+        (instant * self.servo_rate.get() - 1e-9).ceil() as u64
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
 /// A value that its quantity does not allow.
@@ -29,8 +30,27 @@ impl fmt::Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
+/// Writes the rule of a quantity into the schema where the quantity stands.
+macro_rules! schema {
+    ($name:ident, $schema:tt) => {
+        impl JsonSchema for $name {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                json_schema!($schema)
+            }
+        }
+    };
+}
+
 macro_rules! quantity {
-    ($(#[$attribute:meta])* $name:ident, $rule:literal, $accepts:expr) => {
+    ($(#[$attribute:meta])* $name:ident, $rule:literal, $schema:tt, $accepts:expr) => {
         $(#[$attribute])*
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
         #[serde(try_from = "f64", into = "f64")]
@@ -70,6 +90,8 @@ macro_rules! quantity {
                 quantity.0
             }
         }
+
+        schema!($name, $schema);
     };
 }
 
@@ -77,6 +99,7 @@ quantity!(
     /// A finite number greater than 0: a rate, a duration, a device's mass, a resolution, a force limit.
     Positive,
     "finite and greater than 0",
+    { "type": "number", "exclusiveMinimum": 0 },
     |value| value.is_finite() && value > 0.0
 );
 
@@ -85,6 +108,7 @@ quantity!(
     #[derive(Default)]
     NonNegative,
     "finite and 0 or greater",
+    { "type": "number", "minimum": 0 },
     |value| value.is_finite() && value >= 0.0
 );
 
@@ -93,6 +117,7 @@ quantity!(
     #[derive(Default)]
     Finite,
     "finite",
+    { "type": "number" },
     |value| value.is_finite()
 );
 
@@ -100,6 +125,7 @@ quantity!(
     /// A limit of 0 or more; infinity means that there is no limit.
     Cap,
     "0 or greater (inf is allowed)",
+    { "type": "number", "minimum": 0 },
     |value| value >= 0.0
 );
 
@@ -110,45 +136,90 @@ impl Default for Cap {
     }
 }
 
-/// A delay in whole servo ticks, from 0 to [`DelayTicks::MOST`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(try_from = "i64", into = "u16")]
-pub struct DelayTicks(u16);
+quantity!(
+    /// A number from 0 to 1.
+    #[derive(Default)]
+    Probability,
+    "from 0 to 1",
+    { "type": "number", "minimum": 0, "maximum": 1 },
+    |value| (0.0..=1.0).contains(&value)
+);
 
-impl DelayTicks {
-    /// The longest delay.
-    pub const MOST: u16 = 1024;
+macro_rules! whole {
+    ($(#[$attribute:meta])* $name:ident, $whole:ty, $rule:literal, $schema:tt, $range:expr) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+        #[serde(try_from = "i64", into = "i64")]
+        pub struct $name($whole);
 
-    /// Accepts a whole number from 0 to 1024.
-    ///
-    /// # Errors
-    /// Any other number.
-    pub fn new(ticks: i64) -> Result<Self, OutOfRange> {
-        match u16::try_from(ticks) {
-            Ok(ticks) if ticks <= Self::MOST => Ok(Self(ticks)),
-            _ => Err(OutOfRange {
-                rule: "a whole number from 0 to 1024",
-                value: Given::Whole(ticks),
-            }),
+        impl $name {
+            #[doc = concat!("Accepts ", $rule, ".")]
+            ///
+            /// # Errors
+            /// Any other number.
+            pub fn new(value: i64) -> Result<Self, OutOfRange> {
+                match <$whole>::try_from(value) {
+                    Ok(whole) if ($range).contains(&whole) => Ok(Self(whole)),
+                    _ => Err(OutOfRange { rule: $rule, value: Given::Whole(value) }),
+                }
+            }
+
+            /// The plain number.
+            pub fn get(self) -> $whole {
+                self.0
+            }
         }
-    }
 
-    /// The plain number.
-    pub fn get(self) -> u16 {
-        self.0
-    }
+        impl TryFrom<i64> for $name {
+            type Error = OutOfRange;
+
+            fn try_from(value: i64) -> Result<Self, OutOfRange> {
+                Self::new(value)
+            }
+        }
+
+        impl From<$name> for i64 {
+            fn from(quantity: $name) -> i64 {
+                quantity.0.try_into().unwrap_or(i64::MAX)
+            }
+        }
+
+        schema!($name, $schema);
+    };
 }
 
-impl TryFrom<i64> for DelayTicks {
-    type Error = OutOfRange;
+whole!(
+    /// A delay in whole servo ticks.
+    DelayTicks,
+    u16,
+    "a whole number from 0 to 1024",
+    { "type": "integer", "minimum": 0, "maximum": 1024 },
+    0..=1024
+);
 
-    fn try_from(ticks: i64) -> Result<Self, OutOfRange> {
-        Self::new(ticks)
-    }
-}
+whole!(
+    /// The greatest length of an adaptive window in whole servo ticks.
+    WindowTicks,
+    u16,
+    "a whole number from 1 to 256",
+    { "type": "integer", "minimum": 1, "maximum": 256 },
+    1..=256
+);
 
-impl From<DelayTicks> for u16 {
-    fn from(ticks: DelayTicks) -> u16 {
-        ticks.0
-    }
-}
+whole!(
+    /// The dimensions of a space.
+    Dimensions,
+    u8,
+    "2 or 3",
+    { "type": "integer", "minimum": 2, "maximum": 3 },
+    2..=3
+);
+
+whole!(
+    /// The seed of a random effect.
+    Seed,
+    u64,
+    "a whole number of 0 or more",
+    { "type": "integer", "minimum": 0 },
+    0..=u64::MAX
+);

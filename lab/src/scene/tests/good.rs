@@ -29,10 +29,14 @@ fn the_full_example_gives_every_value() {
             mass: non_negative(0.1),
             damping: non_negative(0.2),
             stiffness: non_negative(50.0),
-            rest: finite(0.0),
+            rest: finite(0.0).into(),
+            motion: None,
+            grip: None,
         },
         device: Device { mass: positive(0.2), damping: non_negative(0.001) },
-        initial: Initial { position: finite(-0.004), velocity: finite(0.0) },
+        link: None,
+        space: None,
+        initial: Initial { position: finite(-0.004).into(), velocity: finite(0.0).into() },
         environment: Environment::Wall(Wall {
             position: finite(0.0),
             stiffness: non_negative(8000.0),
@@ -47,6 +51,7 @@ fn the_full_example_gives_every_value() {
             encoder: Some(Encoder { resolution: positive(1e-5) }),
             delay: Some(Delay { ticks: DelayTicks::new(2).unwrap() }),
             saturation: Some(Saturation { force: positive(8.0) }),
+            ..Effects::default()
         },
     };
     assert_eq!(scene(FULL), expected);
@@ -65,7 +70,7 @@ fn the_smallest_scene_takes_every_default() {
     assert_eq!(scene.scalar, Scalar::F64);
     assert_eq!(scene.integrator, Integrator::Exact);
     assert_eq!(scene.device.damping.get(), 0.0);
-    let operator = scene.operator;
+    let operator = &scene.operator;
     assert_eq!(
         (
             operator.mass.get(),
@@ -76,10 +81,11 @@ fn the_smallest_scene_takes_every_default() {
         (0.0, 0.0, 0.0, 0.0)
     );
     assert_eq!((scene.initial.position.get(), scene.initial.velocity.get()), (0.0, 0.0));
-    let Environment::Wall(wall) = scene.environment;
+    let Environment::Wall(wall) = scene.environment else { panic!("{:?}", scene.environment) };
     assert_eq!((wall.position.get(), wall.damping.get()), (0.0, 0.0));
     assert_eq!(scene.stabilizer, None);
-    assert_eq!(scene.effects, Effects { encoder: None, delay: None, saturation: None });
+    let none = "[]";
+    assert_eq!(format!("{:?}", crate::described::effects(&scene)), none);
 }
 
 #[test]

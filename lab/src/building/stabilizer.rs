@@ -4,24 +4,38 @@ use std::fmt;
 
 use lyapunov::{
     Action, DampingLimit, Dissipation, Drive, Lolc, LyapunovCandidate, ParameterError, PortEnergy,
-    Scalar, Stabilizer, Wall,
+    Signal, Stabilizer,
 };
 
-use crate::scene::{self, Candidate, Environment, Scene, Work};
+use super::Space;
+use super::environment::of;
+use crate::scene::{self, Candidate, Scene, Work};
 
 /// Any stabilizer, boxed: what a scene file names, or one of one's own.
-pub struct AnyStabilizer<T: Scalar>(Box<dyn Replay<T>>);
+pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
 
-impl<T: Scalar> AnyStabilizer<T> {
+impl<V: Signal> AnyStabilizer<V> {
     /// Boxes `stabilizer`.
-    pub fn new(stabilizer: impl Stabilizer<T> + 'static) -> Self {
+    pub fn new(stabilizer: impl Stabilizer<V> + 'static) -> Self {
         Self(Box::new(stabilizer))
     }
 
+    /// Bytes that the stabilizer keeps from tick to tick, parameters included.
+    pub fn state_bytes(&self) -> usize {
+        size_of_val(self.0.as_ref())
+    }
+
+    /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
+    pub(crate) fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
+        self.0.replay(samples, actions);
+    }
+}
+
+impl<V: Space> AnyStabilizer<V> {
     /// The stabilizer that `scene` names, if it names one.
     ///
     /// # Errors
-    /// A parameter that is right by itself but out of the range of `T`, alone or together with others.
+    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
     pub fn of(scene: &Scene) -> Result<Option<Self>, ParameterError> {
         Ok(match scene.stabilizer {
             None => None,
@@ -44,71 +58,52 @@ impl<T: Scalar> AnyStabilizer<T> {
         match lolc.candidate {
             Candidate::Spring => Self::watching(scene, PortEnergy, work, cap),
             Candidate::DeviceDamping => {
-                let damper = Dissipation::of(T::of(scene.device.damping.get()))?;
+                let damper = Dissipation::of(of(scene.device.damping))?;
                 Self::watching(scene, (PortEnergy, damper), work, cap)
             }
             Candidate::MassSpringDamper => {
-                let Environment::Wall(parameters) = scene.environment;
-                let credit = wall::<T>(parameters)?.dissipation();
-                Self::watching(scene, (PortEnergy, credit), work, cap)
+                Self::watching(scene, (PortEnergy, V::credit(scene)?), work, cap)
             }
         }
     }
 
     fn watching(
         scene: &Scene,
-        candidate: impl LyapunovCandidate<T> + 'static,
+        candidate: impl LyapunovCandidate<V> + 'static,
         work: Work,
         cap: f64,
     ) -> Result<Self, ParameterError> {
-        let mass = scene.operator.mass.get() + scene.device.mass.get();
-        let limit = DampingLimit::of_mass(T::of(cap), T::of(mass), T::of(scene.period()))?;
+        let limit = DampingLimit::of_mass(of(cap), of(scene.mass()), of(scene.period()))?;
         let lolc = Lolc::new(candidate, limit);
         Ok(match work {
             Work::Held => Self::new(lolc),
             Work::Sampled => Self::new(lolc.sampled()),
         })
     }
-
-    /// Bytes that the stabilizer keeps from tick to tick, parameters included.
-    pub fn state_bytes(&self) -> usize {
-        size_of_val(self.0.as_ref())
-    }
-
-    /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
-    pub(crate) fn replay(&mut self, samples: &[(Drive<T>, T)], actions: &mut [Action<T>]) {
-        self.0.replay(samples, actions);
-    }
 }
 
-impl<T: Scalar> fmt::Debug for AnyStabilizer<T> {
+impl<V: Signal> fmt::Debug for AnyStabilizer<V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("AnyStabilizer").finish_non_exhaustive()
     }
 }
 
-impl<T: Scalar> Stabilizer<T> for AnyStabilizer<T> {
-    fn stabilize(&mut self, drive: &Drive<T>, effort: T) -> Action<T> {
+impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
         self.0.stabilize(drive, effort)
     }
 }
 
 /// A stabilizer with a loop of its own around it, compiled for its type.
-trait Replay<T: Scalar>: Stabilizer<T> {
-    fn replay(&mut self, samples: &[(Drive<T>, T)], actions: &mut [Action<T>]);
+trait Replay<V: Signal>: Stabilizer<V> {
+    fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
 }
 
-impl<T: Scalar, S: Stabilizer<T>> Replay<T> for S {
+impl<V: Signal, S: Stabilizer<V>> Replay<V> for S {
     #[inline(never)]
-    fn replay(&mut self, samples: &[(Drive<T>, T)], actions: &mut [Action<T>]) {
+    fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
         for ((drive, effort), action) in samples.iter().zip(actions) {
             *action = self.stabilize(drive, *effort);
         }
     }
-}
-
-/// The wall of a scene.
-pub(crate) fn wall<T: Scalar>(wall: scene::Wall) -> Result<Wall<T>, ParameterError> {
-    let surface = T::of(wall.position.get());
-    Ok(Wall::new(T::of(wall.stiffness.get()), T::of(wall.damping.get()))?.at(surface))
 }

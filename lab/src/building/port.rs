@@ -40,6 +40,9 @@ impl<V: Signal> OnePort<V> for Port<V> {
 /// Where a tapped port writes down the last drive and effort that passed it.
 pub(crate) type Tap<V> = Rc<Cell<Option<(Drive<V>, V)>>>;
 
+/// Where a body writes down its operator's position and velocity.
+pub(crate) type Operator<V> = Rc<Cell<Option<(V, V)>>>;
+
 struct Tapped<V: Signal> {
     port: Port<V>,
     seen: Tap<V>,

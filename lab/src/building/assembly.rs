@@ -1,0 +1,145 @@
+//! A whole loop, put together from a scene.
+
+use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal, Stabilizer};
+
+use super::environment::of;
+use super::port::{Operator, Tap};
+use super::{AnyPlant, AnyStabilizer, Port, Space};
+use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
+
+/// Room for the delay of a scene, in ticks.
+const DELAY: usize = 1024;
+
+/// Room for the window of a scene, in ticks.
+const WINDOW: usize = 257;
+
+/// The two halves of a loop: what moves, and what answers.
+#[derive(Debug)]
+pub struct Assembly<V: Signal> {
+    /// What moves.
+    pub plant: AnyPlant<V>,
+    /// What answers its motion, stabilizer and effects included.
+    pub port: Port<V>,
+}
+
+impl<V: Space> Assembly<V> {
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever the scene says of it.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        Self::put_together(scene, None, AnyStabilizer::of(scene)?)
+    }
+
+    /// The same, telling `seen` what passes on the way.
+    pub(crate) fn watched(
+        scene: &Scene,
+        seen: &Seen<V>,
+        stabilizer: Option<impl Stabilizer<V> + 'static>,
+    ) -> Result<Self, ParameterError> {
+        Self::put_together(scene, Some(seen), stabilizer)
+    }
+
+    /// One tick: the effort that acts until the next.
+    #[inline]
+    pub fn tick(&mut self, drive: &mut Drive<V>) -> V {
+        let effort = self.port.respond(drive);
+        *drive = self.plant.advance(effort);
+        effort
+    }
+
+    fn put_together(
+        scene: &Scene,
+        seen: Option<&Seen<V>>,
+        stabilizer: Option<impl Stabilizer<V> + 'static>,
+    ) -> Result<Self, ParameterError> {
+        let tapped = |port: Port<V>, tap: fn(&Seen<V>) -> &Tap<V>| match seen {
+            None => port,
+            Some(seen) => port.tapped(tap(seen)),
+        };
+        let mut port = tapped(environment(scene)?, |seen| &seen.environment);
+        if let Some(stabilizer) = stabilizer {
+            port = Port::new(port.stabilized(stabilizer));
+        }
+        if let Some(saturation) = scene.effects.saturation {
+            port = Port::new(port.saturated(of(saturation.force))?);
+        }
+        port = tapped(port, |seen| &seen.command);
+        if let Some(delay) = scene.effects.delay {
+            port = Port::new(port.delayed::<DELAY>(delay.ticks.get().into())?);
+        }
+        let port = measured(scene, port)?;
+        let unseen = Operator::default();
+        let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
+        Ok(Self { plant, port })
+    }
+}
+
+/// What the device touches, as it answers at the servo's rate.
+fn environment<V: Space>(scene: &Scene) -> Result<Port<V>, ParameterError> {
+    let mut port = V::environment(scene)?;
+    if let Some(dropout) = scene.effects.dropout {
+        let fallback = match dropout.policy {
+            Policy::Hold => Fallback::Hold,
+            Policy::Zero => Fallback::Zero,
+        };
+        let seed = |_| dropout.seed.get();
+        port = Port::new(port.dropped(of(dropout.probability), fallback, seed)?);
+    }
+    if scene.environment_ratio() > 1 {
+        // A scene has fewer ticks than this, so a longer hold is the same hold.
+        let ticks = u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX);
+        port = Port::new(port.held(ticks)?);
+    }
+    Ok(port)
+}
+
+/// The port as it is told of the motion: the velocity from positions, these from an encoder, and these with noise.
+fn measured<V: Space>(scene: &Scene, mut port: Port<V>) -> Result<Port<V>, ParameterError> {
+    let effects = &scene.effects;
+    let resolution = effects.encoder.map(|encoder| encoder.resolution);
+    port = match (scene.velocity, effects.filter) {
+        (Velocity::Exact, _) => port,
+        (_, None) => Port::new(port.differenced()),
+        (_, Some(Filter::Cutoff(cutoff))) => Port::new(port.low_passed(of(cutoff))?),
+        (_, Some(Filter::Window(ticks))) => {
+            // What an encoder says is off a straight motion by less than a step.
+            let band = resolution.map_or(0.0, Positive::get);
+            Port::new(port.windowed::<WINDOW>(ticks.get().into(), of(band))?)
+        }
+    };
+    if let Some(resolution) = resolution {
+        port = Port::new(port.encoded(of(resolution))?);
+    }
+    if let Some(noise) = effects.noise {
+        port = Port::new(port.noisy(of(noise.deviation), |_| noise.seed.get())?);
+    }
+    Ok(port)
+}
+
+/// What stood before the stabilizer and before the delay on the last tick.
+#[derive(Debug)]
+pub(crate) struct Seen<V: Signal> {
+    /// The drive as measured, and the environment's effort.
+    pub(crate) environment: Tap<V>,
+    /// The effort commanded, after saturation.
+    pub(crate) command: Tap<V>,
+    /// Where the operator is, if a link sets it apart from the device.
+    pub(crate) operator: Operator<V>,
+}
+
+impl<V: Signal> Default for Seen<V> {
+    fn default() -> Self {
+        Self { environment: Tap::default(), command: Tap::default(), operator: Operator::default() }
+    }
+}
+
+impl<V: Space> Seen<V> {
+    /// Position and velocity of an operator that a link sets apart from the device, axis by axis.
+    pub(crate) fn operator(&self) -> impl Iterator<Item = f64> {
+        let seen = self.operator.get().into_iter();
+        seen.flat_map(|(position, velocity)| {
+            (0..V::DIMENSIONS).flat_map(move |axis| [position.axis(axis), velocity.axis(axis)])
+        })
+    }
+}

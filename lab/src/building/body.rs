@@ -1,0 +1,123 @@
+//! A body on an operator's spring, chosen at run time.
+
+use std::fmt;
+
+use lyapunov::{Drive, Friction, Linked, ParameterError, Plant, Scalar, Signal, Tethered};
+
+use super::AnyPlant;
+use super::port::Operator;
+
+/// Any tethered body made of parts `P`, boxed.
+pub(super) struct AnyBody<V: Signal, P>(Box<dyn Boxed<V, P>>);
+
+impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
+    pub(super) fn new(body: impl Tethered<V, Parts = P> + Clone + 'static) -> Self {
+        Self(Box::new(body))
+    }
+
+    /// The same without its parts.
+    pub(super) fn into_plant(self) -> AnyPlant<V> {
+        AnyPlant::boxed(self.0)
+    }
+}
+
+impl<V: Signal, P> fmt::Debug for AnyBody<V, P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AnyBody").finish_non_exhaustive()
+    }
+}
+
+impl<V: Signal, P: Copy + 'static> Clone for AnyBody<V, P> {
+    fn clone(&self) -> Self {
+        self.0.boxed()
+    }
+}
+
+impl<V: Signal, P: Copy + 'static> Plant<V> for AnyBody<V, P> {
+    fn start(&self) -> Drive<V> {
+        self.0.start()
+    }
+
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        self.0.advance(effort)
+    }
+}
+
+impl<V: Signal, P: Copy + 'static> Tethered<V> for AnyBody<V, P> {
+    type Parts = P;
+
+    fn rest_at(&mut self, rest: V) {
+        self.0.rest_at(rest);
+    }
+
+    fn reshape(&mut self, parts: P, interval: V::Scalar) -> Result<(), ParameterError> {
+        self.0.reshape(parts, interval)
+    }
+}
+
+/// A body that can be copied without its type.
+trait Boxed<V: Signal, P>: Tethered<V, Parts = P> {
+    fn boxed(&self) -> AnyBody<V, P>;
+}
+
+impl<V: Signal, P: Copy + 'static, B: Tethered<V, Parts = P> + Clone + 'static> Boxed<V, P> for B {
+    fn boxed(&self) -> AnyBody<V, P> {
+        AnyBody::new(self.clone())
+    }
+}
+
+/// A body whose operator moves apart from its device.
+pub(super) trait Operated<V> {
+    /// Position and velocity of the operator.
+    fn operator(&self) -> (V, V);
+}
+
+impl<V: Signal> Operated<V> for Linked<V> {
+    fn operator(&self) -> (V, V) {
+        Linked::operator(self)
+    }
+}
+
+impl<T: Scalar> Operated<T> for Friction<Linked<T>, T, 4> {
+    fn operator(&self) -> (T, T) {
+        self.body().operator()
+    }
+}
+
+/// A body that writes down where its operator is.
+#[derive(Clone, Debug)]
+pub(super) struct Watched<B, V: Signal> {
+    body: B,
+    seen: Operator<V>,
+}
+
+impl<V: Signal, B: Tethered<V> + Operated<V>> Watched<B, V> {
+    pub(super) fn new(body: B, seen: &Operator<V>) -> Self {
+        seen.set(Some(body.operator()));
+        Self { body, seen: Operator::clone(seen) }
+    }
+}
+
+impl<V: Signal, B: Tethered<V> + Operated<V>> Plant<V> for Watched<B, V> {
+    fn start(&self) -> Drive<V> {
+        self.body.start()
+    }
+
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        let drive = self.body.advance(effort);
+        self.seen.set(Some(self.body.operator()));
+        drive
+    }
+}
+
+impl<V: Signal, B: Tethered<V> + Operated<V>> Tethered<V> for Watched<B, V> {
+    type Parts = B::Parts;
+
+    fn rest_at(&mut self, rest: V) {
+        self.body.rest_at(rest);
+    }
+
+    fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        self.body.reshape(parts, interval)
+    }
+}

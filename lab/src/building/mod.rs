@@ -1,0 +1,17 @@
+//! From a scene to its loop: parts chosen at run time, out of the adaptors that a program chains by type.
+
+mod assembly;
+mod body;
+mod environment;
+mod plant;
+mod port;
+mod space;
+mod stabilizer;
+
+pub use assembly::Assembly;
+pub(crate) use assembly::Seen;
+pub use environment::AnyTerm;
+pub use plant::AnyPlant;
+pub use port::Port;
+pub use space::Space;
+pub use stabilizer::AnyStabilizer;

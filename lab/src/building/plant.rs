@@ -1,0 +1,214 @@
+//! What moves in a scene.
+
+use std::fmt;
+use std::sync::Arc;
+
+use lyapunov::{
+    Body, Constant, DampedMass, Drive, FirstAxis, Friction, Impedance, Link, Linked,
+    ParameterError, Perturb, Plant, Pulse, Ramp, Random, Samples, Scalar, Signal, Sine, Source,
+    Step, Stribeck, Tethered, TwoMass,
+};
+
+use super::Space;
+use super::body::{AnyBody, Watched};
+use super::environment::of;
+use super::port::Operator;
+use crate::scene::{Motion, NonNegative, Scene};
+
+/// Any plant, boxed.
+pub struct AnyPlant<V: Signal>(Box<dyn Plant<V>>);
+
+impl<V: Signal> AnyPlant<V> {
+    /// Boxes `plant`.
+    pub fn new(plant: impl Plant<V> + 'static) -> Self {
+        Self(Box::new(plant))
+    }
+
+    pub(super) fn boxed(plant: Box<dyn Plant<V>>) -> Self {
+        Self(plant)
+    }
+}
+
+impl<V: Signal> fmt::Debug for AnyPlant<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AnyPlant").finish_non_exhaustive()
+    }
+}
+
+impl<V: Signal> Plant<V> for AnyPlant<V> {
+    fn start(&self) -> Drive<V> {
+        self.0.start()
+    }
+
+    fn advance(&mut self, effort: V) -> Drive<V> {
+        self.0.advance(effort)
+    }
+}
+
+/// What a kind of body is made of, and how it is made, in a scene.
+trait Kind<V: Space> {
+    type Parts: Copy + 'static;
+    type Body: Tethered<V, Parts = Self::Parts> + Copy + 'static;
+
+    /// The parts, with the operator's stiffness and damping as given.
+    fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts;
+
+    /// The body where `scene` starts it.
+    fn body(scene: &Scene, parts: Self::Parts) -> Result<Self::Body, ParameterError>;
+}
+
+/// Operator and device as one mass.
+struct Joined;
+
+impl<V: Space> Kind<V> for Joined {
+    type Parts = Impedance<V::Scalar>;
+    type Body = Body<V>;
+
+    fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts {
+        // Added up in f64, so that a sum of two values of a scene is rounded once.
+        Impedance {
+            mass: of(scene.operator.mass.get() + scene.device.mass.get()),
+            damping: of(damping.get() + scene.device.damping.get()),
+            stiffness: of(stiffness),
+        }
+    }
+
+    fn body(scene: &Scene, parts: Self::Parts) -> Result<Body<V>, ParameterError> {
+        let start = (V::at(&scene.initial.position), V::at(&scene.initial.velocity));
+        let body = Body::new(parts, of(scene.period()))?;
+        Ok(body.resting_at(V::at(&scene.operator.rest)).starting(start.0, start.1))
+    }
+}
+
+/// Operator and device as two masses with a link between them.
+struct Apart;
+
+impl<V: Space> Kind<V> for Apart {
+    type Parts = TwoMass<V::Scalar>;
+    type Body = Linked<V>;
+
+    fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts {
+        // A scene without a link has no linked body; then the link is not asked for.
+        let link = scene.link.map_or((0.0, 0.0), |it| (it.stiffness.get(), it.damping.get()));
+        TwoMass {
+            operator: Impedance {
+                mass: of(scene.operator.mass),
+                damping: of(damping),
+                stiffness: of(stiffness),
+            },
+            device: DampedMass { mass: of(scene.device.mass), damping: of(scene.device.damping) },
+            link: Link { stiffness: of(link.0), damping: of(link.1) },
+        }
+    }
+
+    fn body(scene: &Scene, parts: Self::Parts) -> Result<Linked<V>, ParameterError> {
+        let start = (V::at(&scene.initial.position), V::at(&scene.initial.velocity));
+        let body = Linked::new(parts, of(scene.period()))?;
+        Ok(body.resting_at(V::at(&scene.operator.rest)).starting(start.0, start.1))
+    }
+}
+
+pub(super) fn on_a_line<T: Scalar + Space>(
+    scene: &Scene,
+    seen: &Operator<T>,
+) -> Result<AnyPlant<T>, ParameterError> {
+    let Some(friction) = scene.effects.friction else {
+        return in_space(scene, seen);
+    };
+    let law = Stribeck {
+        coulomb: of(friction.coulomb),
+        breakaway: of(friction.breakaway()),
+        // Where the two forces are one, any velocity will do.
+        stribeck_velocity: friction.stribeck_velocity.map_or(T::one(), of),
+    };
+    if scene.link.is_some() {
+        let (body, parts) = start::<T, Apart>(scene)?;
+        let body = Watched::new(Friction::new(body, parts, law)?, seen);
+        disturbed::<T, Apart>(scene, AnyBody::new(body))
+    } else {
+        let (body, parts) = start::<T, Joined>(scene)?;
+        disturbed::<T, Joined>(scene, AnyBody::new(Friction::new(body, parts, law)?))
+    }
+}
+
+pub(super) fn in_space<V: Space>(
+    scene: &Scene,
+    seen: &Operator<V>,
+) -> Result<AnyPlant<V>, ParameterError> {
+    if scene.link.is_some() {
+        let body = Watched::new(start::<V, Apart>(scene)?.0, seen);
+        disturbed::<V, Apart>(scene, AnyBody::new(body))
+    } else {
+        disturbed::<V, Joined>(scene, AnyBody::new(start::<V, Joined>(scene)?.0))
+    }
+}
+
+fn start<V: Space, K: Kind<V>>(scene: &Scene) -> Result<(K::Body, K::Parts), ParameterError> {
+    let parts = K::parts(scene, scene.operator.stiffness, scene.operator.damping);
+    Ok((K::body(scene, parts)?, parts))
+}
+
+/// The body with what changes its course, innermost first: jitter, motion, grip, load and pulse.
+fn disturbed<V: Space, K: Kind<V>>(
+    scene: &Scene,
+    mut body: AnyBody<V, K::Parts>,
+) -> Result<AnyPlant<V>, ParameterError> {
+    let (effects, rate) = (&scene.effects, scene.servo_rate.get());
+    if let Some(jitter) = effects.jitter {
+        let parts = K::parts(scene, scene.operator.stiffness, scene.operator.damping);
+        let mut random = Random::new(|_| jitter.seed.get(), Source::Jitter);
+        let normal = move || random.normal::<V::Scalar>();
+        body = AnyBody::new(body.jittered(parts, of(jitter.deviation), normal)?);
+    }
+    if let Some(motion) = &scene.operator.motion {
+        body = led(scene, motion, body)?;
+    }
+    if let Some(grip) = &scene.operator.grip {
+        let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
+        let table: Arc<[_]> = rows
+            .map(|((time, stiffness), damping)| {
+                (scene.tick_of(time.get()), K::parts(scene, *stiffness, *damping))
+            })
+            .collect();
+        body = AnyBody::new(body.gripped(table)?);
+    }
+    let mut plant = body.into_plant();
+    if let Some(load) = effects.load {
+        let course = FirstAxis::of(Constant::new(load.force.get())?, V::zero());
+        plant = AnyPlant::new(plant.pushed(course));
+    }
+    if let Some(pulse) = effects.pulse {
+        let (start, duration) = (pulse.start.get(), pulse.duration.get());
+        let pulse = Pulse::new(pulse.force.get(), start, duration, rate)?;
+        plant = AnyPlant::new(plant.pushed(FirstAxis::of(pulse, V::zero())));
+    }
+    Ok(plant)
+}
+
+/// The body with its operator's spring led by `motion` along the first axis.
+fn led<V: Space, P: Copy + 'static>(
+    scene: &Scene,
+    motion: &Motion,
+    body: AnyBody<V, P>,
+) -> Result<AnyBody<V, P>, ParameterError> {
+    let (rest, rate) = (scene.operator.rest.get(), scene.servo_rate.get());
+    let others = V::at(&scene.operator.rest);
+    Ok(match motion {
+        Motion::Step { at, to } => {
+            let course = Step::new(rest, to.get(), at.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+        }
+        Motion::Ramp { at, to, rate: speed } => {
+            let course = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+        }
+        Motion::Sine { amplitude, frequency } => {
+            let course = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+        }
+        Motion::File { samples, .. } => {
+            let course = Samples::new(Arc::clone(samples), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+        }
+    })
+}

@@ -1,0 +1,132 @@
+//! What stands at the port of a scene: one axis, or several.
+
+use lyapunov::lanes::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
+use lyapunov::{ParameterError, Scalar, Signal};
+use nalgebra::SVector;
+
+use super::environment::{self, AnyTerm};
+use super::port::Operator;
+use super::{AnyPlant, Port, plant};
+use crate::scene::{Coordinates, Scene};
+
+/// A signal that scenes are simulated with: one axis (`f32`, `f64`, lanes), or an `SVector` of two or three.
+pub trait Space: Signal<Scalar: Send> + Send {
+    /// How many axes there are.
+    const DIMENSIONS: usize;
+
+    /// The point, velocity or direction `coordinates`.
+    fn at(coordinates: &Coordinates) -> Self;
+
+    /// Along axis `index`, in the first lane; NaN past the last axis.
+    fn axis(self, index: usize) -> f64;
+
+    /// What the device of `scene` touches.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar, or an environment of another space.
+    fn environment(scene: &Scene) -> Result<Port<Self>, ParameterError>;
+
+    /// What the damper of the environment of `scene` burns, as the term of a candidate.
+    ///
+    /// # Errors
+    /// As [`Space::environment`].
+    fn credit(scene: &Scene) -> Result<AnyTerm<Self>, ParameterError>;
+
+    /// What moves in `scene`; an operator that a link sets apart from the device tells `operator` where it is.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar, alone or together with others.
+    fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError>;
+}
+
+macro_rules! line {
+    ($($scalar:ty),*) => {$(
+        impl Space for $scalar {
+            const DIMENSIONS: usize = 1;
+
+            fn at(coordinates: &Coordinates) -> Self {
+                Self::of(coordinates.get())
+            }
+
+            fn axis(self, index: usize) -> f64 {
+                if index == 0 { self.lane(0) } else { f64::NAN }
+            }
+
+            fn environment(scene: &Scene) -> Result<Port<Self>, ParameterError> {
+                environment::on_a_line(scene)
+            }
+
+            fn credit(scene: &Scene) -> Result<AnyTerm<Self>, ParameterError> {
+                environment::credit_on_a_line(scene)
+            }
+
+            fn plant(
+                scene: &Scene,
+                operator: &Operator<Self>,
+            ) -> Result<AnyPlant<Self>, ParameterError> {
+                plant::on_a_line(scene, operator)
+            }
+        }
+    )*};
+}
+
+line!(f32, f64, AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4);
+
+impl<T: Scalar + Send, const N: usize> Space for SVector<T, N> {
+    const DIMENSIONS: usize = N;
+
+    fn at(coordinates: &Coordinates) -> Self {
+        Self::from_fn(|index, _| T::of(coordinates.axis(index)))
+    }
+
+    fn axis(self, index: usize) -> f64 {
+        self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
+    }
+
+    fn environment(scene: &Scene) -> Result<Port<Self>, ParameterError> {
+        environment::in_space(scene)
+    }
+
+    fn credit(scene: &Scene) -> Result<AnyTerm<Self>, ParameterError> {
+        environment::credit_in_space(scene)
+    }
+
+    fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {
+        plant::in_space(scene, operator)
+    }
+}
+
+/// Evaluates an expression with the type `$signal` for what stands at the port of a scene.
+#[macro_export]
+macro_rules! in_space {
+    ($scene:expr, $signal:ident => $expression:expr) => {{
+        use $crate::SVector;
+        use $crate::scene::Scalar;
+        match ($scene.scalar, $scene.dimensions()) {
+            (Scalar::F64, 3) => {
+                type $signal = SVector<f64, 3>;
+                $expression
+            }
+            (Scalar::F64, 2) => {
+                type $signal = SVector<f64, 2>;
+                $expression
+            }
+            (Scalar::F64, _) => {
+                type $signal = f64;
+                $expression
+            }
+            (Scalar::F32, 3) => {
+                type $signal = SVector<f32, 3>;
+                $expression
+            }
+            (Scalar::F32, 2) => {
+                type $signal = SVector<f32, 2>;
+                $expression
+            }
+            (Scalar::F32, _) => {
+                type $signal = f32;
+                $expression
+            }
+        }
+    }};
+}

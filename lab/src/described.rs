@@ -1,0 +1,114 @@
+//! Parts of a scene in words.
+
+use std::fmt;
+
+use crate::scene::{Effects, Environment, Filter, Link, Motion, Operator, Policy, Scene};
+use crate::summary::given;
+
+/// The environment in a line, without its name.
+pub(crate) struct Described<'a>(pub(crate) &'a Environment);
+
+impl fmt::Display for Described<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let damped = |f: &mut fmt::Formatter<'_>, stiffness: f64, damping: f64| {
+            write!(f, "{} N/m, {} N.s/m", given(stiffness), given(damping))
+        };
+        match self.0 {
+            Environment::Wall(it) => damped(f, it.stiffness.get(), it.damping.get()),
+            Environment::Spring(it) => write!(f, "{} N/m", given(it.stiffness.get())),
+            Environment::MassSpringDamper(it) => {
+                write!(f, "{} kg, ", given(it.mass.get()))?;
+                damped(f, it.stiffness.get(), it.damping.get())
+            }
+            Environment::LayeredWall(it) => {
+                let [upper, lower] = it.stiffness.map(|stiffness| given(stiffness.get()));
+                let (depth, damping) = (given(1e3 * it.depth.get()), given(it.damping.get()));
+                write!(f, "{upper} N/m to {depth} mm, {lower} N/m below, {damping} N.s/m")
+            }
+            Environment::HuntCrossley(it) => {
+                let (exponent, damping) = (given(it.exponent.get()), given(it.damping.get()));
+                write!(f, "{} N/m^{exponent}, {damping} s/m", given(it.stiffness.get()))
+            }
+            Environment::MovingWall(it) => {
+                damped(f, it.stiffness.get(), it.damping.get())?;
+                let (amplitude, frequency) = (1e3 * it.amplitude.get(), it.frequency.get());
+                write!(f, ", {} mm at {} Hz", given(amplitude), given(frequency))
+            }
+            Environment::VaryingSpring(it) => {
+                let (stiffness, amplitude) = (given(it.stiffness.get()), given(it.amplitude.get()));
+                write!(f, "{stiffness} +- {amplitude} N/m at {} Hz", given(it.frequency.get()))
+            }
+            Environment::Plane(it) => damped(f, it.stiffness.get(), it.damping.get()),
+            Environment::Sphere(it) => damped(f, it.stiffness.get(), it.damping.get()),
+            Environment::Cuboid(it) => damped(f, it.stiffness.get(), it.damping.get()),
+        }
+    }
+}
+
+/// The effects of a scene in words, one each.
+pub(crate) fn effects(scene: &Scene) -> Vec<String> {
+    let Effects {
+        encoder,
+        delay,
+        saturation,
+        filter,
+        noise,
+        jitter,
+        dropout,
+        friction,
+        load,
+        pulse,
+    } = scene.effects;
+    let policy = |policy| if policy == Policy::Hold { "hold" } else { "zero" };
+    [
+        encoder.map(|it| format!("encoder {} m", given(it.resolution.get()))),
+        delay.map(|it| format!("delay {} ticks", it.ticks.get())),
+        saturation.map(|it| format!("saturation {} N", given(it.force.get()))),
+        filter.map(|it| match it {
+            Filter::Cutoff(cutoff) => format!("low pass {} Hz", given(cutoff.get())),
+            Filter::Window(ticks) => format!("window {} ticks", ticks.get()),
+        }),
+        noise.map(|it| format!("noise {} m", given(it.deviation.get()))),
+        jitter.map(|it| format!("jitter {} s", given(it.deviation.get()))),
+        dropout.map(|it| {
+            let percent = given(100.0 * it.probability.get());
+            format!("dropout {percent} % ({})", policy(it.policy))
+        }),
+        friction.map(|it| {
+            format!("friction {} to {} N", given(it.breakaway()), given(it.coulomb.get()))
+        }),
+        load.map(|it| format!("load {} N", given(it.force.get()))),
+        pulse.map(|it| {
+            let (start, duration) = (given(it.start.get()), given(it.duration.get()));
+            format!("pulse {} N from {start} s for {duration} s", given(it.force.get()))
+        }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// What operator and link do beyond the usual, in words, one each.
+pub(crate) fn operator(scene: &Scene) -> Vec<String> {
+    let Operator { motion, grip, .. } = &scene.operator;
+    let link = scene.link.map(|Link { stiffness, damping }| {
+        format!("link {} N/m, {} N.s/m", given(stiffness.get()), given(damping.get()))
+    });
+    let motion = motion.as_ref().map(|motion| match motion {
+        Motion::Step { at, to } => {
+            format!("step to {} mm at {} s", given(1e3 * to.get()), given(at.get()))
+        }
+        Motion::Ramp { at, to, rate } => format!(
+            "ramp to {} mm from {} s at {} m/s",
+            given(1e3 * to.get()),
+            given(at.get()),
+            given(rate.get())
+        ),
+        Motion::Sine { amplitude, frequency } => {
+            format!("sine of {} mm at {} Hz", given(1e3 * amplitude.get()), given(frequency.get()))
+        }
+        Motion::File { path, .. } => format!("motion of {}", path.display()),
+    });
+    let grip = grip.as_ref().map(|grip| format!("grip changes {} times", grip.times.len()));
+    [link, motion, grip].into_iter().flatten().collect()
+}

@@ -1,0 +1,172 @@
+//! The rules between the tables of the effects, the operator and the space.
+
+use super::check::Conflict;
+use super::{Environment, Friction, Motion, Scene, Velocity};
+
+impl Scene {
+    /// The rules of each table whose values must fit each other or another table.
+    pub(super) fn check_tables(&self) -> Result<(), Conflict> {
+        self.check_filter()?;
+        self.effects.friction.map_or(Ok(()), check_friction)?;
+        self.check_link()?;
+        self.check_grip()?;
+        self.check_space()
+    }
+
+    fn check_filter(&self) -> Result<(), Conflict> {
+        if self.effects.filter.is_none() || self.velocity != Velocity::Exact {
+            return Ok(());
+        }
+        Err(Conflict::new(
+            "effects.filter",
+            "`effects.filter` filters a velocity that is taken from positions, and `velocity` is \"exact\"",
+            "leave the filter out, or take `velocity = \"backward-difference\"`",
+        ))
+    }
+
+    fn check_link(&self) -> Result<(), Conflict> {
+        if self.link.is_none() || self.operator.mass.get() > 0.0 {
+            return Ok(());
+        }
+        let key = if self.operator == Default::default() { "link" } else { "operator.mass" };
+        Err(Conflict::new(
+            key,
+            "`operator.mass` must be greater than 0 where `link` joins operator and device, not 0.0",
+            "give it in kg, for example `operator.mass = 0.1`, or leave out `link`: the two then move as one",
+        ))
+    }
+
+    fn check_grip(&self) -> Result<(), Conflict> {
+        let Some(grip) = &self.operator.grip else {
+            return Ok(());
+        };
+        let times = grip.times.len();
+        let lists = [("stiffness", grip.stiffness.len()), ("damping", grip.damping.len())];
+        if let Some((name, length)) = lists.into_iter().find(|(_, length)| *length != times) {
+            return Err(Conflict::new(
+                format!("operator.grip.{name}"),
+                format!("`operator.grip.{name}` has {length} numbers and `times` has {times}"),
+                "give one stiffness and one damping for each time",
+            ));
+        }
+        match grip.times.windows(2).find(|pair| pair[0] >= pair[1]) {
+            None => Ok(()),
+            Some(pair) => Err(Conflict::new(
+                "operator.grip.times",
+                format!(
+                    "`operator.grip.times` has {:?} s after {:?} s",
+                    pair[1].get(),
+                    pair[0].get()
+                ),
+                "each time must be later than the one before",
+            )),
+        }
+    }
+
+    fn check_space(&self) -> Result<(), Conflict> {
+        self.check_environment()?;
+        let dimensions = self.dimensions();
+        let mut vectors = vec![
+            ("initial.position", self.initial.position.len()),
+            ("initial.velocity", self.initial.velocity.len()),
+            ("operator.rest", self.operator.rest.len()),
+        ];
+        vectors.extend(self.environment.vectors());
+        // None given is the origin, or rest.
+        let wrong = |length: usize| length != dimensions && length != 0;
+        if let Some((key, length)) = vectors.into_iter().find(|(_, length)| wrong(*length)) {
+            let numbers = |count: usize| match count {
+                1 => "one number".to_owned(),
+                more => format!("a list of {more} numbers"),
+            };
+            return Err(Conflict::new(
+                key,
+                format!(
+                    "`{key}` is {}, and the scene has {dimensions} dimension{}",
+                    numbers(length),
+                    if dimensions == 1 { "" } else { "s" }
+                ),
+                match dimensions {
+                    1 => "give one number, or a table [space] with `dimensions = 2`".to_owned(),
+                    more => format!("give {}, for example {:?}", numbers(more), vec![0.0; more]),
+                },
+            ));
+        }
+        if dimensions > 1 && self.effects.friction.is_some() {
+            return Err(Conflict::new(
+                "effects.friction",
+                format!(
+                    "`effects.friction` is simulated in one dimension only, and the scene has {dimensions}"
+                ),
+                "leave it out, or leave out [space]",
+            ));
+        }
+        self.check_normal()
+    }
+
+    fn check_environment(&self) -> Result<(), Conflict> {
+        let (name, dimensions) = (self.environment.name(), self.dimensions());
+        let is_solid = !self.environment.vectors().is_empty();
+        if is_solid == (dimensions > 1) {
+            return Ok(());
+        }
+        let remedy = if is_solid {
+            "add a table [space] with `dimensions = 2` or 3, or take an environment of one dimension: \
+             wall, spring, mass-spring-damper, layered-wall, hunt-crossley, moving-wall, varying-spring"
+        } else {
+            "take plane, sphere or box, or leave out [space]"
+        };
+        Err(Conflict::new(
+            format!("environment.{name}"),
+            format!(
+                "`environment.{name}` is not for {dimensions} dimension{}",
+                if dimensions == 1 { "" } else { "s" }
+            ),
+            remedy,
+        ))
+    }
+
+    fn check_normal(&self) -> Result<(), Conflict> {
+        match &self.environment {
+            Environment::Plane(plane) if (0..3).all(|axis| plane.normal.axis(axis) == 0.0) => {
+                Err(Conflict::new(
+                    "environment.plane.normal",
+                    "`environment.plane.normal` is 0 along every axis and has no direction",
+                    "give the direction out of the solid, for example [0.0, 1.0]",
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Where a motion comes to rest, m; none where it never does.
+    pub(crate) fn last_rest(&self) -> Option<f64> {
+        match &self.operator.motion {
+            None => Some(self.operator.rest.get()),
+            Some(Motion::Step { to, .. } | Motion::Ramp { to, .. }) => Some(to.get()),
+            Some(Motion::Sine { .. }) => None,
+            Some(Motion::File { samples, .. }) => samples.last().map(|(_, rest)| *rest),
+        }
+    }
+}
+
+fn check_friction(friction: Friction) -> Result<(), Conflict> {
+    let (coulomb, breakaway) = (friction.coulomb.get(), friction.breakaway());
+    if breakaway < coulomb {
+        return Err(Conflict::new(
+            "effects.friction.static",
+            format!(
+                "`effects.friction.static` = {breakaway:?} N is less than `coulomb` = {coulomb:?} N"
+            ),
+            "what holds a device at rest is no less than what brakes it in motion: give at least `coulomb`",
+        ));
+    }
+    if breakaway > coulomb && friction.stribeck_velocity.is_none() {
+        return Err(Conflict::new(
+            "effects.friction",
+            "`effects.friction` lacks `stribeck_velocity`, over which `static` comes down to `coulomb`",
+            "give it in m/s, for example `stribeck_velocity = 0.01`, or make the two forces equal",
+        ));
+    }
+    Ok(())
+}
