@@ -7,6 +7,7 @@ mod accumulators;
 mod adaptors;
 mod detection;
 mod device_damping;
+mod environments;
 mod guard;
 mod lanes;
 mod popc;
