@@ -1,5 +1,7 @@
 //! What an environment stores comes back; what its damper burns is known.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use lyapunov::{
     Contact, Cuboid, Drive, HuntCrossley, LayeredWall, OnePort, Plane, Signal, Solid, Sphere,
     Spring, VaryingSpring,
@@ -76,17 +78,24 @@ fn a_hunt_crossley_contact_restores_what_was_published() {
     }
 }
 
-/// Stretched while it is soft and let go while it is stiff, a varying spring gives `((k + a) − (k − a)) x² / 2` a turn.
+/// Moved by `x = X sin(ω t + ψ)` while its stiffness swings by `a sin 2ω t`, a varying spring takes
+/// `∮ a sin 2ω t d(x² / 2) = π/2 a X² cos 2ψ` a turn, and gives it where that is below 0.
 #[test]
 fn a_varying_spring_is_active() {
-    let (k, a, x) = (200.0, 80.0, 0.03);
-    let steady = Spring::new(k).expect("a spring");
-    // At a quarter of a turn for each call its stiffness is k, k + a, k, k − a, …
-    let mut spring = VaryingSpring::new(steady, a, 1.0, 4.0).expect("a varying spring");
-    let stiffness: Vec<f64> = (0..4).map(|_| at(&mut spring, 1.0)).collect();
-    assert!((stiffness[1] - (k + a)).abs() < 1e-9 && (stiffness[3] - (k - a)).abs() < 1e-9);
-    let gained = 0.5 * (stiffness[1] - stiffness[3]) * x * x;
-    assert!((gained - a * x * x).abs() < 1e-12);
+    const CALLS: u32 = 20_000;
+    let (stiffness, amplitude, size) = (200.0, 80.0, 0.03);
+    for shift in [0.0, 0.4, 1.0, 1.5] {
+        let steady = Spring::new(stiffness).expect("a spring");
+        let spring = VaryingSpring::new(steady, amplitude, 2.0, f64::from(CALLS));
+        let mut spring = spring.expect("a varying spring");
+        let place = |call: f64| size * (TAU * call / f64::from(CALLS) + shift).sin();
+        let taken: f64 = (0..CALLS)
+            .map(f64::from)
+            .map(|call| at(&mut spring, place(call)) * (place(call + 0.5) - place(call - 0.5)))
+            .sum();
+        let exact = FRAC_PI_2 * amplitude * size * size * f64::cos(2.0 * shift);
+        assert!((taken - exact).abs() <= 1e-7 * amplitude * size * size, "{taken} for {exact}");
+    }
 }
 
 /// The work along a closed way through a solid, by mid-points, against its magnitude; `bends` is how often the effort may
@@ -114,7 +123,7 @@ where
 
 #[test]
 fn solids_store_what_they_take() {
-    let turn = |at: f64| (std::f64::consts::TAU * at).sin_cos();
+    let turn = |at: f64| (TAU * at).sin_cos();
     let round = |at: f64| {
         let (sine, cosine) = turn(at);
         Vector2::new(0.1 + 0.2 * cosine, 0.05 + 0.25 * sine)
