@@ -3,9 +3,10 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    Action, Adapt, Body, Compensated, DampingLimit, Dissipation, Drive, Fallback, Impedance, Lolc,
-    LyapunovCandidate, MassSpringDamper, OnePort, Plant, PortEnergy, Scalar, Signal, Spring,
-    Stabilizer, Storage, Wall,
+    Action, Adapt, Body, Compensated, Contact, DampingLimit, Dissipation, Drive, Fallback,
+    HuntCrossley, Impedance, LayeredWall, Lolc, LyapunovCandidate, MassSpringDamper, MovingWall,
+    OnePort, Plant, PortEnergy, Scalar, Signal, Sphere, Spring, Stabilizer, Storage, VaryingSpring,
+    Wall,
 };
 use nalgebra::SVector;
 
@@ -52,6 +53,33 @@ fn the_candidates_that_ship_keep_the_laws() {
     laws::candidate(&PortEnergy, samples).expect("port energy");
     laws::candidate(&(PortEnergy, wall.dissipation()), samples).expect("wall damping");
     laws::candidate(&Storage::starting(energy, 0.0, 0.0), samples).expect("stored energy");
+}
+
+#[test]
+fn the_environments_that_ship_keep_the_laws() {
+    let samples = Samples::<f64>::new(PERIOD);
+    let layered = LayeredWall::new(0.01, [500.0, 8000.0], 2.0).expect("a layered wall");
+    let contact = HuntCrossley::new(8000.0, 1.5, 0.3).expect("a contact");
+    let wall = Wall::new(8000.0, 2.0).expect("a wall");
+    let moving = MovingWall::new(wall, 0.01, 2.0, 1.0 / PERIOD).expect("a moving wall");
+    let spring = Spring::new(100.0).expect("a spring");
+    let varying = VaryingSpring::<f64>::new(spring, 50.0, 2.0, 1.0 / PERIOD).expect("it varies");
+    laws::one_port(&layered, samples).expect("layered wall");
+    laws::one_port(&contact, samples).expect("Hunt and Crossley");
+    laws::one_port(&moving, samples).expect("moving wall");
+    laws::one_port(&varying, samples).expect("varying spring");
+    laws::candidate(&layered.dissipation(), samples).expect("its damper");
+    laws::candidate(&contact.dissipation(), samples).expect("its damper");
+    // Where the hand rests, the wall still moves: its damper burns something for nothing.
+    let credit = moving.dissipation(1.0 / PERIOD).expect("its damper");
+    let violation = laws::candidate(&credit, samples).expect_err("the wall's own work");
+    assert_eq!(violation.law, Law::NothingForNothing);
+
+    let samples = Samples::<SVector<f64, 3>>::new(PERIOD);
+    let ball = Sphere::new(SVector::zeros(), 0.1).expect("a ball");
+    let ball = Contact::with(ball, 1000.0, 2.0).expect("a contact");
+    laws::one_port(&ball, samples).expect("ball");
+    laws::candidate(&ball.dissipation(), samples).expect("its damper");
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod accumulators;
 mod adaptors;
 mod detection;
 mod device_damping;
+mod environments;
 mod friction;
 mod friction_limits;
 mod friction_of_two;

@@ -7,7 +7,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 /// `amplitude sin(2π frequency t(n))` with `t(n) = n / rate`, `n` the calls before this one.
 ///
 /// Time is made anew from the count on every call and never summed. The phase is `2π · (frequency · (n / rate))`
-/// in `f64`, each operation rounded once, so it is off by no more than four roundings of its own size: 4e-12 rad
+/// in `f64`, each operation rounded once, so it is off by no more than four roundings of its own size: 3e-12 rad
 /// after a thousand turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Oscillation<T> {

@@ -152,6 +152,11 @@ pub(crate) fn hold<S: Strategy>(
     strategy: S,
     property: impl Fn(S::Value) -> TestCaseResult,
 ) {
+    run(cases, strategy, &property);
+}
+
+/// One runner for all properties of the same values: compiled for each of them it takes minutes.
+fn run<S: Strategy>(cases: u32, strategy: S, property: &dyn Fn(S::Value) -> TestCaseResult) {
     let config = Config {
         cases,
         failure_persistence: None,

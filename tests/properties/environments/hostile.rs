@@ -1,0 +1,93 @@
+//! What is not a number is not taken for "no contact", and what is large is not lost.
+
+use proptest::array::uniform16;
+use proptest::prelude::any;
+use proptest::prop_assert;
+
+use lyapunov::{Drive, LyapunovCandidate, OnePort, Wall};
+
+use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Varying};
+use crate::support::{Bits, CASES, Real, hold};
+
+/// What a wall with the same surface does: whether its force is 0, a number, or none.
+fn kind(force: f64) -> &'static str {
+    match force {
+        0.0 => "nothing",
+        _ if force.is_nan() => "NaN",
+        _ => "a force",
+    }
+}
+
+fn one_sided<E: Environment, T: Real>() {
+    hold(CASES, uniform16(any::<Bits>()), |bits| {
+        let parts = Parts::<T>::of(&bits, 0);
+        // At the first call a moving surface stands at its position as well.
+        let drive = parts.drive([bits[10], bits[11]], 0);
+        let nan = T::of(f64::NAN);
+        let outside = parts.position - T::of(0.01);
+        let inside = parts.position + T::of(0.01);
+        let away = T::of(if bits[12] % 2 == 0 { 1e25 } else { -1e25 });
+        let still = T::of(0.0);
+        for (position, velocity) in [
+            (nan, drive.velocity),
+            (nan, nan),
+            (outside, nan),
+            (inside, nan),
+            (parts.position, T::of(1.0)),
+            (away, still),
+            (parts.position, nan),
+        ] {
+            let drive = Drive { position, velocity, ..drive };
+            let wall = Wall::new(parts.stiffness[0], parts.damping).expect("a wall");
+            let like = wall.at(parts.position).respond(&drive).f64();
+            let (mut port, mut term) = E::build(parts);
+            let found = port.respond(&drive).f64();
+            prop_assert!(kind(found) == kind(like), "{found} where a wall has {like}: {drive:?}");
+            let credit = term.decrease(&drive).f64();
+            let contact = position.f64() > parts.position.f64();
+            prop_assert!(contact || credit == 0.0, "credit {credit} out of contact");
+        }
+        Ok(())
+    });
+}
+
+fn two_sided<E: Environment, T: Real>() {
+    hold(CASES, uniform16(any::<Bits>()), |bits| {
+        let parts = Parts::<T>::of(&bits, 0);
+        let drive = parts.drive([bits[10], bits[11]], 0);
+        let (mut port, _) = E::build(parts);
+        let found = port.respond(&Drive { position: T::of(f64::NAN), ..drive });
+        prop_assert!(found.f64().is_nan(), "{found:?} for a position that is not known");
+        Ok(())
+    });
+}
+
+mod check {
+    use super::*;
+
+    pub(super) fn what_only_pushes<T: Real>() {
+        one_sided::<Layered, T>();
+        one_sided::<Hunt, T>();
+        one_sided::<Moving, T>();
+    }
+
+    pub(super) fn what_also_pulls<T: Real>() {
+        two_sided::<Varying, T>();
+        two_sided::<Example2<false>, T>();
+    }
+}
+
+crate::support::every_real!(what_only_pushes, what_also_pulls);
+
+/// The bits of a NaN behind it do not stay in what has no memory.
+#[test]
+fn the_next_sample_is_sound_again() {
+    let bits = [7; 16];
+    let parts = Parts::<f64>::of(&bits, 0);
+    let (mut spoilt, _) = Moving::build(parts);
+    let (mut sound, _) = Moving::build(parts);
+    let drive = Drive { position: parts.position + 0.05, ..parts.drive([1, 2], 0) };
+    spoilt.respond(&Drive { position: f64::NAN, velocity: f64::NAN, ..drive });
+    sound.respond(&drive);
+    assert_eq!(spoilt.respond(&drive), sound.respond(&drive));
+}
