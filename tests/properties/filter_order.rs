@@ -19,7 +19,7 @@ fn steady() -> impl Iterator<Item = Drive<f64>> {
     (0..500).map(move |n| Drive::new(PERIOD, at(n), SPEED, at(n) - at(n.max(1) - 1), 0.0))
 }
 
-/// What a spring is told over the last hundred ticks, when the transient is gone.
+/// Moves `port` until the transient is gone.
 fn settled(port: &mut impl OnePort<f64>) {
     for drive in steady() {
         port.respond(&drive);

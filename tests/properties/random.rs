@@ -83,7 +83,7 @@ fn wrong_numbers_are_found_out() {
     let overlapping = right.windows(2).map(|pair| pair[0] * 0.99995 + pair[1] * 0.01);
     // Six uniform numbers less three: a normal distribution to the eye.
     let six = right
-        .chunks(6)
+        .chunks_exact(6)
         .map(|some| (some.iter().map(|x| distribution(*x)).sum::<f64>() - 3.0) * 2f64.sqrt());
     for (what, wrong) in [
         ("too wide", of(|(_, x)| 1.005 * x)),
