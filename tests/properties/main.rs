@@ -4,17 +4,24 @@
 mod support;
 
 mod accumulators;
+mod adaptive_window;
 mod adaptors;
 mod detection;
 mod device_damping;
+mod dropout;
 mod environments;
+mod filter_order;
 mod friction;
 mod friction_limits;
 mod friction_of_two;
 mod guard;
 mod lanes;
+mod low_pass;
+mod measurement_lanes;
+mod noise;
 mod popc;
 mod propagation;
+mod random;
 mod recursion;
 mod rollouts;
 mod served_sum;

@@ -40,6 +40,7 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
 
     /// The slope of the longest line that fits, m per tick.
     fn slope(&self, drive: &Drive<V>) -> V {
+        let choose = <V::Scalar as Signal>::choose;
         let endless = V::Scalar::of(f64::INFINITY);
         let none = V::Scalar::of(f64::NAN);
         let mut slope = if self.known == 0 { V::zero() } else { drive.displacement };
@@ -52,12 +53,11 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
                 let line = moved
                     .zip(least, |moved, least| {
                         let line = moved / ticks;
-                        V::Scalar::choose(line.above(least), line, none)
+                        choose(line.above(least), line, none)
                     })
-                    .zip(most, |line, most| V::Scalar::choose(line.below(most), line, none));
-                let fits = V::Scalar::choose;
-                slope = line.zip(slope, |line, slope| fits(line.finite(), line, slope));
-                least = line.zip(least, |line, least| fits(line.finite(), least, endless));
+                    .zip(most, |line, most| choose(line.below(most), line, none));
+                slope = line.zip(slope, |line, slope| choose(line.finite(), line, slope));
+                least = line.zip(least, |line, least| choose(line.finite(), least, endless));
             }
             let band = drive.position.zip(moved, |position, moved| self.widened(position, moved));
             least =

@@ -1,0 +1,57 @@
+//! Encode then filter against filter then encode: whether the filter sees counts.
+
+use std::f64::consts::TAU;
+
+use lyapunov::{Adapt, Drive, OnePort, Spring};
+
+use crate::support::Spy;
+
+const PERIOD: f64 = 1e-3;
+const SPEED: f64 = 0.01;
+/// One count in ten ticks of this motion.
+const RESOLUTION: f64 = 10.0 * SPEED * PERIOD;
+/// `ω T = 1 / 4`, so that a fifth of what is new passes on each tick.
+const CUTOFF: f64 = 0.25 / (TAU * PERIOD);
+
+/// The drives of steady motion, a quarter of a count off the edges.
+fn steady() -> impl Iterator<Item = Drive<f64>> {
+    let at = |n: usize| (n as f64 / 10.0 + 0.025) * RESOLUTION;
+    (0..500).map(move |n| Drive::new(PERIOD, at(n), SPEED, at(n) - at(n.max(1) - 1), 0.0))
+}
+
+/// Moves `port` until the transient is gone.
+fn settled(port: &mut impl OnePort<f64>) {
+    for drive in steady() {
+        port.respond(&drive);
+    }
+}
+
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), v| (least.min(v), most.max(v)))
+}
+
+#[test]
+fn a_filter_of_counts_sees_steps() {
+    let spring = Spring::new(100.0).expect("a spring");
+    let (mut counts, mut motion) = (Spy::on(spring), Spy::on(spring));
+    let filtered = (&mut counts).low_passed(CUTOFF).expect("a low pass");
+    settled(&mut filtered.encoded(RESOLUTION).expect("an encoder"));
+    let encoded = (&mut motion).encoded(RESOLUTION).expect("an encoder");
+    settled(&mut encoded.low_passed(CUTOFF).expect("a low pass"));
+
+    // Positions are counts either way.
+    assert!(counts.asked.iter().zip(&motion.asked).all(|(a, b)| a.position == b.position));
+
+    // A filter outside of the encoder takes the true motion, which has come to 1 cm/s.
+    let (least, most) = range(motion.asked[400..].iter().map(|drive| drive.velocity));
+    assert!((least - SPEED).abs() < 1e-12 && (most - SPEED).abs() < 1e-12);
+
+    // One inside takes a count every ten ticks, ten times the speed for one tick. With p = 4 / 5 left per tick the
+    // velocity peaks at 10 v (1 − p) / (1 − p^10) and has fallen by p^9 before the next count.
+    let (least, most) = range(counts.asked[400..].iter().map(|drive| drive.velocity));
+    let peak = 10.0 * SPEED * 0.2 / (1.0 - 0.8f64.powi(10));
+    assert!((most - peak).abs() < 1e-12, "{most} for {peak}");
+    assert!((least - peak * 0.8f64.powi(9)).abs() < 1e-12, "{least}");
+    // In numbers: 1 cm/s told as 0.3 to 2.2 cm/s.
+    assert!((0.0030..0.0031).contains(&least) && (0.0224..0.0225).contains(&most));
+}
