@@ -5,10 +5,14 @@ mod support;
 
 mod accumulators;
 mod adaptors;
+mod balance;
+mod courses;
 mod detection;
 mod device_damping;
 mod guard;
 mod lanes;
+mod linked;
+mod perturbed;
 mod popc;
 mod propagation;
 mod recursion;
