@@ -1,4 +1,4 @@
-"""Prints the references of tests/properties/linked.rs and tests/properties/scenes.rs.
+"""Prints the references of tests/properties/linked and of tests/properties/perturbed.rs.
 
     python3 -m venv venv && venv/bin/pip install mpmath==1.3.0
     venv/bin/python scripts/body_references.py
