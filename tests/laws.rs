@@ -3,10 +3,10 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    Action, Adapt, Body, Compensated, Contact, DampingLimit, Dissipation, Drive, Fallback,
-    HuntCrossley, Impedance, LayeredWall, Lolc, LyapunovCandidate, MassSpringDamper, MovingWall,
-    OnePort, Plant, PortEnergy, Scalar, Signal, Sphere, Spring, Stabilizer, Storage, VaryingSpring,
-    Wall,
+    Action, Adapt, Body, Compensated, Constant, Contact, DampedMass, DampingLimit, Dissipation,
+    Drive, Fallback, HuntCrossley, Impedance, LayeredWall, Link, Linked, Lolc, LyapunovCandidate,
+    MassSpringDamper, MovingWall, OnePort, Perturb, Plant, PortEnergy, Scalar, Signal, Sine,
+    Sphere, Spring, Stabilizer, Storage, TwoMass, VaryingSpring, Wall,
 };
 use nalgebra::SVector;
 
@@ -98,7 +98,22 @@ fn the_ports_and_plants_that_ship_keep_the_laws() {
     laws::one_port(&MassSpringDamper::new(impedance).expect("one"), samples).expect("example 2");
     laws::one_port(&wall, samples).expect("wall");
     laws::one_port(&chain, samples).expect("chain");
-    laws::plant(&Body::<f64>::new(impedance, PERIOD).expect("a body"), samples).expect("body");
+    let body = Body::<f64>::new(impedance, PERIOD).expect("a body");
+    laws::plant(&body, samples).expect("body");
+    let (device, link) =
+        (DampedMass { mass: 0.2, damping: 0.001 }, Link { stiffness: 5000.0, damping: 1.0 });
+    let parts = TwoMass { operator: impedance, device, link };
+    let linked = Linked::<f64>::new(parts, PERIOD).expect("two masses");
+    laws::plant(&linked, samples).expect("linked");
+    let firm = TwoMass { operator: Impedance { stiffness: 400.0, ..impedance }, ..parts };
+    let moved = linked
+        .jittered(parts, 1e-4, || 0.5)
+        .and_then(|body| {
+            body.led_by(Sine::new(0.0, 0.01, 2.0, 1000.0)?).gripped(parts, [(5, firm)])
+        })
+        .expect("a chain")
+        .pushed(Constant::new(1.5).expect("a load"));
+    laws::plant(&moved, samples).expect("a chain of what moves a body");
 }
 
 /// A stabilizer that does as it is told.

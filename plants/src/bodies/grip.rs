@@ -19,20 +19,20 @@ pub struct Grip<B, R, T> {
 }
 
 impl<B, R, T: Scalar> Grip<B, R, T> {
-    pub(crate) fn new<V>(body: B, table: R) -> Result<Self, ParameterError>
+    pub(crate) fn new<V>(mut body: B, own: B::Parts, table: R) -> Result<Self, ParameterError>
     where
         V: Signal<Scalar = T>,
-        B: Tethered<V> + Clone,
+        B: Tethered<V>,
         R: AsRef<[(u64, B::Parts)]>,
     {
         let period = body.start().period;
-        let mut tried = body.clone();
         let mut earlier = 0;
         for &(tick, parts) in table.as_ref() {
             Requirement::AtLeast(earlier as f64).check("tick", tick as f64)?;
-            tried.reshape(parts, period)?;
+            body.reshape(parts, period)?;
             earlier = tick;
         }
+        body.reshape(own, period)?;
         Ok(Self { body, table, period, next: 0, tick: 0 })
     }
 }

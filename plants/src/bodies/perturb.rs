@@ -17,7 +17,7 @@ use crate::{Course, Grip, Jitter, Motion, Push, Tethered};
 /// let firm = Impedance { stiffness: 400.0, ..loose };
 /// let mut plant = Body::new(loose, 1e-3)?
 ///     .led_by(Sine::new(0.0, 0.01, 2.0, 1000.0)?)
-///     .gripped([(500, firm)])?
+///     .gripped(loose, [(500, firm)])?
 ///     .pushed(Constant::new(0.5)?);
 /// let drive = plant.advance(0.0);
 /// # assert!(drive.position > 0.0);
@@ -37,16 +37,20 @@ pub trait Perturb<V: Signal>: Plant<V> + Sized {
         Motion::new(self, course)
     }
 
-    /// Makes it of other parts from the ticks of `table` on.
+    /// Makes it of `own` parts, and of others from the ticks of `table` on.
     ///
     /// # Errors
     /// A tick below the one before it; parts of which this body cannot be made.
-    fn gripped<R>(self, table: R) -> Result<Grip<Self, R, V::Scalar>, ParameterError>
+    fn gripped<R>(
+        self,
+        own: Self::Parts,
+        table: R,
+    ) -> Result<Grip<Self, R, V::Scalar>, ParameterError>
     where
-        Self: Tethered<V> + Clone,
+        Self: Tethered<V>,
         R: AsRef<[(u64, Self::Parts)]>,
     {
-        Grip::new(self, table)
+        Grip::new(self, own, table)
     }
 
     /// Moves it, made of `parts`, for intervals that stray by `deviation` s from its period, with the standard

@@ -10,9 +10,10 @@ use lyapunov_core::Signal;
 /// ```
 /// use lyapunov_plants::{Course, Step};
 /// let step = Step::new(0.0, 0.02, 0.5, 1000.0)?;
-/// assert_eq!([499, 500].map(|tick| step.at(tick)), [0.0, 0.02]);
-/// let twice = |tick| 2.0 * Course::<f64>::at(&step, tick);
-/// assert_eq!(twice.at(500), 0.04);
+/// let at = |tick| -> f64 { step.at(tick) };
+/// assert_eq!([499, 500].map(at), [0.0, 0.02]);
+/// let there_and_back = |tick| at(tick) - at(tick / 2);
+/// assert_eq!([600, 1000].map(|tick| there_and_back.at(tick)), [0.02, 0.0]);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 pub trait Course<V: Signal> {

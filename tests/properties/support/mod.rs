@@ -17,7 +17,7 @@ use lyapunov::{Beyond, Dissipation, Drive, Gate, LyapunovCandidate, Scalar, Sign
 
 pub(crate) use double::Double;
 pub(crate) use models::{Book, Credit, Ledger, Stream, drive_of, power, stream};
-pub(crate) use motion::{Gain, Motion, State, runge_kutta};
+pub(crate) use motion::{Gain, Motion, State, quadrature, runge_kutta};
 pub(crate) use numbers::{Bits, bad, hostile, log_between, ordinary, unit, wild};
 pub(crate) use ports::{Faulty, Scripted, Spy};
 pub(crate) use two_masses::TwoMasses;

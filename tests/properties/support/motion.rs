@@ -50,17 +50,9 @@ impl Gain {
 }
 
 impl Motion {
-    /// What happens up to the nodes of a quadrature over `period`, with their weights: two panels of ten points.
+    /// What happens up to the nodes of a quadrature over `period`, with their weights.
     pub(crate) fn nodes(&self, period: f64) -> Vec<(Gain, f64)> {
-        let panel = period / 2.0;
-        [0.0, panel]
-            .into_iter()
-            .flat_map(|from| GAUSS.map(|(node, weight)| (from, node, weight)))
-            .flat_map(|(from, node, weight)| {
-                [1.0 - node, 1.0 + node].map(|at| (from + at * panel / 2.0, weight * panel / 2.0))
-            })
-            .map(|(t, weight)| (self.over(t), weight))
-            .collect()
+        quadrature(period).into_iter().map(|(t, weight)| (self.over(t), weight)).collect()
     }
 
     /// What a time `t` does.
@@ -74,6 +66,18 @@ impl Motion {
             velocity: [-(spring * h), slope - Double::of(1.0), -(mobility * h)].map(Double::value),
         }
     }
+}
+
+/// Nodes and weights of a quadrature over `period`: two panels of ten points.
+pub(crate) fn quadrature(period: f64) -> Vec<(f64, f64)> {
+    let panel = period / 2.0;
+    [0.0, panel]
+        .into_iter()
+        .flat_map(|from| GAUSS.map(|(node, weight)| (from, node, weight)))
+        .flat_map(|(from, node, weight)| {
+            [1.0 - node, 1.0 + node].map(|at| (from + at * panel / 2.0, weight * panel / 2.0))
+        })
+        .collect()
 }
 
 /// `h`, its slope and its area at `t`. By `h'' = −b/m h' − k/m h` the coefficients of `h = Σ cⱼ tʲ / j!` follow one
