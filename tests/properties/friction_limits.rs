@@ -77,7 +77,7 @@ fn without_static_friction_is_absent() {
 
 /// Lanes with and without friction side by side.
 fn lanes_are_alone<L: Scalar + Signal<Scalar = L>, T: Real + Port<Scalar = T>>() {
-    hold(CASES / 20, uniform8(any::<Bits>()), |bits| {
+    hold(CASES / 100, uniform8(any::<Bits>()), |bits| {
         let scenes: Vec<Scene> = (0..L::LANES)
             .map(|lane| {
                 let bits = bits.map(|bits| bits.rotate_left(11 * lane as u32));
@@ -112,7 +112,7 @@ fn lanes_equal_the_scalar_run() {
 #[test]
 fn hostile_numbers_end() {
     let (mut cut, mut moved) = (0, 0);
-    for case in 0..20_000_u64 {
+    for case in 0..1000_u64 {
         let bits = |at: u64| (case * 64 + at + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let number = |at: u64| {
             let bits = bits(at) ^ bits(at) >> 29;
@@ -139,7 +139,7 @@ fn hostile_numbers_end() {
             moved += usize::from(drive.velocity != 0.0 && drive.velocity.is_finite());
         }
     }
-    assert!(cut > 0 && moved > 1000, "{cut} cut, {moved} moved");
+    assert!(cut > 0 && moved > 100, "{cut} cut, {moved} moved");
 }
 
 /// A body too fast for its period, at the mercy of the rough way, does not gain energy either.

@@ -129,7 +129,7 @@ fn energy_balances_and_what_sticks_stays() {
             impedance(log_between(bits[3], 0.05, 1.0), 0.0, 0.0),
         ];
         let state = [bits[4], bits[5], bits[6], bits[7]].map(|bits| ordinary::<f64>(bits, 0.05));
-        let period = log_between(bits[6], 1e-4, 0.1);
+        let period = log_between(bits[6], 1e-4, 0.02);
         let mut shadow = TwoMasses { parts, period, rest: 0.01, state };
         let coulomb = log_between(bits[7], 0.01, 1.0);
         let law =
