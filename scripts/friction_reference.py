@@ -3,7 +3,7 @@
     pip install mpmath==1.3.0
     python3 scripts/friction_reference.py [step]
 
-With half the step, 5e-5, all digits that the tests use stay the same.
+With half the step, 2e-4, all digits that the tests use stay the same.
 """
 
 import sys
@@ -11,7 +11,7 @@ import sys
 from mpmath import exp, findroot, matrix, mp, mpf, sign
 
 mp.dps = 30
-STEP = mpf(sys.argv[1] if len(sys.argv) > 1 else "1e-4")  # s
+STEP = mpf(sys.argv[1] if len(sys.argv) > 1 else "4e-4")  # s
 COLUMNS = 8  # of the extrapolation: order 16
 
 
