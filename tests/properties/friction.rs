@@ -120,7 +120,7 @@ fn an_oscillation_loses_two_f_over_k_on_each_swing() {
             prop_assert!((instant - turn * half).abs() < 1e-12, "{instant} not {}", turn * half);
         }
         let drive = plant.advance(0.0);
-        let end = if swings % 2 == 0 { share } else { -share } * shift;
+        let end = if swings.is_multiple_of(2) { share } else { -share } * shift;
         let off = (drive.position - (rest + end)).abs();
         prop_assert!(off < 1e-13 * (rest.abs() + start), "{off:e} at {swings}");
         prop_assert!(drive.velocity == 0.0 && drive.displacement == 0.0);
