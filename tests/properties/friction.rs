@@ -61,7 +61,15 @@ fn a_block_stops_when_and_where_it_must() {
         };
         let distance = match damping {
             0.0 => 0.5 * start * stop,
-            _ => (mass * start - slow * stop) / damping,
+            // (eᵖ − 1 − p) / p², without cancellation where p is small.
+            _ => {
+                let (p, mut term, mut sum) = (pace * stop, 0.5, 0.5);
+                for k in 3..40 {
+                    term *= p / f64::from(k);
+                    sum += term;
+                }
+                slow / mass * stop * stop * sum
+            }
         };
         let law = law(force, force, 0.1);
         let mut plant = block([mass, damping, 0.0], period, [0.0, towards * start], law);
@@ -86,7 +94,7 @@ fn a_block_stops_when_and_where_it_must() {
 fn an_oscillation_loses_two_f_over_k_on_each_swing() {
     hold(CASES / 10, uniform8(any::<Bits>()), |bits| {
         let (mass, stiffness) = (log_between(bits[0], 0.1, 2.0), log_between(bits[1], 100.0, 1e4));
-        let swings = 1 + (bits[2] % 12) as usize;
+        let swings = 1 + (bits[2] % 16) as usize;
         let (force, rest) = (log_between(bits[3], 0.1, 5.0), ordinary::<f64>(bits[4], 0.1));
         let shift = force / stiffness;
         // From rest at (2 swings + share) F / k the last turn is within ± F / k.
@@ -107,11 +115,12 @@ fn an_oscillation_loses_two_f_over_k_on_each_swing() {
             found.iter().rev().take_while(|(_, what)| *what != Slip).enumerate()
         {
             let turn = (swings - back) as f64;
-            prop_assert!(what == if back == 0 { Stick } else { Reverse }, "{found:?}");
+            let last = back == 0;
+            prop_assert!(what == if last { Stick } else { Reverse }, "{found:?}");
             prop_assert!((instant - turn * half).abs() < 1e-12, "{instant} not {}", turn * half);
         }
         let drive = plant.advance(0.0);
-        let end = if swings % 2 == 0 { share } else { -share } * shift;
+        let end = if swings.is_multiple_of(2) { share } else { -share } * shift;
         let off = (drive.position - (rest + end)).abs();
         prop_assert!(off < 1e-13 * (rest.abs() + start), "{off:e} at {swings}");
         prop_assert!(drive.velocity == 0.0 && drive.displacement == 0.0);
@@ -159,7 +168,7 @@ fn stribeck_friction_stops_a_block_by_quadrature() {
 /// Every balance closes: kinetic and spring energy, the effort's work and the heat, without any damper.
 #[test]
 fn energy_balances() {
-    hold(CASES / 10, uniform8(any::<Bits>()), |bits| {
+    hold(CASES / 20, uniform8(any::<Bits>()), |bits| {
         let mass = log_between(bits[0], 0.05, 2.0);
         let stiffness = if bits[1] % 4 == 0 { 0.0 } else { log_between(bits[1], 1.0, 1e4) };
         let coulomb = if bits[2] % 5 == 0 { 0.0 } else { log_between(bits[2], 0.01, 2.0) };
@@ -172,6 +181,7 @@ fn energy_balances() {
         let mut plant = block([mass, 0.0, stiffness], log_between(bits[7], 1e-4, 0.1), start, law);
         let energy = |[x, v]: [f64; 2]| 0.5 * (stiffness * x * x + mass * v * v);
         let (mut now, mut work, mut sum, mut random) = (start, 0.0, 0.0, bits[0]);
+        let mut rounding = 0.0;
         for _ in 0..200 {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             let before = now;
@@ -183,9 +193,11 @@ fn energy_balances() {
             // Each of the kinds of energy moves by itself.
             sum += drive.work.abs() + burnt + energy([now[0], 0.0]).max(energy([before[0], 0.0]));
             sum += energy([0.0, now[1]]).max(energy([0.0, before[1]]));
+            // Both ends of a displacement are positions that have been rounded.
+            rounding += f64::EPSILON * (drive.acted * drive.position).abs();
             prop_assert!(burnt >= 0.0);
             let off = (energy(now) + work + plant.heat() - energy(start)).abs();
-            prop_assert!(off <= 1e-12 * sum, "{off:e} J of {sum:e}");
+            prop_assert!(off <= 1e-12 * sum + rounding, "{off:e} J of {sum:e}");
         }
         Ok(())
     });

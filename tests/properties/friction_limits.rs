@@ -32,7 +32,7 @@ impl Scene {
             log_between(bits[3], 1.0, 1e4),
             log_between(bits[4], 1e-4, 2e-2),
             ordinary(bits[5], 0.02),
-            if bits[6] % 2 == 0 { 0.0 } else { ordinary(bits[6], 0.3) },
+            if bits[6].is_multiple_of(2) { 0.0 } else { ordinary(bits[6], 0.3) },
             coulomb,
             least,
             log_between(bits[0].rotate_left(32), 1e-3, 0.1),
@@ -77,7 +77,7 @@ fn without_static_friction_is_absent() {
 
 /// Lanes with and without friction side by side.
 fn lanes_are_alone<L: Scalar + Signal<Scalar = L>, T: Real + Port<Scalar = T>>() {
-    hold(CASES / 20, uniform8(any::<Bits>()), |bits| {
+    hold(CASES / 100, uniform8(any::<Bits>()), |bits| {
         let scenes: Vec<Scene> = (0..L::LANES)
             .map(|lane| {
                 let bits = bits.map(|bits| bits.rotate_left(11 * lane as u32));
@@ -112,7 +112,7 @@ fn lanes_equal_the_scalar_run() {
 #[test]
 fn hostile_numbers_end() {
     let (mut cut, mut moved) = (0, 0);
-    for case in 0..20_000_u64 {
+    for case in 0..1000_u64 {
         let bits = |at: u64| (case * 64 + at + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let number = |at: u64| {
             let bits = bits(at) ^ bits(at) >> 29;
@@ -133,13 +133,13 @@ fn hostile_numbers_end() {
             let effort = if tick == 2 { wild(bits(20)) } else { number(10 + tick) };
             let drive = plant.advance(effort);
             let burnt = plant.heat() - heat;
-            assert!(!(burnt < 0.0), "{burnt} J in case {case}");
+            assert!(burnt >= 0.0 || burnt.is_nan(), "{burnt} J in case {case}");
             let cuts = plant.transitions().last(0).filter(|&(_, what)| what == Transition::Cut);
             cut += cuts.count();
             moved += usize::from(drive.velocity != 0.0 && drive.velocity.is_finite());
         }
     }
-    assert!(cut > 0 && moved > 1000, "{cut} cut, {moved} moved");
+    assert!(cut > 0 && moved > 100, "{cut} cut, {moved} moved");
 }
 
 /// A body too fast for its period, at the mercy of the rough way, does not gain energy either.
@@ -154,7 +154,7 @@ fn too_fast_a_body_gains_nothing() {
         };
         let start = energy(&plant.start());
         let mut work = 0.0;
-        for tick in 0..200 {
+        for tick in 0..50 {
             let drive = plant.advance(if tick % 7 == 0 { 3.0 } else { -2.0 });
             work += drive.work;
             assert!(energy(&drive) + work + plant.heat() <= start * (1.0 + 1e-6) + 1e-6);
@@ -219,6 +219,6 @@ fn bad_parameters_are_named() {
     assert_eq!(error(0.5, 1.0, f64::INFINITY), Some(("stribeck_velocity", positive)));
     assert_eq!(error(0.0, 0.0, 0.1), None);
     let parts = Impedance { mass: -1.0, ..parts };
-    let error = Friction::new(body, parts, law(0.0, 1.0, 0.1)).err().expect("an error");
+    let error = Friction::new(body, parts, law(0.0, 1.0, 0.1)).expect_err("an error");
     assert_eq!(error.parameter, "mass");
 }

@@ -127,7 +127,10 @@ impl<'a, const S: usize> Course<'a, S> {
         };
         match next {
             Phase::Stuck => self.log.note(self.elapsed, Stick),
-            Phase::Sliding(towards) if towards != sense => self.log.note(self.elapsed, Reverse),
+            // At the end of the period it is the next effort that decides.
+            Phase::Sliding(towards) if towards != sense && self.remaining > 0.0 => {
+                self.log.note(self.elapsed, Reverse);
+            }
             Phase::Sliding(_) => {}
         }
         Some(next)
