@@ -8,10 +8,10 @@ use super::AnyPlant;
 use super::port::Operator;
 
 /// Any tethered body made of parts `P`, boxed.
-pub(super) struct AnyBody<V: Signal, P>(Box<dyn Boxed<V, P>>);
+pub(super) struct AnyBody<V: Signal, P>(Box<dyn Tethered<V, Parts = P>>);
 
 impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
-    pub(super) fn new(body: impl Tethered<V, Parts = P> + Clone + 'static) -> Self {
+    pub(super) fn new(body: impl Tethered<V, Parts = P> + 'static) -> Self {
         Self(Box::new(body))
     }
 
@@ -24,12 +24,6 @@ impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
 impl<V: Signal, P> fmt::Debug for AnyBody<V, P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("AnyBody").finish_non_exhaustive()
-    }
-}
-
-impl<V: Signal, P: Copy + 'static> Clone for AnyBody<V, P> {
-    fn clone(&self) -> Self {
-        self.0.boxed()
     }
 }
 
@@ -52,17 +46,6 @@ impl<V: Signal, P: Copy + 'static> Tethered<V> for AnyBody<V, P> {
 
     fn reshape(&mut self, parts: P, interval: V::Scalar) -> Result<(), ParameterError> {
         self.0.reshape(parts, interval)
-    }
-}
-
-/// A body that can be copied without its type.
-trait Boxed<V: Signal, P>: Tethered<V, Parts = P> {
-    fn boxed(&self) -> AnyBody<V, P>;
-}
-
-impl<V: Signal, P: Copy + 'static, B: Tethered<V, Parts = P> + Clone + 'static> Boxed<V, P> for B {
-    fn boxed(&self) -> AnyBody<V, P> {
-        AnyBody::new(self.clone())
     }
 }
 

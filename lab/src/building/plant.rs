@@ -154,8 +154,8 @@ fn disturbed<V: Space, K: Kind<V>>(
     mut body: AnyBody<V, K::Parts>,
 ) -> Result<AnyPlant<V>, ParameterError> {
     let (effects, rate) = (&scene.effects, scene.servo_rate.get());
+    let parts = K::parts(scene, scene.operator.stiffness, scene.operator.damping);
     if let Some(jitter) = effects.jitter {
-        let parts = K::parts(scene, scene.operator.stiffness, scene.operator.damping);
         let mut random = Random::new(|_| jitter.seed.get(), Source::Jitter);
         let normal = move || random.normal::<V::Scalar>();
         body = AnyBody::new(body.jittered(parts, of(jitter.deviation), normal)?);
@@ -170,7 +170,7 @@ fn disturbed<V: Space, K: Kind<V>>(
                 (scene.tick_of(time.get()), K::parts(scene, *stiffness, *damping))
             })
             .collect();
-        body = AnyBody::new(body.gripped(table)?);
+        body = AnyBody::new(body.gripped(parts, table)?);
     }
     let mut plant = body.into_plant();
     if let Some(load) = effects.load {
