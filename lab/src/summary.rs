@@ -1,5 +1,7 @@
 //! What a run came to, in a few lines.
 
+mod document;
+
 use std::fmt;
 
 use crate::Row;

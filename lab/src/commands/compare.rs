@@ -2,18 +2,18 @@
 
 use std::cell::Cell;
 use std::fs;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lyapunov::Scalar as Number;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Output, OutputError};
 
-use super::{End, heed_interrupts, standard_output};
+use super::{BAR, End, heed_interrupts, shown, standard_output};
 
 /// Ticks in all from which on there is something to wait for.
 const LONG: u64 = 1 << 20;
@@ -40,7 +40,7 @@ pub(crate) struct Compare {
     /// Print compare.json instead of tables.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Print nothing.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }
@@ -88,13 +88,12 @@ impl Compare {
         Ok(comparisons)
     }
 
-    /// A bar where somebody looks and there is something to wait for.
+    /// A bar where there is something to wait for.
     fn progress(&self, ticks: u64) -> ProgressBar {
-        if self.quiet || ticks < LONG || !io::stdout().is_terminal() {
+        if self.quiet || ticks < LONG {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
-        ProgressBar::new(ticks).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        shown(ProgressBar::new(ticks), BAR)
     }
 }
 

@@ -4,13 +4,18 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lyapunov_lab::paper::claims::{Claim, Verdict};
 use lyapunov_lab::paper::{PaperError, Stage, Study};
 
-use super::End;
+use super::{End, shown, standard_output};
 
 /// Judge the paper's claims and draw its figures 6 to 9: a report, verdicts, figures and rows.
+///
+/// Prints a verdict for each claim over 101 starts and writes report.html, claims.json, the figures (SVG and PNG)
+/// and the rows of the six scenes (CSV). The report states the definitions; docs/paper.md says what they rest on.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Paper {
     /// The folder for the files; made if it is not there.
@@ -19,7 +24,7 @@ pub(crate) struct Paper {
     /// Print claims.json instead of the table.
     #[arg(long)]
     json: bool,
-    /// Print nothing.
+    /// Print nothing but errors.
     #[arg(long, conflicts_with = "json")]
     quiet: bool,
 }
@@ -50,17 +55,14 @@ impl Paper {
             return Ok(());
         }
         let text = if self.json { study.to_json()? } else { self.table(&study) };
-        io::stdout().write_all(text.as_bytes()).map_err(|_| End::Enough)
+        io::stdout().write_all(text.as_bytes()).map_err(standard_output)
     }
 
-    /// Hidden where nobody looks.
     fn progress(&self) -> ProgressBar {
         if self.quiet {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template("{bar:20} {pos} of {len}: {msg}");
-        ProgressBar::new(Stage::ALL.len() as u64)
-            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        shown(ProgressBar::new(Stage::ALL.len() as u64), "{bar:20} {pos} of {len}: {msg}")
     }
 
     fn table(&self, study: &Study) -> String {

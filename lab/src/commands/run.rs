@@ -5,17 +5,22 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lyapunov::{ParameterError, Scalar as Number};
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Csv, Output, OutputError, Rollout, Row, Summary};
 
-use super::{End, heed_interrupts, say, standard_output};
+use super::{BAR, End, heed_interrupts, say, shown, standard_output};
 
 /// Ticks between two looks at the clock and at interrupts.
 const BREATH: u64 = 1 << 16;
 
 /// Simulate a scene and say what it came to.
+///
+/// The summary goes to standard output, or to standard error where `--csv -` sends the rows to standard output.
+/// docs/contract.md defines the rows, docs/command.md the JSON.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Run {
     /// The scene file, TOML.
@@ -23,6 +28,12 @@ pub(crate) struct Run {
     /// Write one row per servo tick to this file; `-` is standard output.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Say it as JSON.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Say nothing but errors.
+    #[arg(long)]
+    quiet: bool,
 }
 
 impl Run {
@@ -34,9 +45,13 @@ impl Run {
                 // Standard output by itself hands on every line alone.
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::new(output).map_err(standard_output)?;
-                let summary = simulate(&scene, |row| csv.write(row).map_err(standard_output))?;
+                let hidden = ProgressBar::hidden();
+                let write = |row: &Row| csv.write(row).map_err(standard_output);
+                let summary = simulate(&scene, &hidden, write)?;
                 csv.into_inner().flush().map_err(standard_output)?;
-                say(format_args!("{}\n{summary}", self.scene.display()));
+                if !self.quiet {
+                    say(self.words(&summary)?.trim_end());
+                }
             }
             Some(path) => {
                 self.spare_scene(path)?;
@@ -44,13 +59,15 @@ impl Run {
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::new(output).map_err(refused)?;
-                let summary = simulate(&scene, |row| csv.write(row).map_err(refused))?;
+                let summary = simulate(&scene, &self.progress(&scene), |row| {
+                    csv.write(row).map_err(refused)
+                })?;
                 csv.into_inner().keep().map_err(End::input)?;
                 self.tell(&summary)?;
             }
             None => {
                 heed_interrupts(false);
-                self.tell(&simulate(&scene, |_| Ok(()))?)?;
+                self.tell(&simulate(&scene, &self.progress(&scene), |_| Ok(()))?)?;
             }
         }
         Ok(())
@@ -71,23 +88,47 @@ impl Run {
     }
 
     fn tell(&self, summary: &Summary) -> Result<(), End> {
-        writeln!(io::stdout(), "{}\n{summary}", self.scene.display()).map_err(standard_output)
+        if self.quiet {
+            return Ok(());
+        }
+        io::stdout().write_all(self.words(summary)?.as_bytes()).map_err(standard_output)
+    }
+
+    fn words(&self, summary: &Summary) -> Result<String, End> {
+        let scene = self.scene.display();
+        if self.json {
+            summary.to_json(&scene.to_string()).map_err(End::internal)
+        } else {
+            Ok(format!("{scene}\n{summary}\n"))
+        }
+    }
+
+    /// A bar for runs that take long enough to look at it.
+    fn progress(&self, scene: &Scene) -> ProgressBar {
+        if self.quiet || scene.ticks() < 50 * BREATH {
+            return ProgressBar::hidden();
+        }
+        shown(ProgressBar::new(scene.ticks()), BAR)
     }
 }
 
-fn simulate(scene: &Scene, write: impl FnMut(&Row) -> Result<(), End>) -> Result<Summary, End> {
+fn simulate(
+    scene: &Scene,
+    bar: &ProgressBar,
+    write: impl FnMut(&Row) -> Result<(), End>,
+) -> Result<Summary, End> {
     match scene.scalar {
-        Scalar::F64 => drain(scene, Rollout::<f64>::of(scene), write),
-        Scalar::F32 => drain(scene, Rollout::<f32>::of(scene), write),
+        Scalar::F64 => drain(scene, bar, Rollout::<f64>::of(scene), write),
+        Scalar::F32 => drain(scene, bar, Rollout::<f32>::of(scene), write),
     }
 }
 
 fn drain<T: Number>(
     scene: &Scene,
+    bar: &ProgressBar,
     rollout: Result<Rollout<T>, ParameterError>,
     mut write: impl FnMut(&Row) -> Result<(), End>,
 ) -> Result<Summary, End> {
-    let bar = progress(scene.ticks());
     let mut summary = Summary::new(scene);
     for row in rollout.map_err(End::input)? {
         if summary.rows.is_multiple_of(BREATH) {
@@ -99,13 +140,4 @@ fn drain<T: Number>(
     }
     bar.finish_and_clear();
     Ok(summary)
-}
-
-/// A bar for runs that take long enough to look at it; hidden where nobody looks.
-fn progress(ticks: u64) -> ProgressBar {
-    if ticks < 50 * BREATH {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
-    ProgressBar::new(ticks).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
