@@ -1,6 +1,7 @@
 //! What the command line offers, and how its commands end.
 
 mod compare;
+mod folder;
 mod observe;
 mod paper;
 mod run;

@@ -2,13 +2,20 @@
 
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::thread;
+use std::time::Duration;
 
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::paper::claims::{Claim, Verdict};
 use lyapunov_lab::paper::{PaperError, Stage, Study};
 
-use super::{End, shown, standard_output};
+use super::folder::Folder;
+use super::{End, heed_interrupts, shown, standard_output};
+
+/// Time between two looks at interrupts.
+const BREATH: Duration = Duration::from_millis(50);
 
 /// Judge the paper's claims and draw its figures 6 to 9: a report, verdicts, figures and rows.
 ///
@@ -39,17 +46,15 @@ impl From<PaperError> for End {
 }
 
 impl Paper {
-    /// Takes seconds and leaves each file whole, so an interrupt may end it anywhere.
     pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        let folder = Folder::claim(&self.out, "claims.json")?;
         let bar = self.progress();
-        let study = Study::run(|stage| -> Result<(), End> {
-            bar.inc(1);
-            bar.set_message(stage.words());
-            Ok(())
-        })?;
+        let study = studied(bar.clone())?;
         bar.inc(1);
         bar.set_message(Stage::Files.words());
-        study.write(&self.out, &format!("lyapunov paper --out {}", self.out.display()))?;
+        folder.keep();
+        study.write(folder.path(), &format!("lyapunov paper --out {}", self.out.display()))?;
         bar.finish_and_clear();
         if self.quiet {
             return Ok(());
@@ -74,6 +79,29 @@ impl Paper {
             "\nreport, figures and the rows behind them are in {}\n",
             self.out.display()
         )
+    }
+}
+
+/// The study, by a thread of its own, so that an interrupt need not wait for a stage to end.
+fn studied(bar: ProgressBar) -> Result<Study, End> {
+    let (sender, studies) = sync_channel(1);
+    thread::spawn(move || {
+        let study = Study::run(|stage| -> Result<(), PaperError> {
+            bar.inc(1);
+            bar.set_message(stage.words());
+            Ok(())
+        });
+        // Nobody listens any more after an interrupt.
+        let _ = sender.send(study);
+    });
+    loop {
+        match studies.recv_timeout(BREATH) {
+            Ok(study) => return Ok(study?),
+            Err(RecvTimeoutError::Timeout) => End::if_interrupted()?,
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(End::internal("the study broke off"));
+            }
+        }
     }
 }
 
