@@ -168,7 +168,9 @@ impl Magnifier {
     }
 
     fn connections(&self) -> Vec<(Place, Place)> {
-        self.mark.map(|mark| connections(mark, self.axes.area)).unwrap_or_default()
+        let Some(mark) = self.mark else { return Vec::new() };
+        let frame = self.axes.area;
+        connections(mark, if is_above(mark, frame) { frame } else { self.outer })
     }
 }
 
