@@ -45,6 +45,11 @@ impl fmt::Display for Described<'_> {
     }
 }
 
+/// A number of ticks in words.
+fn ticks(number: u16) -> String {
+    format!("{number} tick{}", if number == 1 { "" } else { "s" })
+}
+
 /// The effects of a scene in words, one each.
 pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     let Effects {
@@ -62,11 +67,11 @@ pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     let policy = |policy| if policy == Policy::Hold { "hold" } else { "zero" };
     [
         encoder.map(|it| format!("encoder {} m", given(it.resolution.get()))),
-        delay.map(|it| format!("delay {} ticks", it.ticks.get())),
+        delay.map(|it| format!("delay {}", ticks(it.ticks.get()))),
         saturation.map(|it| format!("saturation {} N", given(it.force.get()))),
         filter.map(|it| match it {
             Filter::Cutoff(cutoff) => format!("low pass {} Hz", given(cutoff.get())),
-            Filter::Window(ticks) => format!("window {} ticks", ticks.get()),
+            Filter::Window(length) => format!("window {}", ticks(length.get())),
         }),
         noise.map(|it| format!("noise {} m", given(it.deviation.get()))),
         jitter.map(|it| format!("jitter {} s", given(it.deviation.get()))),

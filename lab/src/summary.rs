@@ -1,5 +1,7 @@
 //! What a run came to, in a few lines.
 
+mod document;
+
 use std::fmt;
 
 use crate::Row;
@@ -28,6 +30,7 @@ pub struct Summary {
     pub rows: u64,
     /// The last row.
     pub last: Option<Row>,
+    axes: Vec<Axis>,
     /// Where the operator's spring and the environment balance, m; none where no spring pulls, or only out of range.
     pub equilibrium: Option<f64>,
     /// Half the width of the band about the equilibrium that counts as settled, m.
@@ -63,6 +66,7 @@ impl Summary {
             scene: scene.clone(),
             rows: 0,
             last: None,
+            axes: Vec::new(),
             equilibrium,
             band: band.unwrap_or_default(),
             settled: None,
@@ -77,29 +81,36 @@ impl Summary {
         }
     }
 
-    /// The summary of all `rows` of `scene`.
+    /// The summary of all `rows` of `scene`, which has one dimension.
     pub fn of(scene: &Scene, rows: impl IntoIterator<Item = Row>) -> Self {
         let mut summary = Self::new(scene);
-        rows.into_iter().for_each(|row| summary.add(&row));
+        rows.into_iter().for_each(|row| summary.add(&row, &[]));
         summary
     }
 
-    /// Sums up one more row.
-    pub fn add(&mut self, row: &Row) {
-        if let Some(last) = self.last {
-            self.absorbed = sum(self.absorbed, last.f_act, row.x - last.x);
+    /// Sums up one more row, with its [further numbers](crate::Rollout::further).
+    pub fn add(&mut self, row: &Row, further: &[f64]) {
+        let axes = along(row, further, self.scene.dimensions());
+        if self.last.is_some() {
+            for (last, now) in self.axes.iter().zip(&axes) {
+                self.absorbed = sum(self.absorbed, last.acting, now.position - last.position);
+            }
         }
         let inside = self.equilibrium.is_some_and(|rest| (row.x - rest).abs() <= self.band);
         self.settled = if inside { self.settled.or(Some(row.t)) } else { None };
-        self.environment_peak = self.environment_peak.max(row.f_env.abs());
-        self.acting_peak = self.acting_peak.max(row.f_act.abs());
+        let length = |of: fn(&Axis) -> f64| axes.iter().map(of).fold(0.0, f64::hypot);
+        self.environment_peak = self.environment_peak.max(length(|axis| axis.environment));
+        self.acting_peak = self.acting_peak.max(length(|axis| axis.acting));
         self.observer_least = self.observer_least.min(row.observer);
         self.observer_most = self.observer_most.max(row.observer);
-        self.injected = sum(self.injected, row.f_ctl, row.v * self.scene.period());
+        for axis in &axes {
+            self.injected = sum(self.injected, axis.control, axis.velocity * self.scene.period());
+        }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
         self.rows += 1;
         self.last = Some(*row);
+        self.axes = axes;
     }
 
     /// The last time at which everything was finite, s, if the motion left the range of the scalar.
@@ -107,6 +118,31 @@ impl Summary {
         let complete = self.rows == self.scene.ticks() + 1;
         (!complete).then(|| self.last.map_or(0.0, |row| row.t))
     }
+}
+
+/// What a summary needs of a row along one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Axis {
+    position: f64,
+    velocity: f64,
+    environment: f64,
+    control: f64,
+    acting: f64,
+}
+
+/// A row axis by axis.
+fn along(row: &Row, further: &[f64], dimensions: usize) -> Vec<Axis> {
+    let first = [row.x, row.x_measured, row.v, row.f_env, row.f_ctl, row.f_out, row.f_act];
+    let others = further.as_chunks().0.iter().take(dimensions - 1);
+    let axes = std::iter::once(&first).chain(others);
+    axes.map(|&[position, _, velocity, environment, control, _, acting]| Axis {
+        position,
+        velocity,
+        environment,
+        control,
+        acting,
+    })
+    .collect()
 }
 
 /// A sum of work with one more piece; once infinite it stays so, and it is never NaN.

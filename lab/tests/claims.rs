@@ -9,11 +9,16 @@ use lyapunov_lab::paper::claims::{
 const PERIOD: f64 = 0.01;
 
 /// One run of 30 s at 100 Hz over held work with a cap of half of m / T, written out.
+#[derive(Default)]
 struct Straight {
     settled: f64,
     force_peak: f64,
     energy_peak: f64,
     taken: f64,
+    swing: f64,
+    jitter: f64,
+    impulsiveness: f64,
+    taken_per_sample: f64,
 }
 
 fn straight(k: f64, b: f64, credited: bool, start: f64) -> Straight {
@@ -23,28 +28,36 @@ fn straight(k: f64, b: f64, credited: bool, start: f64) -> Straight {
     let (sin, cos) = (rate * PERIOD).sin_cos();
     let shrink = (-decay * PERIOD).exp();
     let (mut x, mut v_true, mut last, mut force, mut sum) = (start, 0.0, start, [0.0; 2], 0.0);
-    let mut out = Straight { settled: 0.0, force_peak: 0.0, energy_peak: 0.0, taken: 0.0 };
+    let mut out = Straight::default();
     let mut contact_over = false;
+    let (mut speeds, mut steps) = (Vec::new(), Vec::new());
     for n in 0..=3000 {
         let dx = x - last;
         let v = dx / PERIOD;
-        sum += (force[0] + force[1]) * dx;
+        let mut step = (force[0] + force[1]) * dx;
         out.taken += force[1] * dx;
         if x > 0.0 && credited {
-            sum += b * v * v * PERIOD;
+            step += b * v * v * PERIOD;
         }
+        sum += step;
+        speeds.push(v);
         out.energy_peak = out.energy_peak.max(sum);
         if x.abs() > 0.05 * start.abs() {
             out.settled = (n + 1) as f64 * PERIOD;
         }
         let wall = if x > 0.0 { (k * x + b * v).max(0.0) } else { 0.0 };
         contact_over |= wall == 0.0 && out.force_peak > 0.0;
-        if !contact_over {
+        if contact_over {
+            out.swing = out.swing.max(x.abs());
+        } else {
             out.force_peak = out.force_peak.max(wall);
         }
         let energy = v * v * PERIOD;
         let acts = sum < 0.0 && energy > f64::MIN_POSITIVE;
         let alpha = if acts { (-sum / energy).min(0.5 * m / PERIOD) } else { 0.0 };
+        if acts {
+            steps.push(step.abs());
+        }
         force = [wall, alpha * v];
         last = x;
         let rest = -(wall + alpha * v) / s;
@@ -52,12 +65,18 @@ fn straight(k: f64, b: f64, credited: bool, start: f64) -> Straight {
         x = rest + shrink * (away * cos + (moving + decay * away) / rate * sin);
         v_true = shrink * (moving * cos - (decay * moving + s / m * away) / rate * sin);
     }
+    let calm = (out.settled / PERIOD).round() as usize;
+    let squares: f64 = speeds[calm..calm + 100].iter().map(|v| v * v).sum();
+    out.jitter = (squares / 100.0).sqrt();
+    out.taken_per_sample = out.taken / steps.len() as f64;
+    let most = steps.iter().copied().fold(0.0, f64::max);
+    out.impulsiveness = most / middle(steps);
     out
 }
 
 fn middle(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
-    numbers[numbers.len() / 2]
+    (numbers[numbers.len() / 2] + numbers[(numbers.len() - 1) / 2]) / 2.0
 }
 
 fn near(measured: f64, expected: f64, share: f64, what: &str) {
@@ -77,19 +96,52 @@ fn ensembles_agree_with_straight_code() {
             let ours: Vec<Measures> = traces.iter().map(Measures::of).collect();
             let theirs: Vec<Straight> =
                 starts.iter().map(|&start| straight(k, b, credited, start)).collect();
-            let median = |of: &dyn Fn(&Measures) -> f64| middle(ours.iter().map(of).collect());
-            let expected = |of: &dyn Fn(&Straight) -> f64| middle(theirs.iter().map(of).collect());
-            let what = format!("{control:?} at {k} N/m");
-            let settled = median(&|run| run.settled.unwrap_or(f64::INFINITY));
-            near(settled, expected(&|run| run.settled), share, &format!("{what}, settled"));
-            let peak = median(&|run| run.force_peak);
-            near(peak, expected(&|run| run.force_peak), 0.05, &format!("{what}, force"));
-            let taken = median(&|run| run.taken);
-            near(taken, expected(&|run| run.taken), 0.05, &format!("{what}, taken"));
-            let energy = expected(&|run| run.energy_peak);
-            if energy > 1e-9 {
-                near(median(&|run| run.energy_peak), energy, 0.05, &format!("{what}, energy"));
+            let compare = |ours_of: fn(&Measures) -> f64, of: fn(&Straight) -> f64, share, name| {
+                let measured = middle(ours.iter().map(ours_of).collect());
+                let expected = middle(theirs.iter().map(of).collect());
+                near(measured, expected, share, &format!("{name}, {control:?} at {k} N/m"));
+            };
+            const NEVER: f64 = f64::INFINITY;
+            // Only the late settling of the chaotic loop needs more than 5 %.
+            let late = if credited { share } else { 0.05 };
+            compare(|run| run.settled.unwrap_or(NEVER), |run| run.settled, late, "settled");
+            compare(|run| run.force_peak, |run| run.force_peak, 0.05, "force");
+            compare(|run| run.swing, |run| run.swing, 0.05, "swing");
+            compare(|run| run.jitter.unwrap_or(NEVER), |run| run.jitter, 0.05, "jitter");
+            compare(|run| run.taken, |run| run.taken, 0.05, "taken");
+            let each = |run: &Measures| run.taken_per_sample.unwrap_or(NEVER);
+            compare(each, |run| run.taken_per_sample, 0.05, "taken per sample");
+            if k > 10e3 {
+                // At 8 kN/m the median step depends on how far a chaotic loop has come to rest after 15 s.
+                let impulsive = |run: &Measures| run.impulsiveness.unwrap_or(NEVER);
+                compare(impulsive, |run| run.impulsiveness, 0.05, "impulsiveness");
             }
+            if credited || k < 10e3 {
+                compare(|run| run.energy_peak, |run| run.energy_peak, 0.05, "energy");
+            } else {
+                // POPC's first contact there only gives energy away.
+                assert!(ours.iter().all(|run| run.energy_peak == 0.0));
+                assert!(theirs.iter().all(|run| run.energy_peak == 0.0));
+            }
+        }
+    }
+}
+
+/// The loop is homogeneous: before chaos sets in, a larger start gives the same motion, larger.
+#[test]
+fn early_peaks_go_with_the_start() {
+    let starts = starts(101);
+    for (k, b) in [(8e3, 2.0), (50e3, 20.0)] {
+        let traces = run(&Setting::read(k, b, Control::Lolc), &starts).expect("a setting");
+        let scaled: Vec<(f64, f64)> = traces
+            .iter()
+            .map(Measures::of)
+            .zip(&starts)
+            .map(|(run, start)| (run.force_peak / -start, run.energy_peak / (start * start)))
+            .collect();
+        for (force, energy) in &scaled {
+            near(*force, scaled[50].0, 1e-9, "force");
+            near(*energy, scaled[50].1, 1e-9, "energy");
         }
     }
 }
@@ -157,6 +209,10 @@ fn the_command_prints_what_it_writes() {
     assert!(claims.clone().count() == 13, "{table}");
     assert!(claims.clone().all(|line| line.chars().count() <= 100), "{table}");
     assert!(table.contains("not reproduced    0 of 101"), "{table}");
+    let quoted = include_str!("../../docs/paper.md");
+    for claim in claims {
+        assert!(quoted.contains(claim), "docs/paper.md does not say {claim:?}");
+    }
     let printed = run(&["--json"]);
     let written = std::fs::read_to_string(folder.path().join("claims.json")).expect("claims.json");
     assert_eq!(printed, written);
@@ -168,4 +224,16 @@ fn the_command_prints_what_it_writes() {
     assert_eq!(run(&["--quiet"]), "");
     let page = std::fs::read_to_string(folder.path().join("report.html")).expect("report.html");
     assert!(page.matches("<svg").count() == 4);
+    // Eleven claims under eight readings, and the readings themselves.
+    let (_, moved) = page.split_once("How the verdicts move").expect("verdicts");
+    let (moved, _) = moved.split_once("</table>").expect("a table");
+    assert_eq!(moved.matches("<span class=").count(), 11 * 8);
+    for reading in ["cap 0.25", "cap 0.5", "cap 1", "observer at 1000 Hz", "printed recursion"] {
+        assert!(moved.contains(reading), "{reading}");
+    }
+    for part in
+        ["Definitions", "Where the energy went", "lyapunov 0.1.0", "scenes/paper-8k-lolc.toml"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
 }

@@ -1,6 +1,6 @@
 //! What stands at the port of a scene: one axis, or several.
 
-use lyapunov::lanes::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
+use lyapunov::lanes::AutoF64x8;
 use lyapunov::{ParameterError, Scalar, Signal};
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use super::port::Operator;
 use super::{AnyPlant, Port, plant};
 use crate::scene::{Coordinates, Scene};
 
-/// A signal that scenes are simulated with: one axis (`f32`, `f64`, lanes), or an `SVector` of two or three.
+/// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`), or an `SVector` of two or three.
 pub trait Space: Signal<Scalar: Send> + Send {
     /// How many axes there are.
     const DIMENSIONS: usize;
@@ -70,7 +70,7 @@ macro_rules! line {
     )*};
 }
 
-line!(f32, f64, AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4);
+line!(f32, f64, AutoF64x8);
 
 impl<T: Scalar + Send, const N: usize> Space for SVector<T, N> {
     const DIMENSIONS: usize = N;

@@ -151,12 +151,13 @@ impl Magnifier {
             markup.outline(mark, MARK);
         }
         markup.area(self.outer, PAPER);
-        let hidden: Vec<(Place, Place)> = self
-            .connections()
-            .into_iter()
-            .filter_map(|(from, to)| self.outer.cut(from, to))
-            .collect();
-        markup.lines(&hidden, CONNECTION);
+        // Numbers stand to the left of the frame and below it; a line through them would be read as one of them.
+        if self.mark.is_some_and(|mark| is_above(mark, self.axes.area)) {
+            let connections = self.connections().into_iter();
+            let hidden: Vec<(Place, Place)> =
+                connections.filter_map(|(from, to)| self.outer.cut(from, to)).collect();
+            markup.lines(&hidden, CONNECTION);
+        }
         axes::draw_grid(markup, &self.axes, &self.numbers);
         reference::draw_lines(markup, &panel.guides, &self.axes);
         for curve in Curve::all(&panel.series, &self.axes) {
@@ -167,12 +168,28 @@ impl Magnifier {
     }
 
     fn connections(&self) -> Vec<(Place, Place)> {
-        self.mark.map(|mark| connections(mark, self.axes.area)).unwrap_or_default()
+        let Some(mark) = self.mark else { return Vec::new() };
+        let frame = self.axes.area;
+        connections(mark, if is_above(mark, frame) { frame } else { self.outer })
     }
 }
 
-/// Lines between like corners of both rectangles, those that cross neither.
+fn is_above(mark: Rect, frame: Rect) -> bool {
+    mark.bottom() <= frame.top
+}
+
+/// Lines from the mark to the frame that cross neither: between the edges that face each other where one is above the
+/// other, else between like corners.
 fn connections(mark: Rect, frame: Rect) -> Vec<(Place, Place)> {
+    let facing = |from: f64, to: f64| {
+        vec![((mark.left, from), (frame.left, to)), ((mark.right(), from), (frame.right(), to))]
+    };
+    if is_above(mark, frame) {
+        return facing(mark.bottom(), frame.top);
+    }
+    if is_above(frame, mark) {
+        return facing(mark.top, frame.bottom());
+    }
     let starts_before = mark.left < frame.left;
     let ends_before = mark.right() < frame.right();
     let foot_is_lower = mark.bottom() > frame.bottom();

@@ -1,21 +1,23 @@
 //! `lyapunov compare`.
 
-use std::cell::Cell;
-use std::fs;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Output, OutputError, Space};
 
-use super::{End, heed_interrupts, standard_output};
+use super::folder::Folder;
+use super::{BAR, End, heed_interrupts, shown, standard_output};
 
 /// Ticks in all from which on there is something to wait for.
 const LONG: u64 = 1 << 20;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "compare.json";
 
 /// Compare stabilizers on the same scenes: none, POPC, and LOLC with each of its candidates.
 ///
@@ -39,7 +41,7 @@ pub(crate) struct Compare {
     /// Print compare.json instead of tables.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Print nothing.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }
@@ -50,11 +52,16 @@ impl Compare {
         let load = |path: &PathBuf| Ok((path.display().to_string(), Scene::load(path)?));
         let scenes: Result<Vec<(String, Scene)>, _> = self.scenes.iter().map(load).collect();
         let scenes = scenes.map_err(|error: lyapunov_lab::scene::Diagnostic| End::input(error))?;
-        let folder = self.out.as_deref().map(Folder::claim).transpose()?;
+        if let Some((name, _)) = scenes.iter().find(|(_, scene)| scene.dimensions() > 1) {
+            return Err(End::input(format_args!(
+                "{name}: [space] is not for a comparison\n  = compare scenes of one dimension"
+            )));
+        }
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let comparisons = self.compare(&scenes)?;
         let text = document(&comparisons).map_err(End::internal)?;
         if let Some(folder) = folder {
-            folder.fill(&self.scenes, &comparisons, &text)?;
+            fill(&folder, &self.scenes, &comparisons, &text)?;
         }
         let mut out = io::stdout().lock();
         if self.json {
@@ -87,13 +94,12 @@ impl Compare {
         Ok(comparisons)
     }
 
-    /// A bar where somebody looks and there is something to wait for.
+    /// A bar where there is something to wait for.
     fn progress(&self, ticks: u64) -> ProgressBar {
-        if self.quiet || ticks < LONG || !io::stdout().is_terminal() {
+        if self.quiet || ticks < LONG {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
-        ProgressBar::new(ticks).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        shown(ProgressBar::new(ticks), BAR)
     }
 }
 
@@ -112,57 +118,31 @@ fn meet<V: Space>(name: &str, scene: &Scene, bar: &ProgressBar) -> Result<Compar
     })
 }
 
-/// The folder for the results. One that had to be made is taken away again if nothing comes of it.
-struct Folder<'a> {
-    path: &'a Path,
-    is_new: Cell<bool>,
-}
-
-impl<'a> Folder<'a> {
-    /// Makes sure that the results can be written before they are worked for.
-    fn claim(path: &'a Path) -> Result<Self, End> {
-        let is_new = Cell::new(!path.exists());
-        fs::create_dir_all(path).map_err(|error| {
-            let error = match path.is_file() {
-                true => io::ErrorKind::NotADirectory.into(),
-                false => error,
-            };
-            End::input(OutputError::new(path, error))
-        })?;
-        let folder = Self { path, is_new };
-        Output::create(&path.join("compare.json")).map_err(End::input)?;
-        Ok(folder)
-    }
-
-    /// Writes everything, and only then lets it appear.
-    fn fill(&self, scenes: &[PathBuf], comparisons: &[Comparison], text: &str) -> Result<(), End> {
-        let mut outputs = Vec::new();
-        let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
-            let mut output = Output::create(&self.path.join(name))?;
-            output.write_all(bytes).map_err(|error| output.blame(error))?;
-            outputs.push(output);
-            Ok(())
-        };
-        for (name, comparison) in names(scenes).iter().zip(comparisons) {
-            End::if_interrupted()?;
-            let figure = comparison.figure();
-            let picture = figure.to_png(2.0).map_err(End::internal)?;
-            put(&format!("{name}.svg"), figure.to_svg().as_bytes()).map_err(End::input)?;
-            put(&format!("{name}.png"), &picture).map_err(End::input)?;
-        }
-        put("compare.json", text.as_bytes()).map_err(End::input)?;
+/// Writes everything, and only then lets it appear.
+fn fill(
+    folder: &Folder<'_>,
+    scenes: &[PathBuf],
+    comparisons: &[Comparison],
+    text: &str,
+) -> Result<(), End> {
+    let mut outputs = Vec::new();
+    let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
+        let mut output = Output::create(&folder.path().join(name))?;
+        output.write_all(bytes).map_err(|error| output.blame(error))?;
+        outputs.push(output);
+        Ok(())
+    };
+    for (name, comparison) in names(scenes).iter().zip(comparisons) {
         End::if_interrupted()?;
-        self.is_new.set(false);
-        outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
+        let figure = comparison.figure();
+        let picture = figure.to_png(2.0).map_err(End::internal)?;
+        put(&format!("{name}.svg"), figure.to_svg().as_bytes()).map_err(End::input)?;
+        put(&format!("{name}.png"), &picture).map_err(End::input)?;
     }
-}
-
-impl Drop for Folder<'_> {
-    fn drop(&mut self) {
-        if self.is_new.get() {
-            let _ = fs::remove_dir(self.path);
-        }
-    }
+    put(RESULTS, text.as_bytes()).map_err(End::input)?;
+    End::if_interrupted()?;
+    folder.keep();
+    outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
 }
 
 /// The name of each scene's figure: that of its file, with a number where two are alike.

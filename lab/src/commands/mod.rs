@@ -1,13 +1,14 @@
 //! What the command line offers, and how its commands end.
 
 mod compare;
+mod folder;
 mod observe;
 mod paper;
 mod run;
 mod source;
 
 use std::fmt::Display;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::process::{self, ExitCode};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,6 +16,7 @@ use std::thread;
 use std::time::Duration;
 
 use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
 use lyapunov_lab::OutputError;
 
 /// Simulate sampled loops under stabilizers that watch a Lyapunov candidate.
@@ -45,6 +47,18 @@ impl Command {
             Err(end) => ExitCode::from(end.report()),
         }
     }
+}
+
+/// How a share of something known looks while it grows.
+const BAR: &str = "{bar:40} {percent:>3} %, {eta} left";
+
+/// The bar in this form, hidden where nobody looks: unless standard output and standard error are both a terminal.
+pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
+    if !io::stdout().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(template);
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);

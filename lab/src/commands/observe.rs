@@ -9,7 +9,7 @@ use lyapunov_lab::observe::{self, Candidate, Columns, Observed, Scale, Settings}
 use lyapunov_lab::{Output, OutputError};
 
 use super::source::Source;
-use super::{End, heed_interrupts};
+use super::{End, heed_interrupts, standard_output};
 
 /// Observe a recorded log of any device: when energy was generated, how much and by which contact.
 ///
@@ -49,9 +49,9 @@ pub(crate) struct Observe {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print the report as JSON, in SI units.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Print nothing but errors, and the JSON if it is asked for.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }
@@ -135,10 +135,7 @@ impl Observe {
                 None => Ok(()),
             })
         };
-        told.and_then(|()| out.flush()).map_err(|error| match error.kind() {
-            ErrorKind::BrokenPipe => End::Enough,
-            _ => End::input(OutputError::new(Path::new("standard output"), error)),
-        })
+        told.and_then(|()| out.flush()).map_err(standard_output)
     }
 }
 

@@ -5,19 +5,24 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lyapunov::ParameterError;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{
     Csv, Output, OutputError, Rollout, Row, Space, Summary, further_columns, in_space,
 };
 
-use super::{End, heed_interrupts, say, standard_output};
+use super::{BAR, End, heed_interrupts, say, shown, standard_output};
 
 /// Ticks between two looks at the clock and at interrupts.
 const BREATH: u64 = 1 << 16;
 
 /// Simulate a scene and say what it came to.
+///
+/// The summary goes to standard output, or to standard error where `--csv -` sends the rows to standard output.
+/// docs/contract.md defines the rows, docs/command.md the JSON.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Run {
     /// The scene file, TOML.
@@ -25,6 +30,12 @@ pub(crate) struct Run {
     /// Write one row per servo tick to this file; `-` is standard output.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Say it as JSON.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Say nothing but errors.
+    #[arg(long)]
+    quiet: bool,
 }
 
 impl Run {
@@ -37,11 +48,14 @@ impl Run {
                 // Standard output by itself hands on every line alone.
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::new(output, &further).map_err(standard_output)?;
-                let summary = simulate(&scene, |row, further| {
+                let hidden = ProgressBar::hidden();
+                let summary = simulate(&scene, &hidden, |row, further| {
                     csv.write(row, further).map_err(standard_output)
                 })?;
                 csv.into_inner().flush().map_err(standard_output)?;
-                say(format_args!("{}\n{summary}", self.scene.display()));
+                if !self.quiet {
+                    say(self.words(&summary)?.trim_end());
+                }
             }
             Some(path) => {
                 self.spare_scene(path)?;
@@ -49,14 +63,15 @@ impl Run {
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::new(output, &further).map_err(refused)?;
-                let summary =
-                    simulate(&scene, |row, further| csv.write(row, further).map_err(refused))?;
+                let summary = simulate(&scene, &self.progress(&scene), |row, further| {
+                    csv.write(row, further).map_err(refused)
+                })?;
                 csv.into_inner().keep().map_err(End::input)?;
                 self.tell(&summary)?;
             }
             None => {
                 heed_interrupts(false);
-                self.tell(&simulate(&scene, |_, _| Ok(()))?)?;
+                self.tell(&simulate(&scene, &self.progress(&scene), |_, _| Ok(()))?)?;
             }
         }
         Ok(())
@@ -77,23 +92,44 @@ impl Run {
     }
 
     fn tell(&self, summary: &Summary) -> Result<(), End> {
-        writeln!(io::stdout(), "{}\n{summary}", self.scene.display()).map_err(standard_output)
+        if self.quiet {
+            return Ok(());
+        }
+        io::stdout().write_all(self.words(summary)?.as_bytes()).map_err(standard_output)
+    }
+
+    fn words(&self, summary: &Summary) -> Result<String, End> {
+        let scene = self.scene.display();
+        if self.json {
+            summary.to_json(&scene.to_string()).map_err(End::internal)
+        } else {
+            Ok(format!("{scene}\n{summary}\n"))
+        }
+    }
+
+    /// A bar for runs that take long enough to look at it.
+    fn progress(&self, scene: &Scene) -> ProgressBar {
+        if self.quiet || scene.ticks() < 50 * BREATH {
+            return ProgressBar::hidden();
+        }
+        shown(ProgressBar::new(scene.ticks()), BAR)
     }
 }
 
 fn simulate(
     scene: &Scene,
+    bar: &ProgressBar,
     write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
 ) -> Result<Summary, End> {
-    in_space!(scene, Axes => drain(scene, Rollout::<Axes>::of(scene), write))
+    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), write))
 }
 
 fn drain<V: Space>(
     scene: &Scene,
+    bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
     mut write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
 ) -> Result<Summary, End> {
-    let bar = progress(scene.ticks());
     let mut summary = Summary::new(scene);
     let mut rollout = rollout.map_err(End::input)?;
     while let Some(row) = rollout.next() {
@@ -102,17 +138,8 @@ fn drain<V: Space>(
             bar.set_position(summary.rows);
         }
         write(&row, rollout.further())?;
-        summary.add(&row);
+        summary.add(&row, rollout.further());
     }
     bar.finish_and_clear();
     Ok(summary)
-}
-
-/// A bar for runs that take long enough to look at it; hidden where nobody looks.
-fn progress(ticks: u64) -> ProgressBar {
-    if ticks < 50 * BREATH {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
-    ProgressBar::new(ticks).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -7,9 +7,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
-use super::End;
+use super::{BAR, End, shown};
 
 /// Bytes that travel at once from a stream that may keep us waiting.
 const PIECE: usize = 1 << 16;
@@ -61,15 +61,14 @@ impl Source {
         Self { stream, size, read: 0, bar: ProgressBar::hidden() }
     }
 
-    /// Shows how far it is, if that takes long enough to look at it; hidden where nobody looks.
+    /// Shows how far it is, if that takes long enough to look at it.
     pub(crate) fn show_progress(&mut self) {
         let (bar, template) = match self.size {
             Some(size) if size < SMALL => return,
-            Some(size) => (ProgressBar::new(size), "{bar:40} {percent:>3} %, {eta} left"),
+            Some(size) => (ProgressBar::new(size), BAR),
             None => (ProgressBar::new_spinner(), "{spinner} {bytes} read, {bytes_per_sec}"),
         };
-        let style = ProgressStyle::with_template(template);
-        self.bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        self.bar = shown(bar, template);
     }
 }
 

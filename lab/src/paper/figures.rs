@@ -30,7 +30,8 @@ const SURFACE: &str = "wall surface";
 
 fn figure_6(plain: &[Row]) -> Figure {
     let shown = 2.0;
-    let panel = Panel::new("8 kN/m, 2 N·s/m, without control", TIME, "position, mm")
+    let title = "8 kN/m, 2 N·s/m, without control; the curve is cut off at ±60 mm";
+    let panel = Panel::new(title, TIME, "position, mm")
         .with_series(Series::line("no control", 0, points(plain, |row| 1e3 * row.x)))
         .with_guide(Guide::horizontal(0.0, SURFACE))
         .with_x_range(0.0, shown)

@@ -53,6 +53,11 @@ impl Case {
         Scene::parse(text, name)
     }
 
+    /// The scene file.
+    pub fn text(self) -> &'static str {
+        self.file().1
+    }
+
     fn file(self) -> (&'static str, &'static str) {
         macro_rules! shipped {
             ($name:literal) => {

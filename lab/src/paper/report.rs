@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::Case;
 use super::claims::{Verdict, number};
 use super::figures::Drawn;
 use super::study::Study;
@@ -14,13 +15,13 @@ pub(super) struct Report<'a> {
     pub(super) command: &'a str,
 }
 
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 const STYLE: &str = include_str!("report.css");
 
 impl Report<'_> {
     /// The page, as HTML.
     pub(super) fn to_html(&self) -> String {
         let mut page = String::new();
-        let version = env!("CARGO_PKG_VERSION");
         page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
         page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
         page.push_str("<meta name=\"color-scheme\" content=\"light dark\">\n");
@@ -29,14 +30,16 @@ impl Report<'_> {
             "<title>The paper, claim by claim</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
              <h1>The paper, claim by claim</h1>\n\
              <p>Section IV of <cite>Lyapunov Observer/Controller for Stable Haptic Interaction</cite> \
-             (Jafari, Etoundi, Chong), computed by <code>{}</code>, lyapunov {version}.</p>\n",
+             (Jafari, Etoundi, Chong), computed by <code>{}</code>, lyapunov {VERSION}.</p>\n",
             escape(self.command)
         );
         self.claims(&mut page);
         self.figures(&mut page);
         self.balances(&mut page);
+        self.verdicts(&mut page);
         self.readings(&mut page);
         page.push_str(DEFINITIONS);
+        self.scenes(&mut page);
         page.push_str("</body>\n</html>\n");
         page
     }
@@ -48,11 +51,7 @@ impl Report<'_> {
              <th>Verdict</th></tr></thead>\n<tbody>\n",
         );
         for claim in &self.study.claims {
-            let (class, verdict) = match claim.verdict {
-                Verdict::Reproduced => ("yes", "reproduced"),
-                Verdict::NotReproduced => ("no", "not reproduced"),
-                Verdict::Undecided => ("open", "undecided"),
-            };
+            let (class, verdict) = told(claim.verdict);
             let _ = writeln!(
                 page,
                 "<tr id=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
@@ -71,25 +70,75 @@ impl Report<'_> {
     fn figures(&self, page: &mut String) {
         page.push_str("<h2>Figures</h2>\n");
         for (name, figure, cases) in self.figures {
-            let scenes: Vec<String> = cases
-                .iter()
-                .map(|case| format!("<code>scenes/{}.toml</code>", case.name()))
-                .collect();
+            let _ = write!(
+                page,
+                "<figure id=\"{name}\">\n{}\n<figcaption>Drawn by <code>{}</code>, lyapunov {VERSION}, from",
+                figure.to_svg(),
+                escape(self.command)
+            );
+            for (index, case) in cases.iter().enumerate() {
+                let (and, case) = (if index == 0 { "" } else { " and" }, case.name());
+                let _ = write!(
+                    page,
+                    "{and} <a href=\"#{case}\">scenes/{case}.toml</a> (rows: <a href=\"{case}.csv\">{case}.csv</a>)"
+                );
+            }
+            page.push_str(".</figcaption>\n</figure>\n");
+        }
+    }
+
+    /// The scene files of the figures, and how to run them alone.
+    fn scenes(&self, page: &mut String) {
+        page.push_str("<h2>Scenes</h2>\n");
+        let mut cases: Vec<Case> = Vec::new();
+        for case in self.figures.iter().flat_map(|(_, _, cases)| *cases) {
+            if !cases.contains(case) {
+                cases.push(*case);
+            }
+        }
+        for case in cases {
+            let (name, text) = (case.name(), escape(case.text()));
             let _ = writeln!(
                 page,
-                "<figure id=\"{name}\">\n{}\n<figcaption>Scenes: {}. Rows: the CSV files beside this \
-                 page.</figcaption>\n</figure>",
-                figure.to_svg(),
-                scenes.join(", ")
+                "<section id=\"{name}\">\n<h3><code>scenes/{name}.toml</code></h3>\n\
+                 <p>Alone: <code>lyapunov run scenes/{name}.toml --csv {name}.csv</code></p>\n\
+                 <pre>{text}</pre>\n</section>"
             );
         }
+    }
+
+    fn verdicts(&self, page: &mut String) {
+        page.push_str(
+            "<h2>How the verdicts move with what the paper leaves open</h2>\n<p>Starts for which a claim holds, of \
+             101, in the colour of the verdict. A cap of 0.5, everything at 100 Hz, is the reading above; one \
+             thing is changed at a time. The wall stays at 100 Hz.</p>\n\
+             <div class=\"wide\"><table class=\"counts\">\n<thead><tr><th>The paper says</th>",
+        );
+        for moved in &self.study.moved {
+            let _ = write!(page, "<th class=\"number\">{}</th>", escape(&moved.name));
+        }
+        page.push_str("</tr></thead>\n<tbody>\n");
+        for (index, claim) in self.study.moved.first().iter().flat_map(|it| &it.claims).enumerate()
+        {
+            let _ = write!(page, "<tr><td>{}</td>", escape(claim.paper));
+            for claim in self.study.moved.iter().filter_map(|moved| moved.claims.get(index)) {
+                let (class, verdict) = told(claim.verdict);
+                let _ = write!(
+                    page,
+                    "<td class=\"number\"><span class=\"{class}\" title=\"{verdict}\">{}</span></td>",
+                    claim.held
+                );
+            }
+            page.push_str("</tr>\n");
+        }
+        page.push_str("</tbody>\n</table></div>\n");
     }
 
     fn balances(&self, page: &mut String) {
         page.push_str(
             "<h2>Where the energy went</h2>\n<p>Millijoules over 30 s from the paper's start. A negative wall is \
              energy that the sampled loop generated; the last column is what the causes leave unexplained.</p>\n\
-             <div class=\"wide\"><table>\n<thead><tr><th>Run</th><th class=\"number\">At the start</th>\
+             <div class=\"wide\"><table class=\"short\">\n<thead><tr><th>Run</th><th class=\"number\">At the start</th>\
              <th class=\"number\">Burnt by operator and device</th><th class=\"number\">Taken by the wall</th>\
              <th class=\"number\">Taken by the controller</th><th class=\"number\">At the end</th>\
              <th class=\"number\">Residual</th></tr></thead>\n<tbody>\n",
@@ -108,7 +157,7 @@ impl Report<'_> {
 
     fn readings(&self, page: &mut String) {
         page.push_str(
-            "<h2>How it moves with what the paper leaves open</h2>\n<div class=\"wide\"><table>\n<thead><tr>\
+            "<h2>How the ensembles move with it</h2>\n<div class=\"wide\"><table class=\"short\">\n<thead><tr>\
              <th>Wall</th><th>Stabilizer</th><th>Reading</th><th class=\"number\">Bounded</th>\
              <th class=\"number\">Settled</th><th class=\"number\">Median settling time, s</th>\
              <th class=\"number\">Ticks active</th><th class=\"number\">Taken by the controller, mJ</th>\
@@ -134,21 +183,16 @@ impl Report<'_> {
     }
 }
 
-const DEFINITIONS: &str = "<h2>Definitions</h2>\n<ul>\n\
-<li>A run is 30 s. The ensemble is 101 starts, evenly within 10 % of −4 mm; the loop at 8 kN/m is chaotic, so a single late \
-trace means nothing.</li>\n\
-<li>A claim is reproduced where it holds for at least 95 % of the starts, not reproduced where it holds for at most 5 %, and \
-undecided in between, or where its number is undefined for most starts.</li>\n\
-<li>Bounded: |x| stays within ten times the paper's start. Settled at t: |x| is at most 5 % of the start from t to the \
-end.</li>\n\
-<li>Swing: the largest |x| after the first contact. Jitter: the RMS velocity over the second after settling.</li>\n\
-<li>Impulsive: the largest |ΔL| over the median |ΔL| of active ticks. At 50 kN/m most active ticks come after settling, where \
-L no longer changes in double precision: the median is 0 and the number undefined.</li>\n\
-<li>Taken by the controller: the work of its held force over the true displacement.</li>\n\
-<li>Less conservative: less energy taken while both stay bounded, and more walls of a grid (1 to 50 kN/m, 0 to 100 N·s/m) on \
-which the loop stays bounded and settles.</li>\n\
-<li>The reading of the paper: operator and device move as one mass, the operator's spring rests at the wall, everything runs at \
-100 Hz, held work, a damping cap of half of m / T.</li>\n</ul>\n";
+const DEFINITIONS: &str = include_str!("definitions.html");
+
+/// The class of a verdict and its words.
+fn told(verdict: Verdict) -> (&'static str, &'static str) {
+    match verdict {
+        Verdict::Reproduced => ("yes", "reproduced"),
+        Verdict::NotReproduced => ("no", "not reproduced"),
+        Verdict::Undecided => ("open", "undecided"),
+    }
+}
 
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::claims::{Balance, Claim, Control, Grid, Reading, Setting, claims, sensitivity, starts};
+use super::claims::{
+    Balance, Claim, Control, Grid, Moved, Reading, Setting, claims, sensitivity, starts,
+};
 use super::{PaperError, folder};
 
 /// How many starts the verdicts rest on.
@@ -47,6 +49,8 @@ pub struct Study {
     pub claims: Vec<Claim>,
     /// How the ensembles move with what the paper leaves open.
     pub readings: Vec<Reading>,
+    /// How the verdicts on the two walls move with it.
+    pub moved: Vec<Moved>,
     /// Where the energy of the paper's runs went, by name.
     pub balances: Vec<(&'static str, Balance)>,
 }
@@ -70,7 +74,7 @@ impl Study {
         tell(Stage::Claims)?;
         let claims = claims(&starts, GRID).map_err(refuse)?;
         tell(Stage::Readings)?;
-        let readings = sensitivity(&starts).map_err(refuse)?;
+        let (readings, moved) = sensitivity(&starts).map_err(refuse)?;
         tell(Stage::Balances)?;
         let mut balances = Vec::new();
         for (name, stiffness, damping, control) in [
@@ -82,7 +86,7 @@ impl Study {
             let setting = Setting::read(stiffness, damping, control);
             balances.push((name, Balance::of(&setting).map_err(refuse)?));
         }
-        Ok(Self { claims, readings, balances })
+        Ok(Self { claims, readings, moved, balances })
     }
 
     /// `claims.json`.

@@ -71,6 +71,19 @@ fn a_run_without_rows_is_interrupted_too() {
     interrupted(child);
 }
 
+#[test]
+fn an_interrupted_study_leaves_no_folder() {
+    let place = Place::new();
+    let child = place.command(["paper", "--out", "results"]).start(Stdio::piped());
+    let start = Instant::now();
+    while !place.path("results").is_dir() {
+        assert!(start.elapsed() < Duration::from_secs(30), "no folder appears");
+        thread::sleep(Duration::from_millis(2));
+    }
+    interrupted(child);
+    assert!(place.contents().is_empty());
+}
+
 /// The pipe is full and nobody reads on: the run stands still in a write that no signal ends.
 #[test]
 fn a_run_is_interrupted_while_nobody_takes_its_rows() {

@@ -7,6 +7,7 @@ mod bad_output;
 mod bad_scene;
 mod bad_usage;
 mod interrupt;
+mod json;
 mod paper;
 mod place;
 mod range;

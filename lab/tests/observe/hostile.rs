@@ -147,7 +147,9 @@ fn files_are_written_whole_or_not_at_all() {
     let ended = observe(GOOD.as_bytes(), &["--out", target, "--quiet"]);
     assert_eq!((ended.status, ended.out.as_str(), ended.error.as_str()), (Some(0), "", ""));
     assert_eq!(names(&out), ["observe.json", "observe.png", "observe.svg"]);
-    let json = observe(GOOD.as_bytes(), &["--json", "--quiet"]).out;
+    let both = observe(GOOD.as_bytes(), &["--json", "--quiet"]);
+    assert_eq!((both.status, both.out.as_str()), (Some(2), ""));
+    let json = observe(GOOD.as_bytes(), &["--json"]).out;
     assert_eq!(fs::read_to_string(out.join("observe.json")).unwrap(), json);
     assert!(fs::read(out.join("observe.png")).unwrap().starts_with(b"\x89PNG"));
 

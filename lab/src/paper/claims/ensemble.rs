@@ -2,8 +2,8 @@
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
-    Action, Adapt, Body, DampingLimit, Drive, Impedance, Lolc, OnePort, ParameterError, Plant,
-    PortEnergy, Scalar, Stabilizer, Wall,
+    Action, Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, Observer,
+    OnePort, ParameterError, Plain, Plant, PortEnergy, Sampled, Scalar, Stabilizer, Wall, Work,
 };
 use rayon::prelude::*;
 
@@ -71,6 +71,8 @@ pub struct Trace {
     pub alpha: Vec<f64>,
     /// The observer sum, J.
     pub observer: Vec<f64>,
+    /// What the tick booked into the sum, J: it is told where the sum is too large to show it.
+    pub booked: Vec<f64>,
 }
 
 /// `count` starts, evenly within 10 % of the paper's.
@@ -102,14 +104,17 @@ fn lanes(setting: &Setting, starts: &[f64]) -> Result<Vec<Trace>, ParameterError
     let wall = Wall::new(of(setting.stiffness), of(setting.damping))?;
     let limit = DampingLimit::of_mass(of(setting.cap), hand.mass, period)?;
     let port = wall.held((setting.servo_rate / 100.0).round() as u32)?;
-    let popc = Lolc::new(PortEnergy, limit);
-    let lolc = Lolc::new((PortEnergy, wall.dissipation()), limit);
+    let credited = (PortEnergy, wall.dissipation());
+    let (popc, lolc) = (Lolc::new(PortEnergy, limit), Lolc::new(credited, limit));
+    let (work, with_credit) = (Observer::of(PortEnergy), Observer::of(credited));
+    let sampled = work.booking::<Sampled, Plain<Lanes>, Lanes>();
+    let sampled_credit = with_credit.booking::<Sampled, Plain<Lanes>, Lanes>();
     let mut traces = match (setting.control, setting.printed) {
-        (Control::None, _) => gather(setting, plant, port, Idle),
-        (Control::Popc, false) => gather(setting, plant, port, popc),
-        (Control::Popc, true) => gather(setting, plant, port, popc.sampled()),
-        (Control::Lolc, false) => gather(setting, plant, port, lolc),
-        (Control::Lolc, true) => gather(setting, plant, port, lolc.sampled()),
+        (Control::None, _) => gather(setting, plant, port, Idle, work),
+        (Control::Popc, false) => gather(setting, plant, port, popc, work),
+        (Control::Popc, true) => gather(setting, plant, port, popc.sampled(), sampled),
+        (Control::Lolc, false) => gather(setting, plant, port, lolc, with_credit),
+        (Control::Lolc, true) => gather(setting, plant, port, lolc.sampled(), sampled_credit),
     };
     traces.truncate(starts.len());
     Ok(traces)
@@ -124,11 +129,12 @@ impl<T: Scalar> Stabilizer<T> for Idle {
     }
 }
 
-fn gather(
+fn gather<C: LyapunovCandidate<Lanes>, W: Work>(
     setting: &Setting,
     mut plant: Body<Lanes>,
     mut port: impl OnePort<Lanes>,
     mut stabilizer: impl Stabilizer<Lanes>,
+    mut observer: Observer<C, W, Plain<Lanes>>,
 ) -> Vec<Trace> {
     let blank = Trace { period: setting.period(), ..Trace::default() };
     let mut traces = vec![blank; Lanes::LANES];
@@ -138,12 +144,14 @@ fn gather(
         let seen = Drive { velocity, ..drive };
         let force = port.respond(&seen);
         let action = stabilizer.stabilize(&seen, force);
+        let booked = observer.decrease(&seen, force);
         for (lane, trace) in traces.iter_mut().enumerate() {
             trace.x.push(drive.position.lane(lane));
             trace.v.push(velocity.lane(lane));
             trace.force.push(force.lane(lane));
             trace.alpha.push(action.alpha.lane(lane));
             trace.observer.push(action.sum.lane(lane));
+            trace.booked.push(booked.lane(lane));
         }
         drive = plant.advance(action.effort);
     }

@@ -2,13 +2,16 @@
 
 use super::ensemble::{START, Trace};
 
-/// A run counts as bounded if it never leaves ten times the paper's start.
-const BOUND: f64 = 10.0 * -START;
+/// A run counts as bounded if it never leaves this many times its start.
+const BOUND: f64 = 10.0;
 
 /// What one run comes to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures {
-    /// Whether `|x|` stays within ten times the paper's start.
+    /// How far out the run starts, in the paper's start. The loop is homogeneous: in exact arithmetic lengths and forces
+    /// go with it, energies with its square.
+    pub scale: f64,
+    /// Whether `|x|` stays within ten times the start.
     pub bounded: bool,
     /// From when on `|x|` stays within 5 % of the start, s.
     pub settled: Option<f64>,
@@ -24,7 +27,7 @@ pub struct Measures {
     pub swing: f64,
     /// RMS velocity over the second after settling, m/s.
     pub jitter: Option<f64>,
-    /// Largest `|ΔL|` over the median `|ΔL|` of active ticks.
+    /// Largest over median `|ΔL|` of active ticks, each as it was booked.
     pub impulsiveness: Option<f64>,
     /// Energy that the controller took: the work of its held force over the true displacement, J.
     pub taken: f64,
@@ -42,8 +45,10 @@ impl Measures {
         let active = trace.alpha.iter().filter(|&&alpha| alpha > 0.0).count();
         let taken = taken(trace);
         let contact = first.clone().unwrap_or(0..0);
+        let start = trace.x.first().copied().unwrap_or(START).abs();
         Self {
-            bounded: trace.x.iter().all(|x| x.abs() <= BOUND),
+            scale: start / START.abs(),
+            bounded: trace.x.iter().all(|x| x.abs() <= BOUND * start),
             settled: settled.map(|tick| tick as f64 * trace.period),
             force_peak: largest(&trace.force[contact.clone()]),
             reply: reply(trace, contact.end),
@@ -92,11 +97,12 @@ fn jitter(trace: &Trace, tick: usize) -> Option<f64> {
     Some((squares / second.len() as f64).sqrt())
 }
 
+/// The steps of the sum as they were booked: at rest they are far below the last digit of the sum they go into.
 fn impulsiveness(trace: &Trace) -> Option<f64> {
-    let steps = |tick: usize| (trace.observer[tick] - trace.observer[tick - 1]).abs();
-    let most = (1..trace.x.len()).map(steps).fold(0.0, f64::max);
-    let active = (1..trace.x.len()).filter(|&tick| trace.alpha[tick] > 0.0).map(steps);
-    let median = median(active)?;
+    let ticks = trace.alpha.iter().zip(&trace.booked);
+    let steps = ticks.filter(|(alpha, _)| **alpha > 0.0).map(|(_, booked)| booked.abs());
+    let most = steps.clone().fold(0.0, f64::max);
+    let median = median(steps)?;
     (median > 0.0).then(|| most / median)
 }
 

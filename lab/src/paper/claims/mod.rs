@@ -2,7 +2,8 @@
 //!
 //! Every verdict rests on an ensemble of starts within 10 % of the paper's, because the loop at 8 kN/m is chaotic and a
 //! single late trace means nothing. A claim is reproduced where it holds for at least 95 % of the starts, not
-//! reproduced where it holds for at most 5 %, and undecided in between.
+//! reproduced where it holds for at most 5 %, and undecided in between. The loop is homogeneous, so lengths and forces are
+//! compared with the paper's in proportion to the start, energies to its square.
 
 mod area;
 mod balance;
@@ -17,4 +18,4 @@ pub use ensemble::{Control, DURATION, START, Setting, Trace, run, starts};
 pub use measures::{Measures, median};
 pub(super) use rows::number;
 pub use rows::{Claim, Verdict, claims};
-pub use sensitivity::{Reading, sensitivity};
+pub use sensitivity::{Moved, Reading, sensitivity};

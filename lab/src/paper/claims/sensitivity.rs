@@ -2,8 +2,9 @@
 
 use lyapunov::ParameterError;
 
-use super::ensemble::{Control, Setting, run};
+use super::ensemble::{Control, Setting};
 use super::measures::{Measures, median};
+use super::rows::{Claim, Loops, measured};
 
 /// What an ensemble comes to under one reading of the paper.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,40 +25,67 @@ pub struct Reading {
     pub taken: f64,
 }
 
-/// Both walls under POPC and LOLC: caps from 0.25 to 1, servo rates from 100 Hz to 1 kHz, and the printed recursion.
+/// The claims about the two walls under one reading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// The reading in words.
+    pub name: String,
+    /// The claims, in the order of [`claims`](super::claims).
+    pub claims: Vec<Claim>,
+}
+
+/// What the ensembles and the verdicts come to under other readings: caps from 0.25 to 1, servo rates from 100 Hz to
+/// 1 kHz, and the printed recursion.
 ///
 /// # Errors
 /// A number that no part takes.
-pub fn sensitivity(starts: &[f64]) -> Result<Vec<Reading>, ParameterError> {
-    let mut readings = Vec::new();
-    for (stiffness, damping) in [(8e3, 2.0), (50e3, 20.0)] {
-        for control in [Control::Popc, Control::Lolc] {
-            let base = Setting::read(stiffness, damping, control);
-            for cap in [0.25, 0.5, 0.75, 1.0] {
-                readings.push(read(format!("cap {cap}"), Setting { cap, ..base }, starts)?);
-            }
-            for servo_rate in [200.0, 500.0, 1000.0] {
-                let setting = Setting { servo_rate, ..base };
-                readings.push(read(format!("observer at {servo_rate} Hz"), setting, starts)?);
-            }
-            let printed = Setting { printed: true, ..base };
-            readings.push(read("printed recursion".to_owned(), printed, starts)?);
-        }
+pub fn sensitivity(starts: &[f64]) -> Result<(Vec<Reading>, Vec<Moved>), ParameterError> {
+    let (mut readings, mut moved) = (Vec::new(), Vec::new());
+    for (name, change) in changes() {
+        let loops = Loops::of(starts, &change)?;
+        let soft = |control| change(Setting::read(8e3, 2.0, control));
+        let stiff = |control| change(Setting::read(50e3, 20.0, control));
+        let popc8k = measured(soft(Control::Popc), starts)?;
+        readings.push(read(&name, soft(Control::Popc), &popc8k));
+        readings.push(read(&name, soft(Control::Lolc), &loops.lolc8k));
+        readings.push(read(&name, stiff(Control::Popc), &loops.popc50k));
+        readings.push(read(&name, stiff(Control::Lolc), &loops.lolc50k));
+        moved.push(Moved { name, claims: loops.claims() });
     }
-    Ok(readings)
+    // One wall and one stabilizer after the other.
+    readings.sort_by(|one, other| {
+        let key = |reading: &Reading| (reading.setting.stiffness, reading.setting.control as u8);
+        key(one).partial_cmp(&key(other)).unwrap_or(std::cmp::Ordering::Equal)
+    });
+    Ok((readings, moved))
 }
 
-fn read(name: String, setting: Setting, starts: &[f64]) -> Result<Reading, ParameterError> {
-    let measures: Vec<Measures> = run(&setting, starts)?.iter().map(Measures::of).collect();
+type Change = Box<dyn Fn(Setting) -> Setting>;
+
+fn changes() -> Vec<(String, Change)> {
+    let mut changes: Vec<(String, Change)> = Vec::new();
+    for cap in [0.25, 0.5, 0.75, 1.0] {
+        changes.push((format!("cap {cap}"), Box::new(move |base| Setting { cap, ..base })));
+    }
+    for servo_rate in [200.0, 500.0, 1000.0] {
+        let name = format!("observer at {servo_rate} Hz");
+        changes.push((name, Box::new(move |base| Setting { servo_rate, ..base })));
+    }
+    let printed = |base| Setting { printed: true, ..base };
+    changes.push(("printed recursion".to_owned(), Box::new(printed)));
+    changes
+}
+
+fn read(name: &str, setting: Setting, measures: &[Measures]) -> Reading {
     let count = measures.len() as f64;
     let settled = || measures.iter().filter_map(|run| run.settled);
-    Ok(Reading {
-        name,
+    Reading {
+        name: name.to_owned(),
         setting,
         bounded: measures.iter().filter(|run| run.bounded).count() as f64 / count,
         settled: settled().count() as f64 / count,
         settling_time: median(settled()),
         active: median(measures.iter().map(|run| run.active)).unwrap_or(0.0),
         taken: median(measures.iter().map(|run| run.taken)).unwrap_or(0.0),
-    })
+    }
 }
