@@ -10,7 +10,7 @@ use lyapunov::{
     OnePort, Spring,
 };
 
-use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Sample, Varying};
+use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Plain, Sample, Varying};
 use crate::support::{Bits, CASES, Real, Spy, hold, same};
 
 fn follows<E: Environment, T: Real>() {
@@ -51,6 +51,10 @@ fn follows<E: Environment, T: Real>() {
 mod check {
     use super::*;
 
+    pub(super) fn wall<T: Real>() {
+        follows::<Plain, T>();
+    }
+
     pub(super) fn layered_wall<T: Real>() {
         follows::<Layered, T>();
     }
@@ -77,6 +81,7 @@ mod check {
 }
 
 crate::support::every_real!(
+    wall,
     layered_wall,
     hunt_crossley,
     moving_wall,

@@ -118,6 +118,23 @@ fn pushing(depth: f64, force: [f64; 2], burnt: f64, size: f64) -> Answer {
     }
 }
 
+/// The wall of the contract.
+pub(crate) struct Plain;
+
+impl Environment for Plain {
+    fn build<T: Scalar>(parts: Parts<T>) -> (impl OnePort<T>, impl LyapunovCandidate<T>) {
+        let wall = Wall::new(parts.stiffness[0], parts.damping).expect("a wall");
+        let wall = wall.at(parts.position);
+        (wall, wall.dissipation())
+    }
+
+    fn law(parts: &Parts<f64>, Sample { x, v, period, .. }: Sample) -> Answer {
+        let (k, b, p) = (parts.stiffness[0], parts.damping, x - parts.position);
+        let burnt = b * v * v * period;
+        pushing(p, [k * p + b * v, k * p.abs() + b * v.abs()], burnt, burnt)
+    }
+}
+
 pub(crate) struct Layered;
 
 impl Environment for Layered {
