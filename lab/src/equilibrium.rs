@@ -3,6 +3,7 @@
 use lyapunov::{Drive, OnePort};
 
 use crate::Space;
+use crate::building::AsPort;
 use crate::scene::{Environment, Scene};
 
 /// Halvings of an interval: more than the digits of f64.
@@ -55,7 +56,7 @@ fn one_sided(scene: &Scene, surface: f64, free: f64) -> Option<f64> {
     }
     let pull = last_pull(scene);
     let excess = |x: f64| {
-        let mut wall = f64::environment(scene).ok()?;
+        let mut wall = f64::render(scene, AsPort).ok()?;
         Some(pull * (x - free) + wall.respond(&Drive::starting(1.0, x, 0.0)))
     };
     let (mut low, mut high) = (surface, free);

@@ -35,7 +35,7 @@ mod row;
 pub mod scene;
 mod summary;
 
-pub use building::{AnyPlant, AnyStabilizer, AnyTerm, Assembly, Port, Space};
+pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
 pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
 pub use nalgebra::SVector;

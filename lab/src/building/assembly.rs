@@ -2,7 +2,7 @@
 
 use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal, Stabilizer};
 
-use super::environment::of;
+use super::environment::{AsPort, of};
 use super::port::{Operator, Tap};
 use super::{AnyPlant, AnyStabilizer, Port, Space};
 use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
@@ -77,7 +77,7 @@ impl<V: Space> Assembly<V> {
 
 /// What the device touches, as it answers at the servo's rate.
 fn environment<V: Space>(scene: &Scene) -> Result<Port<V>, ParameterError> {
-    let mut port = V::environment(scene)?;
+    let mut port = V::render(scene, AsPort)?;
     if let Some(dropout) = scene.effects.dropout {
         let fallback = match dropout.policy {
             Policy::Hold => Fallback::Hold,

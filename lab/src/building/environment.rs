@@ -1,9 +1,7 @@
 //! What the device of a scene touches, and what of it a candidate may credit.
 
-use std::fmt;
-
 use lyapunov::{
-    Contact, Cuboid, Dissipation, Drive, HuntCrossley, Impedance, LayeredWall, LyapunovCandidate,
+    Contact, Cuboid, Dissipation, HuntCrossley, Impedance, LayeredWall, LyapunovCandidate,
     MassSpringDamper, MovingWall, OnePort, ParameterError, Plane, Requirement, Scalar, Signal,
     Sphere, Spring, VaryingSpring, Wall,
 };
@@ -12,80 +10,51 @@ use nalgebra::SVector;
 use super::{Port, Space};
 use crate::scene::{Environment, Scene};
 
-/// Any term of a candidate, boxed.
-pub struct AnyTerm<V: Signal>(Box<dyn LyapunovCandidate<V>>);
+/// What is made of an environment and the term of its own damper, both of types that only the scene knows.
+pub trait Render<V: Signal> {
+    /// What is made of them.
+    type Made;
 
-impl<V: Signal> AnyTerm<V> {
-    fn new(term: impl LyapunovCandidate<V> + 'static) -> Self {
-        Self(Box::new(term))
-    }
-
-    fn nothing() -> Result<Self, ParameterError> {
-        Ok(Self::new(Dissipation::of(V::Scalar::of(0.0))?))
-    }
-}
-
-impl<V: Signal> fmt::Debug for AnyTerm<V> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("AnyTerm").finish_non_exhaustive()
-    }
-}
-
-impl<V: Signal> LyapunovCandidate<V> for AnyTerm<V> {
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        self.0.decrease(drive)
-    }
-}
-
-/// An environment and the term of its own damper, which sees the port at `rate` Hz.
-struct Rendered<V: Signal> {
-    port: Port<V>,
-    credit: AnyTerm<V>,
-}
-
-impl<V: Signal> Rendered<V> {
-    fn new(
-        port: impl OnePort<V> + 'static,
+    /// Makes it.
+    ///
+    /// # Errors
+    /// Whatever the making meets.
+    fn render(
+        self,
+        environment: impl OnePort<V> + 'static,
         credit: impl LyapunovCandidate<V> + 'static,
-    ) -> Result<Self, ParameterError> {
-        Ok(Self { port: Port::new(port), credit: AnyTerm::new(credit) })
+    ) -> Result<Self::Made, ParameterError>;
+}
+
+/// The environment itself, boxed.
+pub(crate) struct AsPort;
+
+impl<V: Signal> Render<V> for AsPort {
+    type Made = Port<V>;
+
+    fn render(
+        self,
+        environment: impl OnePort<V> + 'static,
+        _credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<Port<V>, ParameterError> {
+        Ok(Port::new(environment))
     }
-
-    fn without_damper(port: impl OnePort<V> + 'static) -> Result<Self, ParameterError> {
-        Ok(Self { port: Port::new(port), credit: AnyTerm::nothing()? })
-    }
 }
 
-pub(super) fn on_a_line<T: Scalar>(scene: &Scene) -> Result<Port<T>, ParameterError> {
-    Ok(line(scene)?.port)
-}
-
-pub(super) fn credit_on_a_line<T: Scalar>(scene: &Scene) -> Result<AnyTerm<T>, ParameterError> {
-    Ok(line(scene)?.credit)
-}
-
-pub(super) fn in_space<T: Scalar + Send, const N: usize>(
+pub(super) fn on_a_line<T: Scalar, R: Render<T>>(
     scene: &Scene,
-) -> Result<Port<SVector<T, N>>, ParameterError> {
-    Ok(solid(scene)?.port)
-}
-
-pub(super) fn credit_in_space<T: Scalar + Send, const N: usize>(
-    scene: &Scene,
-) -> Result<AnyTerm<SVector<T, N>>, ParameterError> {
-    Ok(solid(scene)?.credit)
-}
-
-fn line<T: Scalar>(scene: &Scene) -> Result<Rendered<T>, ParameterError> {
+    to: R,
+) -> Result<R::Made, ParameterError> {
+    let nothing = Dissipation::of(T::zero())?;
     // Environments tick at their own rate, what is credited at the servo's.
     let (slow, fast) = (T::of(scene.environment_rate()), T::of(scene.servo_rate.get()));
     match &scene.environment {
         Environment::Wall(it) => {
             let wall = Wall::new(of(it.stiffness), of(it.damping))?.at(of(it.position));
-            Rendered::new(wall, wall.dissipation())
+            to.render(wall, wall.dissipation())
         }
         Environment::Spring(it) => {
-            Rendered::without_damper(Spring::<T>::new(of(it.stiffness))?.at(of(it.position)))
+            to.render(Spring::<T>::new(of(it.stiffness))?.at(of(it.position)), nothing)
         }
         Environment::MassSpringDamper(it) => {
             let impedance = Impedance {
@@ -94,27 +63,27 @@ fn line<T: Scalar>(scene: &Scene) -> Result<Rendered<T>, ParameterError> {
                 stiffness: of(it.stiffness),
             };
             let body = MassSpringDamper::<T>::new(impedance)?.at(of(it.position));
-            Rendered::new(body, body.dissipation())
+            to.render(body, body.dissipation())
         }
         Environment::LayeredWall(it) => {
             let wall = LayeredWall::new(of(it.depth), it.stiffness.map(of), of(it.damping))?;
             let wall = wall.at(of(it.position));
-            Rendered::new(wall, wall.dissipation())
+            to.render(wall, wall.dissipation())
         }
         Environment::HuntCrossley(it) => {
             let wall = HuntCrossley::new(of(it.stiffness), of(it.exponent), of(it.damping))?;
             let wall = wall.at(of(it.position));
-            Rendered::new(wall, wall.dissipation())
+            to.render(wall, wall.dissipation())
         }
         Environment::MovingWall(it) => {
             let wall = Wall::new(of(it.stiffness), of(it.damping))?.at(of(it.position));
             let moving = MovingWall::new(wall, of(it.amplitude), of(it.frequency), slow)?;
-            Rendered::new(moving, moving.dissipation(fast)?)
+            to.render(moving, moving.dissipation(fast)?)
         }
         Environment::VaryingSpring(it) => {
             let spring = Spring::<T>::new(of(it.stiffness))?.at(of(it.position));
             let amplitude = of(it.amplitude);
-            Rendered::without_damper(VaryingSpring::new(spring, amplitude, of(it.frequency), slow)?)
+            to.render(VaryingSpring::new(spring, amplitude, of(it.frequency), slow)?, nothing)
         }
         Environment::Plane(_) | Environment::Sphere(_) | Environment::Cuboid(_) => {
             Err(elsewhere(1))
@@ -122,20 +91,21 @@ fn line<T: Scalar>(scene: &Scene) -> Result<Rendered<T>, ParameterError> {
     }
 }
 
-fn solid<T: Scalar + Send, const N: usize>(
+pub(super) fn in_space<T: Scalar + Send, const N: usize, R: Render<SVector<T, N>>>(
     scene: &Scene,
-) -> Result<Rendered<SVector<T, N>>, ParameterError> {
+    to: R,
+) -> Result<R::Made, ParameterError> {
     type Axes<T, const N: usize> = SVector<T, N>;
     match &scene.environment {
         Environment::Plane(it) => {
             let plane = Plane::new(Axes::<T, N>::at(&it.point), Axes::<T, N>::at(&it.normal))?;
             let contact = Contact::with(plane, of(it.stiffness), of(it.damping))?;
-            Rendered::new(contact, contact.dissipation())
+            to.render(contact, contact.dissipation())
         }
         Environment::Sphere(it) => {
             let sphere = Sphere::new(Axes::<T, N>::at(&it.center), of(it.radius))?;
             let contact = Contact::with(sphere, of(it.stiffness), of(it.damping))?;
-            Rendered::new(contact, contact.dissipation())
+            to.render(contact, contact.dissipation())
         }
         Environment::Cuboid(it) => {
             let half = Axes::<T, N>::from_fn(|axis, _| {
@@ -143,7 +113,7 @@ fn solid<T: Scalar + Send, const N: usize>(
             });
             let cuboid = Cuboid::new(Axes::<T, N>::at(&it.center), half)?;
             let contact = Contact::with(cuboid, of(it.stiffness), of(it.damping))?;
-            Rendered::new(contact, contact.dissipation())
+            to.render(contact, contact.dissipation())
         }
         _ => Err(elsewhere(N)),
     }

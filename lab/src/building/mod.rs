@@ -10,7 +10,8 @@ mod stabilizer;
 
 pub use assembly::Assembly;
 pub(crate) use assembly::Seen;
-pub use environment::AnyTerm;
+pub(crate) use environment::AsPort;
+pub use environment::Render;
 pub use plant::AnyPlant;
 pub use port::Port;
 pub use space::Space;

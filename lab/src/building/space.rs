@@ -4,9 +4,9 @@ use lyapunov::lanes::AutoF64x8;
 use lyapunov::{ParameterError, Scalar, Signal};
 use nalgebra::SVector;
 
-use super::environment::{self, AnyTerm};
+use super::environment::{self, Render};
 use super::port::Operator;
-use super::{AnyPlant, Port, plant};
+use super::{AnyPlant, plant};
 use crate::scene::{Coordinates, Scene};
 
 /// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`), or an `SVector` of two or three.
@@ -20,17 +20,11 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// Along axis `index`, in the first lane; NaN past the last axis.
     fn axis(self, index: usize) -> f64;
 
-    /// What the device of `scene` touches.
+    /// Makes something `of` what the device of `scene` touches.
     ///
     /// # Errors
-    /// A parameter out of the range of the scalar, or an environment of another space.
-    fn environment(scene: &Scene) -> Result<Port<Self>, ParameterError>;
-
-    /// What the damper of the environment of `scene` burns, as the term of a candidate.
-    ///
-    /// # Errors
-    /// As [`Space::environment`].
-    fn credit(scene: &Scene) -> Result<AnyTerm<Self>, ParameterError>;
+    /// A parameter out of the range of the scalar, an environment of another space, and what the making meets.
+    fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError>;
 
     /// What moves in `scene`; an operator that a link sets apart from the device tells `operator` where it is.
     ///
@@ -52,12 +46,8 @@ macro_rules! line {
                 if index == 0 { self.lane(0) } else { f64::NAN }
             }
 
-            fn environment(scene: &Scene) -> Result<Port<Self>, ParameterError> {
-                environment::on_a_line(scene)
-            }
-
-            fn credit(scene: &Scene) -> Result<AnyTerm<Self>, ParameterError> {
-                environment::credit_on_a_line(scene)
+            fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
+                environment::on_a_line(scene, of)
             }
 
             fn plant(
@@ -83,12 +73,8 @@ impl<T: Scalar + Send, const N: usize> Space for SVector<T, N> {
         self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
     }
 
-    fn environment(scene: &Scene) -> Result<Port<Self>, ParameterError> {
-        environment::in_space(scene)
-    }
-
-    fn credit(scene: &Scene) -> Result<AnyTerm<Self>, ParameterError> {
-        environment::credit_in_space(scene)
+    fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
+        environment::in_space(scene, of)
     }
 
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {

@@ -3,12 +3,12 @@
 use std::fmt;
 
 use lyapunov::{
-    Action, DampingLimit, Dissipation, Drive, Lolc, LyapunovCandidate, ParameterError, PortEnergy,
-    Signal, Stabilizer,
+    Action, DampingLimit, Dissipation, Drive, Lolc, LyapunovCandidate, OnePort, ParameterError,
+    PortEnergy, Signal, Stabilizer,
 };
 
 use super::Space;
-use super::environment::of;
+use super::environment::{Render, of};
 use crate::scene::{self, Candidate, Scene, Work};
 
 /// Any stabilizer, boxed: what a scene file names, or one of one's own.
@@ -61,9 +61,7 @@ impl<V: Space> AnyStabilizer<V> {
                 let damper = Dissipation::of(of(scene.device.damping))?;
                 Self::watching(scene, (PortEnergy, damper), work, cap)
             }
-            Candidate::MassSpringDamper => {
-                Self::watching(scene, (PortEnergy, V::credit(scene)?), work, cap)
-            }
+            Candidate::MassSpringDamper => V::render(scene, Crediting { scene, work, cap }),
         }
     }
 
@@ -91,6 +89,25 @@ impl<V: Signal> fmt::Debug for AnyStabilizer<V> {
 impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
     fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
         self.0.stabilize(drive, effort)
+    }
+}
+
+/// LOLC with the credit of the scene's own environment.
+struct Crediting<'a> {
+    scene: &'a Scene,
+    work: Work,
+    cap: f64,
+}
+
+impl<V: Space> Render<V> for Crediting<'_> {
+    type Made = AnyStabilizer<V>;
+
+    fn render(
+        self,
+        _environment: impl OnePort<V> + 'static,
+        credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<Self::Made, ParameterError> {
+        AnyStabilizer::watching(self.scene, (PortEnergy, credit), self.work, self.cap)
     }
 }
 
