@@ -5,6 +5,7 @@ use std::fmt;
 use crate::Row;
 use crate::described::{self, Described};
 use crate::equilibrium::{equilibrium, swing};
+use crate::row::FURTHER;
 use crate::scene::{
     Candidate, Cap, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
 };
@@ -51,6 +52,7 @@ pub struct Summary {
     pub shortfall: f64,
     /// Ticks on which the controller was active.
     pub active: u64,
+    axes: [Axis; 3],
 }
 
 impl Summary {
@@ -74,38 +76,72 @@ impl Summary {
             injected: 0.0,
             shortfall: 0.0,
             active: 0,
+            axes: Default::default(),
         }
     }
 
-    /// The summary of all `rows` of `scene`.
+    /// The summary of all `rows` of a `scene` in one dimension.
     pub fn of(scene: &Scene, rows: impl IntoIterator<Item = Row>) -> Self {
         let mut summary = Self::new(scene);
-        rows.into_iter().for_each(|row| summary.add(&row));
+        rows.into_iter().for_each(|row| summary.add(&row, &[]));
         summary
     }
 
-    /// Sums up one more row.
-    pub fn add(&mut self, row: &Row) {
-        if let Some(last) = self.last {
-            self.absorbed = sum(self.absorbed, last.f_act, row.x - last.x);
+    /// Sums up one more row, with its [further](crate::Rollout::further) numbers where there are any.
+    pub fn add(&mut self, row: &Row, further: &[f64]) {
+        let axes = Axis::of(row, further, self.scene.dimensions());
+        if self.last.is_some() {
+            for (last, axis) in self.axes.iter().zip(&axes) {
+                self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
+            }
         }
         let inside = self.equilibrium.is_some_and(|rest| (row.x - rest).abs() <= self.band);
         self.settled = if inside { self.settled.or(Some(row.t)) } else { None };
-        self.environment_peak = self.environment_peak.max(row.f_env.abs());
-        self.acting_peak = self.acting_peak.max(row.f_act.abs());
+        let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
+        self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
+        self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));
         self.observer_least = self.observer_least.min(row.observer);
         self.observer_most = self.observer_most.max(row.observer);
-        self.injected = sum(self.injected, row.f_ctl, row.v * self.scene.period());
+        for axis in &axes {
+            self.injected = sum(self.injected, axis.f_ctl, axis.v * self.scene.period());
+        }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
         self.rows += 1;
         self.last = Some(*row);
+        self.axes = axes;
     }
 
     /// The last time at which everything was finite, s, if the motion left the range of the scalar.
     pub fn left_range(&self) -> Option<f64> {
         let complete = self.rows == self.scene.ticks() + 1;
         (!complete).then(|| self.last.map_or(0.0, |row| row.t))
+    }
+}
+
+/// A row along one axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Axis {
+    x: f64,
+    v: f64,
+    f_env: f64,
+    f_ctl: f64,
+    f_act: f64,
+}
+
+impl Axis {
+    /// A row along each axis; all 0 along those that the scene does not have.
+    fn of(row: &Row, further: &[f64], dimensions: usize) -> [Self; 3] {
+        let Row { x, v, f_env, f_ctl, f_act, .. } = *row;
+        let mut axes = [Self { x, v, f_env, f_ctl, f_act }, Self::default(), Self::default()];
+        // What follows the axes is the operator's.
+        let chunks = further.chunks_exact(FURTHER.len()).take(dimensions - 1);
+        for (axis, numbers) in axes[1..].iter_mut().zip(chunks) {
+            if let [x, _, v, f_env, f_ctl, _, f_act] = *numbers {
+                *axis = Self { x, v, f_env, f_ctl, f_act };
+            }
+        }
+        axes
     }
 }
 
@@ -211,6 +247,9 @@ impl Summary {
             Some(time) if time > LATE * last.t => {
                 let since = given(time);
                 write!(f, "not yet: within {band} mm of x = {place} mm only since t = {since} s")
+            }
+            None if self.band == 0.0 => {
+                write!(f, "not judged: it starts where it comes to rest, x = {place} mm")
             }
             Some(time) => {
                 write!(f, "yes: from t = {} s on within {band} mm of x = {place} mm", given(time))

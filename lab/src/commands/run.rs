@@ -102,7 +102,7 @@ fn drain<V: Space>(
             bar.set_position(summary.rows);
         }
         write(&row, rollout.further())?;
-        summary.add(&row);
+        summary.add(&row, rollout.further());
     }
     bar.finish_and_clear();
     Ok(summary)

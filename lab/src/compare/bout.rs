@@ -113,7 +113,7 @@ impl Meters {
 
     fn add(&mut self, tick: &Tick) {
         let Row { t, x, observer, f_act, .. } = tick.row;
-        self.summary.add(&tick.row);
+        self.summary.add(&tick.row, &[]);
         self.boundedness.add(&tick.row);
         self.contacts.add(tick);
         self.energies.add(tick);
