@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::scene::{Effects, Environment, Filter, Link, Motion, Operator, Policy, Scene};
+use crate::scene::{Effects, Environment, Filter, Link, Motion, Operator, Policy, Scene, shorten};
 use crate::summary::given;
 
 /// The environment in a line, without its name.
@@ -45,11 +45,6 @@ impl fmt::Display for Described<'_> {
     }
 }
 
-/// A number of ticks in words.
-fn ticks(number: u16) -> String {
-    format!("{number} tick{}", if number == 1 { "" } else { "s" })
-}
-
 /// The effects of a scene in words, one each.
 pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     let Effects {
@@ -67,11 +62,11 @@ pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     let policy = |policy| if policy == Policy::Hold { "hold" } else { "zero" };
     [
         encoder.map(|it| format!("encoder {} m", given(it.resolution.get()))),
-        delay.map(|it| format!("delay {}", ticks(it.ticks.get()))),
+        delay.map(|it| format!("delay {}", counted(it.ticks.get().into(), "tick"))),
         saturation.map(|it| format!("saturation {} N", given(it.force.get()))),
         filter.map(|it| match it {
             Filter::Cutoff(cutoff) => format!("low pass {} Hz", given(cutoff.get())),
-            Filter::Window(length) => format!("window {}", ticks(length.get())),
+            Filter::Window(ticks) => format!("window {}", counted(ticks.get().into(), "tick")),
         }),
         noise.map(|it| format!("noise {} m", given(it.deviation.get()))),
         jitter.map(|it| format!("jitter {} s", given(it.deviation.get()))),
@@ -80,7 +75,13 @@ pub(crate) fn effects(scene: &Scene) -> Vec<String> {
             format!("dropout {percent} % ({})", policy(it.policy))
         }),
         friction.map(|it| {
-            format!("friction {} to {} N", given(it.breakaway()), given(it.coulomb.get()))
+            let (sliding, resting) = (it.coulomb.get(), it.breakaway());
+            let more = if resting > sliding {
+                format!(", {} N at rest", given(resting))
+            } else {
+                String::new()
+            };
+            format!("friction {} N{more}", given(sliding))
         }),
         load.map(|it| format!("load {} N", given(it.force.get()))),
         pulse.map(|it| {
@@ -112,8 +113,16 @@ pub(crate) fn operator(scene: &Scene) -> Vec<String> {
         Motion::Sine { amplitude, frequency } => {
             format!("sine of {} mm at {} Hz", given(1e3 * amplitude.get()), given(frequency.get()))
         }
-        Motion::File { path, .. } => format!("motion of {}", path.display()),
+        Motion::File { path, .. } => {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            format!("motion of {}", shorten(&name))
+        }
     });
-    let grip = grip.as_ref().map(|grip| format!("grip changes {} times", grip.times.len()));
+    let grip =
+        grip.as_ref().map(|grip| format!("grip changes {}", counted(grip.times.len(), "time")));
     [link, motion, grip].into_iter().flatten().collect()
+}
+
+fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }

@@ -33,6 +33,7 @@ pub mod paper;
 mod rollout;
 mod row;
 pub mod scene;
+pub mod shipped;
 mod summary;
 
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};

@@ -54,15 +54,18 @@ impl Row {
     }
 }
 
+/// What is told of each further axis, in this order.
+pub(crate) const FURTHER: [&str; 7] =
+    ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_f_act"];
+
 /// The names of the columns that a scene has beside those of [`Row`]: the further axes of a space, and the operator's
 /// motion where a link sets it apart from the device's.
 pub fn further_columns(scene: &Scene) -> Vec<String> {
-    const NAMES: [&str; 7] = ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_f_act"];
     let axes = ["x", "y", "z"];
     let dimensions = scene.dimensions();
     let mut columns = Vec::new();
     for axis in &axes[1..dimensions] {
-        columns.extend(NAMES.map(|name| format!("{axis}{name}")));
+        columns.extend(FURTHER.map(|name| format!("{axis}{name}")));
     }
     if scene.link.is_some() {
         for axis in &axes[..dimensions] {

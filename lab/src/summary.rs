@@ -7,6 +7,7 @@ use std::fmt;
 use crate::Row;
 use crate::described::{self, Described};
 use crate::equilibrium::{equilibrium, swing};
+use crate::row::FURTHER;
 use crate::scene::{
     Candidate, Cap, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
 };
@@ -30,7 +31,6 @@ pub struct Summary {
     pub rows: u64,
     /// The last row.
     pub last: Option<Row>,
-    axes: Vec<Axis>,
     /// Where the operator's spring and the environment balance, m; none where no spring pulls, or only out of range.
     pub equilibrium: Option<f64>,
     /// Half the width of the band about the equilibrium that counts as settled, m.
@@ -54,6 +54,7 @@ pub struct Summary {
     pub shortfall: f64,
     /// Ticks on which the controller was active.
     pub active: u64,
+    axes: [Axis; 3],
 }
 
 impl Summary {
@@ -66,7 +67,6 @@ impl Summary {
             scene: scene.clone(),
             rows: 0,
             last: None,
-            axes: Vec::new(),
             equilibrium,
             band: band.unwrap_or_default(),
             settled: None,
@@ -78,33 +78,34 @@ impl Summary {
             injected: 0.0,
             shortfall: 0.0,
             active: 0,
+            axes: Default::default(),
         }
     }
 
-    /// The summary of all `rows` of `scene`, which has one dimension.
+    /// The summary of all `rows` of a `scene` in one dimension.
     pub fn of(scene: &Scene, rows: impl IntoIterator<Item = Row>) -> Self {
         let mut summary = Self::new(scene);
         rows.into_iter().for_each(|row| summary.add(&row, &[]));
         summary
     }
 
-    /// Sums up one more row, with its [further numbers](crate::Rollout::further).
+    /// Sums up one more row, with its [further](crate::Rollout::further) numbers where there are any.
     pub fn add(&mut self, row: &Row, further: &[f64]) {
-        let axes = along(row, further, self.scene.dimensions());
+        let axes = Axis::of(row, further, self.scene.dimensions());
         if self.last.is_some() {
-            for (last, now) in self.axes.iter().zip(&axes) {
-                self.absorbed = sum(self.absorbed, last.acting, now.position - last.position);
+            for (last, axis) in self.axes.iter().zip(&axes) {
+                self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
             }
         }
         let inside = self.equilibrium.is_some_and(|rest| (row.x - rest).abs() <= self.band);
         self.settled = if inside { self.settled.or(Some(row.t)) } else { None };
-        let length = |of: fn(&Axis) -> f64| axes.iter().map(of).fold(0.0, f64::hypot);
-        self.environment_peak = self.environment_peak.max(length(|axis| axis.environment));
-        self.acting_peak = self.acting_peak.max(length(|axis| axis.acting));
+        let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
+        self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
+        self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));
         self.observer_least = self.observer_least.min(row.observer);
         self.observer_most = self.observer_most.max(row.observer);
         for axis in &axes {
-            self.injected = sum(self.injected, axis.control, axis.velocity * self.scene.period());
+            self.injected = sum(self.injected, axis.f_ctl, axis.v * self.scene.period());
         }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
@@ -120,29 +121,30 @@ impl Summary {
     }
 }
 
-/// What a summary needs of a row along one axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A row along one axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Axis {
-    position: f64,
-    velocity: f64,
-    environment: f64,
-    control: f64,
-    acting: f64,
+    x: f64,
+    v: f64,
+    f_env: f64,
+    f_ctl: f64,
+    f_act: f64,
 }
 
-/// A row axis by axis.
-fn along(row: &Row, further: &[f64], dimensions: usize) -> Vec<Axis> {
-    let first = [row.x, row.x_measured, row.v, row.f_env, row.f_ctl, row.f_out, row.f_act];
-    let others = further.as_chunks().0.iter().take(dimensions - 1);
-    let axes = std::iter::once(&first).chain(others);
-    axes.map(|&[position, _, velocity, environment, control, _, acting]| Axis {
-        position,
-        velocity,
-        environment,
-        control,
-        acting,
-    })
-    .collect()
+impl Axis {
+    /// A row along each axis; all 0 along those that the scene does not have.
+    fn of(row: &Row, further: &[f64], dimensions: usize) -> [Self; 3] {
+        let Row { x, v, f_env, f_ctl, f_act, .. } = *row;
+        let mut axes = [Self { x, v, f_env, f_ctl, f_act }, Self::default(), Self::default()];
+        // What follows the axes is the operator's.
+        let chunks = further.chunks_exact(FURTHER.len()).take(dimensions - 1);
+        for (axis, numbers) in axes[1..].iter_mut().zip(chunks) {
+            if let [x, _, v, f_env, f_ctl, _, f_act] = *numbers {
+                *axis = Self { x, v, f_env, f_ctl, f_act };
+            }
+        }
+        axes
+    }
 }
 
 /// A sum of work with one more piece; once infinite it stays so, and it is never NaN.
@@ -247,6 +249,9 @@ impl Summary {
             Some(time) if time > LATE * last.t => {
                 let since = given(time);
                 write!(f, "not yet: within {band} mm of x = {place} mm only since t = {since} s")
+            }
+            None if self.band == 0.0 => {
+                write!(f, "not judged: it starts where it comes to rest, x = {place} mm")
             }
             Some(time) => {
                 write!(f, "yes: from t = {} s on within {band} mm of x = {place} mm", given(time))

@@ -5,6 +5,8 @@ mod folder;
 mod observe;
 mod paper;
 mod run;
+mod scenes;
+mod schema;
 mod source;
 
 use std::fmt::Display;
@@ -32,6 +34,8 @@ pub(crate) enum Command {
     Compare(compare::Compare),
     Paper(paper::Paper),
     Observe(observe::Observe),
+    Scenes(scenes::Scenes),
+    Schema(schema::Schema),
 }
 
 impl Command {
@@ -41,6 +45,8 @@ impl Command {
             Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
+            Self::Scenes(scenes) => scenes.run(),
+            Self::Schema(schema) => schema.run(),
         };
         match end {
             Ok(()) => ExitCode::SUCCESS,

@@ -180,8 +180,10 @@ pub struct VaryingSpring {
 #[serde(deny_unknown_fields)]
 pub struct Plane {
     /// A point of the surface, m; required.
+    #[schemars(with = "Vec<Finite>", length(min = 2, max = 3))]
     pub point: Coordinates,
     /// Direction out of the solid, of any length but 0; required.
+    #[schemars(with = "Vec<Finite>", length(min = 2, max = 3))]
     pub normal: Coordinates,
     /// Stiffness k in N/m, 0 or more; required.
     pub stiffness: NonNegative,
@@ -195,6 +197,7 @@ pub struct Plane {
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// Its middle, m; required.
+    #[schemars(with = "Vec<Finite>", length(min = 2, max = 3))]
     pub center: Coordinates,
     /// Radius in m, greater than 0; required.
     pub radius: Positive,
@@ -210,8 +213,10 @@ pub struct Sphere {
 #[serde(deny_unknown_fields)]
 pub struct Cuboid {
     /// Its middle, m; required.
+    #[schemars(with = "Vec<Finite>", length(min = 2, max = 3))]
     pub center: Coordinates,
     /// Half its edges in m, each greater than 0; required.
+    #[schemars(length(min = 2, max = 3))]
     pub half: Vec<Positive>,
     /// Stiffness k in N/m, 0 or more; required.
     pub stiffness: NonNegative,

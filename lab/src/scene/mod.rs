@@ -72,7 +72,7 @@ pub use quantity::{
     Cap, DelayTicks, Dimensions, Finite, NonNegative, OutOfRange, Positive, Probability, Seed,
     WindowTicks,
 };
-pub use schema::schema;
+pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;
 
@@ -88,13 +88,18 @@ use serde::{Deserialize, Serialize};
 /// calls it again before the derived quantities are used.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(
+    title = "A scene of lyapunov",
+    description = "One simulated run: an operator's hand and a device, an environment at the port, at most one \
+                   stabilizer, and what else is simulated of the sampled loop. SI units."
+)]
 pub struct Scene {
     /// Simulated time in s, greater than 0; required.
     pub duration: Positive,
     /// Rate of the servo loop in Hz, greater than 0; required.
     pub servo_rate: Positive,
     /// Rate at which the environment is evaluated in Hz, the servo rate divided by a whole number; default: the servo
-    /// rate. [`Scene::environment_rate`] gives the rate with the default in place.
+    /// rate.
     #[serde(default)]
     pub environment_rate: Option<Positive>,
     /// How the loop obtains the velocity; default: backward difference.

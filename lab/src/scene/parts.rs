@@ -43,7 +43,7 @@ pub enum Integrator {
 pub struct Device {
     /// Mass in kg, greater than 0; required.
     pub mass: Positive,
-    /// Damping in N·s/m, 0 or more; default 0.
+    /// Damping in N.s/m, 0 or more; default 0.
     #[serde(default)]
     pub damping: NonNegative,
 }

@@ -125,7 +125,8 @@ quantity!(
     /// A limit of 0 or more; infinity means that there is no limit.
     Cap,
     "0 or greater (inf is allowed)",
-    { "type": "number", "minimum": 0 },
+    // JSON has no infinity: what turns TOML into JSON hands it on as null.
+    { "anyOf": [{ "type": "number", "minimum": 0 }, { "const": null }] },
     |value| value >= 0.0
 );
 
@@ -216,10 +217,10 @@ whole!(
 );
 
 whole!(
-    /// The seed of a random effect.
+    /// The seed of a random effect, as large as a whole number of TOML can be.
     Seed,
     u64,
     "a whole number of 0 or more",
-    { "type": "integer", "minimum": 0 },
+    { "type": "integer", "minimum": 0, "maximum": i64::MAX },
     0..=u64::MAX
 );

@@ -22,6 +22,11 @@ fn wrong_arguments_are_refused() {
         (&["paper", "scene.toml"], &["'scene.toml'"]),
         (&["paper", "--out"], &["'--out <DIR>'"]),
         (&["paper", "--out", "a", "--out", "b"], &["'--out <DIR>'", "multiple"]),
+        (&["scenes", "tour", "box"], &["unexpected argument 'box'"]),
+        (&["scenes", "tour", "--json"], &["'--json'", "[NAME]"]),
+        (&["scenes", "--quiet", "--json"], &["'--json'", "'--quiet'"]),
+        (&["scenes", "nothing-like-it"], &["`nothing-like-it`", "`lyapunov scenes` lists them"]),
+        (&["schema", "scene.toml"], &["unexpected argument 'scene.toml'"]),
     ];
     for (arguments, words) in cases {
         place.refuses(*arguments, words).fits();
@@ -44,7 +49,18 @@ const ENDS: &[&str] =
 fn help_fits_and_names_everything() {
     let place = Place::new();
     let cases: &[(&[&str], &[&str])] = &[
-        (&["--help"], &["run", "paper", "Exit status: 0", "2 bad input", "130 interrupted"]),
+        (
+            &["--help"],
+            &[
+                "run",
+                "paper",
+                "scenes",
+                "schema",
+                "Exit status: 0",
+                "2 bad input",
+                "130 interrupted",
+            ],
+        ),
         (&["-h"], &["run", "paper"]),
         (&["help", "run"], &["<SCENE>", "--csv <FILE>"]),
         (&["run", "--help"], &["<SCENE>", "--csv <FILE>", "`-` is standard output"]),
@@ -53,6 +69,11 @@ fn help_fits_and_names_everything() {
         (&["paper", "--help"], ENDS),
         (&["compare", "--help"], ENDS),
         (&["observe", "--help"], ENDS),
+        (
+            &["scenes", "--help"],
+            &["[NAME]", "lyapunov scenes tour > tour.toml", "--json", "--quiet"],
+        ),
+        (&["schema", "--help"], &["#:schema ./scene.schema.json", "lyapunov schema >"]),
         (&["--version"], &[concat!("lyapunov ", env!("CARGO_PKG_VERSION"))]),
     ];
     for (arguments, words) in cases {
