@@ -32,6 +32,7 @@ impl<V: Signal> fmt::Debug for AnyTerm<V> {
 }
 
 impl<V: Signal> LyapunovCandidate<V> for AnyTerm<V> {
+    #[inline]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         self.0.decrease(drive)
     }
