@@ -1,6 +1,7 @@
 //! What the command line offers, and how its commands end.
 
 mod compare;
+mod effects;
 mod observe;
 mod paper;
 mod run;
@@ -30,6 +31,7 @@ pub(crate) enum Command {
     Compare(compare::Compare),
     Paper(paper::Paper),
     Observe(observe::Observe),
+    Effects(effects::Effects),
 }
 
 impl Command {
@@ -39,6 +41,7 @@ impl Command {
             Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
+            Self::Effects(effects) => effects.run(),
         };
         match end {
             Ok(()) => ExitCode::SUCCESS,
