@@ -30,6 +30,7 @@ mod equilibrium;
 pub mod observe;
 mod output;
 pub mod paper;
+mod prices;
 mod rollout;
 mod row;
 pub mod scene;
@@ -41,6 +42,7 @@ pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
 pub use nalgebra::SVector;
 pub use output::{Output, OutputError};
+pub use prices::{Prices, PricesError};
 pub use rollout::Rollout;
 pub use row::{Row, further_columns};
 pub use scene::Scene;

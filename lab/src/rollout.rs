@@ -37,7 +37,7 @@ impl<V: Space> Rollout<V> {
         scene: &Scene,
         stabilizer: impl Stabilizer<V> + 'static,
     ) -> Result<Self, ParameterError> {
-        Self::assemble(scene, Some(stabilizer))
+        Self::assemble(scene, Some(AnyStabilizer::new(stabilizer)))
     }
 
     /// What the plant tells of the coming tick, before anything measures it.
@@ -57,7 +57,7 @@ impl<V: Space> Rollout<V> {
 
     fn assemble(
         scene: &Scene,
-        stabilizer: Option<impl Stabilizer<V> + 'static>,
+        stabilizer: Option<AnyStabilizer<V>>,
     ) -> Result<Self, ParameterError> {
         let seen = Seen::default();
         let assembly = Assembly::watched(scene, &seen, stabilizer)?;

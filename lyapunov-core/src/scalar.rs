@@ -63,6 +63,7 @@ pub trait Scalar:
     const LANES: usize;
 
     /// `value` in every lane, rounded to the element type.
+    #[inline]
     fn of(value: f64) -> Self {
         Self::from_lanes(|_| value)
     }

@@ -1,6 +1,6 @@
 //! A whole loop, put together from a scene.
 
-use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal, Stabilizer};
+use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal};
 
 use super::environment::{AsPort, of};
 use super::port::{Operator, Tap};
@@ -35,7 +35,7 @@ impl<V: Space> Assembly<V> {
     pub(crate) fn watched(
         scene: &Scene,
         seen: &Seen<V>,
-        stabilizer: Option<impl Stabilizer<V> + 'static>,
+        stabilizer: Option<AnyStabilizer<V>>,
     ) -> Result<Self, ParameterError> {
         Self::put_together(scene, Some(seen), stabilizer)
     }
@@ -51,23 +51,16 @@ impl<V: Space> Assembly<V> {
     fn put_together(
         scene: &Scene,
         seen: Option<&Seen<V>>,
-        stabilizer: Option<impl Stabilizer<V> + 'static>,
+        stabilizer: Option<AnyStabilizer<V>>,
     ) -> Result<Self, ParameterError> {
-        let tapped = |port: Port<V>, tap: fn(&Seen<V>) -> &Tap<V>| match seen {
-            None => port,
-            Some(seen) => port.tapped(tap(seen)),
-        };
-        let mut port = tapped(environment(scene)?, |seen| &seen.environment);
+        let mut port = environment(scene)?;
+        if let Some(seen) = seen {
+            port = port.tapped(&seen.environment);
+        }
         if let Some(stabilizer) = stabilizer {
-            port = Port::new(port.stabilized(stabilizer));
+            port = stabilizer.on(port);
         }
-        if let Some(saturation) = scene.effects.saturation {
-            port = Port::new(port.saturated(of(saturation.force))?);
-        }
-        port = tapped(port, |seen| &seen.command);
-        if let Some(delay) = scene.effects.delay {
-            port = Port::new(port.delayed::<DELAY>(delay.ticks.get().into())?);
-        }
+        let port = commanded(scene, seen, port)?;
         let port = measured(scene, port)?;
         let unseen = Operator::default();
         let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
@@ -94,27 +87,64 @@ fn environment<V: Space>(scene: &Scene) -> Result<Port<V>, ParameterError> {
     Ok(port)
 }
 
+/// The port as its efforts reach the plant: clipped, and late.
+///
+/// Neighbours are put into one box where nobody looks in between: every box costs a call through a table and a drive that
+/// passes through memory.
+fn commanded<V: Space>(
+    scene: &Scene,
+    seen: Option<&Seen<V>>,
+    mut port: Port<V>,
+) -> Result<Port<V>, ParameterError> {
+    let delay = scene.effects.delay.map(|delay| usize::from(delay.ticks.get()));
+    if let Some(saturation) = scene.effects.saturation {
+        let clipped = port.saturated(of(saturation.force))?;
+        port = match (seen, delay) {
+            (None, Some(ticks)) => return Ok(Port::new(clipped.delayed::<DELAY>(ticks)?)),
+            _ => Port::new(clipped),
+        };
+    }
+    if let Some(seen) = seen {
+        port = port.tapped(&seen.command);
+    }
+    Ok(match delay {
+        None => port,
+        Some(ticks) => Port::new(port.delayed::<DELAY>(ticks)?),
+    })
+}
+
 /// The port as it is told of the motion: the velocity from positions, these from an encoder, and these with noise.
-fn measured<V: Space>(scene: &Scene, mut port: Port<V>) -> Result<Port<V>, ParameterError> {
+fn measured<V: Space>(scene: &Scene, port: Port<V>) -> Result<Port<V>, ParameterError> {
     let effects = &scene.effects;
     let resolution = effects.encoder.map(|encoder| encoder.resolution);
-    port = match (scene.velocity, effects.filter) {
-        (Velocity::Exact, _) => port,
-        (_, None) => Port::new(port.differenced()),
-        (_, Some(Filter::Cutoff(cutoff))) => Port::new(port.low_passed(of(cutoff))?),
+    let port = match (scene.velocity, effects.filter) {
+        (Velocity::Exact, _) => match resolution {
+            None => port,
+            Some(_) => counted(port, resolution)?,
+        },
+        (_, None) => counted(port.differenced(), resolution)?,
+        (_, Some(Filter::Cutoff(cutoff))) => counted(port.low_passed(of(cutoff))?, resolution)?,
         (_, Some(Filter::Window(ticks))) => {
             // What an encoder says is off a straight motion by less than a step.
             let band = resolution.map_or(0.0, Positive::get);
-            Port::new(port.windowed::<WINDOW>(ticks.get().into(), of(band))?)
+            counted(port.windowed::<WINDOW>(ticks.get().into(), of(band))?, resolution)?
         }
     };
-    if let Some(resolution) = resolution {
-        port = Port::new(port.encoded(of(resolution))?);
-    }
-    if let Some(noise) = effects.noise {
-        port = Port::new(port.noisy(of(noise.deviation), |_| noise.seed.get())?);
-    }
-    Ok(port)
+    Ok(match effects.noise {
+        None => port,
+        Some(noise) => Port::new(port.noisy(of(noise.deviation), |_| noise.seed.get())?),
+    })
+}
+
+/// The port as it is told of counts, if there is an encoder; both in one box.
+fn counted<V: Space>(
+    port: impl OnePort<V> + 'static,
+    resolution: Option<Positive>,
+) -> Result<Port<V>, ParameterError> {
+    Ok(match resolution {
+        None => Port::new(port),
+        Some(resolution) => Port::new(port.encoded(of(resolution))?),
+    })
 }
 
 /// What stood before the stabilizer and before the delay on the last tick.

@@ -32,6 +32,7 @@ impl<V: Signal, P: Copy + 'static> Plant<V> for AnyBody<V, P> {
         self.0.start()
     }
 
+    #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
         self.0.advance(effort)
     }

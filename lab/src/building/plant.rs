@@ -40,6 +40,7 @@ impl<V: Signal> Plant<V> for AnyPlant<V> {
         self.0.start()
     }
 
+    #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
         self.0.advance(effort)
     }
@@ -172,17 +173,28 @@ fn disturbed<V: Space, K: Kind<V>>(
             .collect();
         body = AnyBody::new(body.gripped(parts, table)?);
     }
-    let mut plant = body.into_plant();
-    if let Some(load) = effects.load {
-        let course = FirstAxis::of(Constant::new(load.force.get())?, V::zero());
-        plant = AnyPlant::new(plant.pushed(course));
-    }
-    if let Some(pulse) = effects.pulse {
+    let load = effects.load.map(|load| Constant::new(load.force.get())).transpose()?;
+    let pulse = effects.pulse.map(|pulse| {
         let (start, duration) = (pulse.start.get(), pulse.duration.get());
-        let pulse = Pulse::new(pulse.force.get(), start, duration, rate)?;
-        plant = AnyPlant::new(plant.pushed(FirstAxis::of(pulse, V::zero())));
+        Pulse::new(pulse.force.get(), start, duration, rate)
+    });
+    Ok(pushed(body, load, pulse.transpose()?))
+}
+
+/// The body with what pushes it, all in one box.
+fn pushed<V: Space, P: Copy + 'static>(
+    body: AnyBody<V, P>,
+    load: Option<Constant>,
+    pulse: Option<Pulse>,
+) -> AnyPlant<V> {
+    let load = load.map(|load| FirstAxis::of(load, V::zero()));
+    let pulse = pulse.map(|pulse| FirstAxis::of(pulse, V::zero()));
+    match (load, pulse) {
+        (None, None) => body.into_plant(),
+        (Some(load), None) => AnyPlant::new(body.pushed(load)),
+        (None, Some(pulse)) => AnyPlant::new(body.pushed(pulse)),
+        (Some(load), Some(pulse)) => AnyPlant::new(body.pushed(load).pushed(pulse)),
     }
-    Ok(plant)
 }
 
 /// The body with its operator's spring led by `motion` along the first axis.

@@ -28,6 +28,7 @@ impl<V: Signal> fmt::Debug for Port<V> {
 }
 
 impl<V: Signal> OnePort<V> for Port<V> {
+    #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         self.0.respond(drive)
     }

@@ -7,8 +7,8 @@ use lyapunov::{
     PortEnergy, Signal, Stabilizer,
 };
 
-use super::Space;
 use super::environment::{Render, of};
+use super::{Port, Space};
 use crate::scene::{self, Candidate, Scene, Work};
 
 /// Any stabilizer, boxed: what a scene file names, or one of one's own.
@@ -23,6 +23,11 @@ impl<V: Signal> AnyStabilizer<V> {
     /// Bytes that the stabilizer keeps from tick to tick, parameters included.
     pub fn state_bytes(&self) -> usize {
         size_of_val(self.0.as_ref())
+    }
+
+    /// `port` watched and corrected by this stabilizer: one part, compiled for its type, instead of a box in a box.
+    pub(super) fn on(self, port: Port<V>) -> Port<V> {
+        self.0.on(port)
     }
 
     /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
@@ -111,12 +116,18 @@ impl<V: Space> Render<V> for Crediting<'_> {
     }
 }
 
-/// A stabilizer with a loop of its own around it, compiled for its type.
+/// A stabilizer with a loop or a port of its own around it, compiled for its type.
 trait Replay<V: Signal>: Stabilizer<V> {
+    fn on(self: Box<Self>, port: Port<V>) -> Port<V>;
+
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
 }
 
-impl<V: Signal, S: Stabilizer<V>> Replay<V> for S {
+impl<V: Signal, S: Stabilizer<V> + 'static> Replay<V> for S {
+    fn on(self: Box<Self>, port: Port<V>) -> Port<V> {
+        Port::new(port.stabilized(*self))
+    }
+
     #[inline(never)]
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
         for ((drive, effort), action) in samples.iter().zip(actions) {

@@ -1,6 +1,7 @@
 //! What the command line offers, and how its commands end.
 
 mod compare;
+mod effects;
 mod folder;
 mod observe;
 mod paper;
@@ -34,6 +35,7 @@ pub(crate) enum Command {
     Compare(compare::Compare),
     Paper(paper::Paper),
     Observe(observe::Observe),
+    Effects(effects::Effects),
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
 }
@@ -45,6 +47,7 @@ impl Command {
             Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
+            Self::Effects(effects) => effects.run(),
             Self::Scenes(scenes) => scenes.run(),
             Self::Schema(schema) => schema.run(),
         };

@@ -6,6 +6,7 @@
 mod bad_output;
 mod bad_scene;
 mod bad_usage;
+mod effects;
 mod interrupt;
 mod json;
 mod paper;

@@ -37,6 +37,7 @@ impl<T: Scalar> Row<T> {
         self.deflection.finite() & self.velocity.finite() & self.effort.finite()
     }
 
+    #[inline]
     fn gain<V: Signal<Scalar = T>>(&self, deflection: V, velocity: V, effort: V) -> V {
         deflection.scale(self.deflection)
             + velocity.scale(self.velocity)

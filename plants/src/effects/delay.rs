@@ -27,7 +27,8 @@ impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for Delay<P, V, N> {
         let Some(slot) = self.waiting[..self.ticks].get_mut(self.next) else {
             return effort;
         };
-        self.next = (self.next + 1) % self.ticks;
+        let next = self.next + 1;
+        self.next = if next == self.ticks { 0 } else { next };
         core::mem::replace(slot, effort)
     }
 

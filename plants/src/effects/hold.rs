@@ -1,6 +1,6 @@
 //! A slow environment behind a fast port.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Signal};
+use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
 
 /// A port that is asked on every `ticks`-th call only, from the first on; its effort is held in between.
 ///
@@ -10,29 +10,45 @@ pub struct Hold<P, V: Signal> {
     port: P,
     ticks: u32,
     left: u32,
-    missed: Option<Drive<V>>,
+    missed: Missed<V>,
     effort: V,
+}
+
+/// What the port inside has not been told of yet.
+#[derive(Clone, Copy, Debug)]
+struct Missed<V: Signal> {
+    period: V::Scalar,
+    displacement: V,
+    work: V,
+}
+
+impl<V: Signal> Missed<V> {
+    #[inline]
+    fn nothing() -> Self {
+        // Added to a number, -0 is what changes no bit of it.
+        let nothing = -V::Scalar::of(0.0);
+        Self { period: nothing, displacement: V::splat(nothing), work: V::splat(nothing) }
+    }
 }
 
 impl<P, V: Signal> Hold<P, V> {
     pub(crate) fn new(port: P, ticks: u32) -> Result<Self, ParameterError> {
         Requirement::Positive.check("hold ticks", f64::from(ticks))?;
-        Ok(Self { port, ticks, left: 0, missed: None, effort: V::zero() })
+        Ok(Self { port, ticks, left: 0, missed: Missed::nothing(), effort: V::zero() })
     }
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Hold<P, V> {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
-        let whole = match self.missed.take() {
-            Some(earlier) => drive.spanning(&earlier),
-            None => *drive,
-        };
+        let period = self.missed.period + drive.period;
+        let displacement = self.missed.displacement + drive.displacement;
+        let work = self.missed.work + drive.work;
+        self.missed = Missed { period, displacement, work };
         if self.left == 0 {
             self.left = self.ticks;
-            self.effort = self.port.respond(&whole);
-        } else {
-            self.missed = Some(whole);
+            self.missed = Missed::nothing();
+            self.effort = self.port.respond(&Drive { period, displacement, work, ..*drive });
         }
         self.left -= 1;
         self.effort

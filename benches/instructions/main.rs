@@ -1,0 +1,148 @@
+//! What is absent costs nothing: the instructions per tick of loops composed by type, against the same loops written
+//! by hand, and the bytes of both. Fails where a ratio is above [`MARK`], a byte is different or a position is.
+//!
+//! `cargo bench --bench instructions`. The instructions are counted by `valgrind --tool=callgrind`, the same on every
+//! run; where there is no valgrind, it says SKIPPED.
+
+mod hand;
+mod numbers;
+mod typed;
+
+use std::env;
+use std::hint::black_box;
+use std::process::{Command, ExitCode};
+
+/// The most that a loop composed by type may execute, in loops written by hand.
+const MARK: f64 = 1.02;
+
+/// Two lengths of a run; what the longer one executes more is that many ticks.
+const TICKS: [usize; 2] = [2_000, 12_000];
+
+/// A loop in its two forms, and the bytes of either.
+struct Contest {
+    name: &'static str,
+    hand: fn(usize) -> Vec<f64>,
+    typed: fn(usize) -> Vec<f64>,
+    bytes: [usize; 2],
+}
+
+macro_rules! contest {
+    ($name:expr, $real:ty, $run:ident, $hand:expr, $typed:expr) => {
+        Contest {
+            name: $name,
+            hand: |ticks| {
+                let mut positions: Vec<$real> = vec![0.0; ticks];
+                black_box(&mut $hand).$run(black_box(&mut positions));
+                positions.into_iter().map(f64::from).collect()
+            },
+            typed: |ticks| {
+                let mut positions: Vec<$real> = vec![0.0; ticks];
+                black_box(&mut $typed.expect("the numbers")).$run(black_box(&mut positions));
+                positions.into_iter().map(f64::from).collect()
+            },
+            bytes: [size_of_val(&$hand), size_of_val(&$typed.expect("the numbers"))],
+        }
+    };
+}
+
+/// With and without a stabilizer, on a state that is kept; and with one, on a state that ends with the run.
+macro_rules! contests {
+    ($real:ident) => {{
+        use hand::$real::{Plain, Stabilized};
+        use typed::{plain, stabilized};
+        [
+            contest!(
+                concat!("stabilized/", stringify!($real)),
+                $real,
+                run,
+                Stabilized::new(),
+                stabilized::<$real>()
+            ),
+            contest!(
+                concat!("rollout/", stringify!($real)),
+                $real,
+                roll,
+                Stabilized::new(),
+                stabilized::<$real>()
+            ),
+            contest!(
+                concat!("plain/", stringify!($real)),
+                $real,
+                run,
+                Plain::new(),
+                plain::<$real>()
+            ),
+        ]
+    }};
+}
+
+fn contests() -> impl Iterator<Item = Contest> {
+    contests!(f64).into_iter().chain(contests!(f32))
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    if let [name, side, ticks] = &arguments[..] {
+        let contest = contests().find(|it| it.name == name).expect("a contest");
+        let run = if side == "hand" { contest.hand } else { contest.typed };
+        black_box(run(ticks.parse().expect("a number of ticks")));
+        return ExitCode::SUCCESS;
+    }
+    let counting = Command::new("valgrind").arg("--version").output().is_ok();
+    if !counting {
+        println!("SKIPPED: instructions are not counted, for valgrind cannot be run here");
+    }
+    let mut fair = true;
+    for contest in contests() {
+        fair &= same(&contest);
+        if counting {
+            fair &= counted(&contest);
+        }
+    }
+    if fair { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Whether both sides compute the same and keep as many bytes.
+fn same(contest: &Contest) -> bool {
+    let alike = (contest.hand)(TICKS[0]) == (contest.typed)(TICKS[0]);
+    let [hand, typed] = contest.bytes;
+    println!("{:<16} {typed} bytes, by hand {hand}", contest.name);
+    if !alike {
+        println!("{:<16} FAILED: the two forms move differently", contest.name);
+    }
+    if hand != typed {
+        println!("{:<16} FAILED: the bytes differ", contest.name);
+    }
+    alike && hand == typed
+}
+
+/// Whether the instructions are within the mark.
+fn counted(contest: &Contest) -> bool {
+    let [hand, typed] = ["hand", "typed"].map(|side| per_tick(contest.name, side));
+    let ratio = typed / hand;
+    println!("{:<16} {typed:.2} instructions a tick, by hand {hand:.2}: {ratio:.3}", contest.name);
+    if ratio > MARK {
+        println!("{:<16} FAILED: more than {MARK} times those by hand", contest.name);
+    }
+    ratio <= MARK
+}
+
+fn per_tick(name: &str, side: &str) -> f64 {
+    let [short, long] = TICKS.map(|ticks| instructions(name, side, ticks));
+    (long - short) / (TICKS[1] - TICKS[0]) as f64
+}
+
+/// The instructions of a whole run, as callgrind tells them.
+fn instructions(name: &str, side: &str, ticks: usize) -> f64 {
+    let own = env::current_exe().expect("the path of this program");
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(own)
+        .args([name, side, &ticks.to_string()])
+        .output()
+        .expect("valgrind runs");
+    let told = String::from_utf8_lossy(&output.stderr);
+    let count = told.lines().find_map(|line| line.split_once("Collected : "));
+    let count = count.and_then(|(_, count)| count.trim().parse().ok());
+    count.unwrap_or_else(|| panic!("valgrind tells no count:\n{told}"))
+}

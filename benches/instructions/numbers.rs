@@ -1,0 +1,15 @@
+//! The loop that both sides compute: a hand against a wall of 8 kN/m, asked at a tenth of the rate of the servo.
+
+pub(crate) const PERIOD: f64 = 1e-3;
+pub(crate) const OPERATOR_MASS: f64 = 0.1;
+pub(crate) const OPERATOR_DAMPING: f64 = 0.2;
+pub(crate) const OPERATOR_STIFFNESS: f64 = 50.0;
+pub(crate) const DEVICE_MASS: f64 = 0.2;
+pub(crate) const DEVICE_DAMPING: f64 = 0.001;
+pub(crate) const START: f64 = -0.004;
+pub(crate) const STIFFNESS: f64 = 8000.0;
+pub(crate) const DAMPING: f64 = 2.0;
+pub(crate) const HOLD: u32 = 10;
+
+/// The largest damping that may be injected, N·s/m.
+pub(crate) const MOST: f64 = 150.0;

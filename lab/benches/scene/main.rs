@@ -1,0 +1,124 @@
+//! What it costs to choose the parts of a loop at run time: a scene as it is built from a file, against the same chain
+//! composed by type, in ns per tick of one rollout.
+//!
+//! `scene/<built|typed>/<f64|f64x8>/<k>`, with `k` effects; compare ids of one `k` with one another, not with another
+//! machine. Of eight effects there are two sets, for random numbers take the most of the time.
+
+mod typed;
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
+use lyapunov::lanes::AutoF64x8;
+use lyapunov::{OnePort, ParameterError, Plant, Scalar, Signal};
+use lyapunov_lab::{Assembly, Scene, Space};
+
+/// Ticks of a run: the way to the wall and the first bounces.
+const TICKS: usize = 1000;
+
+/// The loop without effects.
+const BARE: &str = r#"
+duration = 1.0
+servo_rate = 1000.0
+environment_rate = 100.0
+operator.mass = 0.1
+operator.damping = 0.2
+operator.stiffness = 50.0
+device = { mass = 0.2, damping = 0.001 }
+initial = { position = -0.004 }
+environment.wall = { stiffness = 2000.0, damping = 1.0 }
+stabilizer.popc = {}
+"#;
+
+const TWO: &str = "
+effects.encoder = { resolution = 1e-5 }
+effects.delay = { ticks = 2 }
+";
+
+const FOUR: &str = "
+effects.saturation = { force = 8.0 }
+effects.filter = { cutoff = 200.0 }
+";
+
+const EIGHT: &str = r#"
+effects.load = { force = 0.2 }
+effects.pulse = { start = 0.1, duration = 0.1, force = 1.0 }
+operator.motion = { kind = "step", at = 0.3, to = 0.001 }
+operator.grip = { times = [0.5], stiffness = [100.0], damping = [0.4] }
+"#;
+
+const RANDOM: &str = r#"
+effects.load = { force = 0.2 }
+effects.pulse = { start = 0.1, duration = 0.1, force = 1.0 }
+effects.dropout = { probability = 0.1, seed = 7, policy = "hold" }
+effects.noise = { deviation = 2e-6, seed = 7 }
+"#;
+
+/// Every position of the run.
+#[inline(never)]
+fn run<V: Signal>(plant: &mut impl Plant<V>, port: &mut impl OnePort<V>, positions: &mut [V]) {
+    let mut drive = plant.start();
+    for position in positions {
+        drive = plant.advance(port.respond(&drive));
+        *position = drive.position;
+    }
+}
+
+/// Times fresh loops, one after the other, so that one iteration of the report is one tick of one rollout.
+fn time<T: Scalar, P: Plant<T>, Q: OnePort<T>>(
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    id: String,
+    fresh: impl Fn() -> Result<(P, Q), ParameterError>,
+) -> Vec<T> {
+    let mut positions = vec![T::of(0.0); TICKS];
+    let steps = TICKS * T::LANES;
+    group.bench_function(id, |bencher| {
+        bencher.iter_custom(|count| {
+            let runs = count.div_ceil(steps as u64);
+            let mut elapsed = Duration::ZERO;
+            for _ in 0..runs {
+                let (mut plant, mut port) = black_box(fresh()).expect("the numbers");
+                let start = Instant::now();
+                run(&mut plant, &mut port, black_box(&mut positions));
+                elapsed += start.elapsed();
+            }
+            elapsed.mul_f64(count as f64 / (runs * steps as u64) as f64)
+        });
+    });
+    positions
+}
+
+fn times<T: Space + Scalar>(criterion: &mut Criterion, scalar: &str) {
+    let mut group = criterion.benchmark_group("scene");
+    macro_rules! contest {
+        ($name:literal, $typed:path, $($part:expr),+) => {
+            let scene = Scene::parse(&[$($part),+].concat(), $name).expect("a scene");
+            let built = || Assembly::<T>::of(&scene).map(|it| (it.plant, it.port));
+            let built = time(&mut group, format!("built/{scalar}/{}", $name), built);
+            let typed = time(&mut group, format!("typed/{scalar}/{}", $name), $typed);
+            assert!(built.is_empty() || typed.is_empty() || built == typed, "{}", $name);
+        };
+    }
+    contest!("0", typed::bare::<T>, BARE);
+    contest!("2", typed::two::<T>, BARE, TWO);
+    contest!("4", typed::four::<T>, BARE, TWO, FOUR);
+    contest!("8", typed::eight::<T>, BARE, TWO, FOUR, EIGHT);
+    contest!("8-random", typed::random::<T>, BARE, TWO, FOUR, RANDOM);
+}
+
+fn scenes(criterion: &mut Criterion) {
+    times::<f64>(criterion, "f64");
+    times::<AutoF64x8>(criterion, "f64x8");
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(600))
+        .sample_size(50);
+    targets = scenes
+}
+criterion_main!(benches);

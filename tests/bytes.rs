@@ -1,0 +1,55 @@
+//! What an effect keeps is in its own type, and what is absent keeps nothing.
+
+use lyapunov::{
+    AdaptiveWindow, Body, Constant, Delay, Difference, Dropout, Encoder, Grip, Hold, Impedance,
+    Jitter, LowPass, Motion, Noise, Pulse, Push, Saturation, Wall,
+};
+
+/// By how many numbers of `T` the type `Of` is larger than `Inside`.
+fn added<Of, Inside, T>() -> f64 {
+    (size_of::<Of>() - size_of::<Inside>()) as f64 / size_of::<T>() as f64
+}
+
+#[test]
+fn an_adaptor_adds_its_own_numbers() {
+    type Port = Wall<f64>;
+    // Whether there was a position before takes the room of a number; a stream of random numbers is a seed of four
+    // numbers, its name and its place.
+    let numbers = [
+        ("nothing", added::<Difference<Port>, Port, f64>(), 0.0),
+        ("force", added::<Saturation<Port, f64>, Port, f64>(), 1.0),
+        ("resolution, last", added::<Encoder<Port, f64>, Port, f64>(), 1.0 + 2.0),
+        ("rate, last", added::<LowPass<Port, f64>, Port, f64>(), 1.0 + 2.0),
+        ("ticks and left, sums, effort", added::<Hold<Port, f64>, Port, f64>(), 1.0 + 3.0 + 1.0),
+        ("ticks, next, efforts", added::<Delay<Port, f64, 4>, Port, f64>(), 2.0 + 4.0),
+        ("ticks, band, past, known", added::<AdaptiveWindow<Port, f64, 8>, Port, f64>(), 3.0 + 8.0),
+        ("deviation, stream, last", added::<Noise<Port, f64>, Port, f64>(), 1.0 + 6.0 + 2.0),
+        ("chance, policy, stream, last", added::<Dropout<Port, f64>, Port, f64>(), 2.0 + 6.0 + 1.0),
+    ];
+    for (what, added, expected) in numbers {
+        assert_eq!(added, expected, "{what}");
+    }
+    assert_eq!(added::<Saturation<Wall<f32>, f32>, Wall<f32>, f32>(), 1.0);
+    assert_eq!(added::<Hold<Wall<f32>, f32>, Wall<f32>, f32>(), 2.0 + 3.0 + 1.0);
+}
+
+#[test]
+fn what_changes_a_course_adds_its_own_numbers() {
+    type Plant = Body<f64>;
+    type Parts = Impedance<f64>;
+    type Row = [(u64, Parts); 1];
+    let numbers = [
+        ("value, tick", added::<Push<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
+        ("value, from, until, tick", added::<Push<Plant, Pulse>, Plant, f64>(), 3.0 + 1.0),
+        ("course, tick", added::<Motion<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
+        ("a row, period, next, tick", added::<Grip<Plant, Row, f64>, Plant, f64>(), 4.0 + 3.0),
+        (
+            "parts, period, deviation",
+            added::<Jitter<Plant, Parts, f64, fn() -> f64>, Plant, f64>() - 1.0,
+            3.0 + 2.0,
+        ),
+    ];
+    for (what, added, expected) in numbers {
+        assert_eq!(added, expected, "{what}");
+    }
+}
