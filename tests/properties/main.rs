@@ -17,6 +17,7 @@ mod friction;
 mod friction_limits;
 mod friction_of_two;
 mod guard;
+mod hold_order;
 mod lanes;
 mod linked;
 mod low_pass;

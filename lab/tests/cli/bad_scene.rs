@@ -35,7 +35,7 @@ const CASES: &[Case] = &[
     ("duration = 10.0", "duration = 10.0\nscalar = \"f16\"", &["scene.toml:5:10", "\"f16\"", "\"f64\", \"f32\""]),
     ("[stabilizer.lolc]", "[stabilizer.popc]\n[stabilizer.lolc]", &["scene.toml:24:13", "two stabilizers, `popc` and `lolc`", "keep one"]),
     ("[stabilizer.lolc]", "[stabilizer]", &["scene.toml:24:1", "unknown key `work` in [stabilizer]", "[stabilizer.lolc]"]),
-    ("[environment.wall]", "[environment.sphere]\n[environment.wall]", &["scene.toml:20:14", "two environments, `sphere` and `wall`", "known: wall"]),
+    ("[environment.wall]", "[environment.sphere]\n[environment.wall]", &["scene.toml:20:14", "two environments, `sphere` and `wall`", "keep one"]),
     ("[environment.wall]\nstiffness = 8000.0\ndamping = 2.0\n", "", &["missing key `environment.wall.stiffness`", "[environment.wall]"]),
     ("[environment.wall]", "[environment]", &["scene.toml:20:1", "`stiffness` is a key of [operator], [environment.wall]"]),
     ("candidate = \"mass-spring-damper\"", "candidate = \"device\"", &["scene.toml:25:13", "\"device\"", "did you mean \"device-damping\"?"]),

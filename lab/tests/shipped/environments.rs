@@ -1,0 +1,127 @@
+//! What the comments of the environments' scenes say.
+
+use std::f64::consts::PI;
+
+use lyapunov_lab::scene::{Environment, Finite};
+
+use crate::rows::{between, least, most, near, rows, rows_in_space, rows_of, scene};
+
+#[test]
+fn spring_that_pushes_away_leaves_50_newton_per_metre() {
+    near(rows("spring").last().unwrap().x, 4.0 * 0.002, 0.01e-3);
+}
+
+#[test]
+fn mass_spring_damper_swings_with_both_masses() {
+    let rows = rows("mass-spring-damper");
+    let falls: Vec<f64> = rows
+        .windows(2)
+        .filter(|pair| pair[0].x > 0.0 && pair[1].x <= 0.0)
+        .map(|pair| pair[1].t)
+        .collect();
+    let turns = falls.len() - 1;
+    let period = (falls[turns] - falls[0]) / turns as f64;
+    near(period, 2.0 * PI * (0.4_f64 / 250.0).sqrt(), 0.5e-3);
+    near(0.218, 2.0 * PI * (0.3_f64 / 250.0).sqrt(), 0.5e-3);
+}
+
+#[test]
+fn layered_wall_is_forty_times_as_stiff_below() {
+    let rows = rows("layered-wall");
+    let spring = |x: f64| match x - 0.002 {
+        ..0.0 => 0.0,
+        p @ ..0.003 => 500.0 * p,
+        p => 1.5 + 20_000.0 * (p - 0.003),
+    };
+    for row in rows.iter().filter(|row| row.x > 0.002) {
+        near(row.f_env, (spring(row.x) + 20.0 * row.v).max(0.0), 1e-9);
+    }
+    let bone = between(&rows, 2.9, 3.0);
+    assert!(bone[0].x > 0.0053 && bone[0].f_env > 8.0);
+    assert!(rows.iter().any(|row| row.x > 0.004 && row.f_env < 2.0));
+}
+
+#[test]
+fn hunt_crossley_takes_a_share_that_falls_with_speed() {
+    let mut scene = scene("hunt-crossley");
+    let back = -rows_of(&scene).last().unwrap().v;
+    near(back, 0.179, 0.5e-3);
+    // From the law with v dv = -F dp / m: g(v) = v / d - ln(1 + d v) / d^2 is the same before and after.
+    let g = |v: f64| v - v.ln_1p();
+    let (mut low, mut high) = (0.0, 0.2);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if g(-middle) < g(0.2) { low = middle } else { high = middle }
+    }
+    // The force is a sampled one, which gives a little back.
+    near(back, low, 0.02 * low);
+    scene.initial.velocity = Finite::new(0.1).unwrap().into();
+    let slower = -rows_of(&scene).last().unwrap().v;
+    assert!(slower / 0.1 > back / 0.2 + 0.02, "{slower}");
+}
+
+#[test]
+fn moving_wall_works_on_the_hand() {
+    let rows = rows("moving-wall");
+    let observer = |t: f64| between(&rows, t, t + 1e-9)[0].observer;
+    near(observer(3.0) - observer(2.0), -2.6e-3, 0.05e-3);
+    assert!(rows.iter().all(|row| row.alpha == 0.0));
+}
+
+#[test]
+fn varying_spring_swings_itself_up() {
+    let mut scene = scene("varying-spring");
+    assert!(most(&rows_of(&scene), |row| row.x.abs()) > 100.0 * 0.001);
+    if let Environment::VaryingSpring(spring) = &mut scene.environment {
+        spring.amplitude = Finite::new(0.0).unwrap();
+    }
+    assert!(most(&rows_of(&scene), |row| row.x.abs()) < 1.01 * 0.001);
+}
+
+#[test]
+fn plane_pushes_square_to_itself_and_lets_slide() {
+    let rows = rows_in_space::<2>("plane");
+    for (row, further) in &rows {
+        near(further[3], 2.0 * row.f_env, 1e-12);
+    }
+    let late = rows.iter().filter(|(row, _)| row.t > 1.0);
+    let (least, most) = late
+        .map(|(row, _)| row.x)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    assert!(most - least > 0.03);
+    // How far into the wall, along its normal.
+    let depth = |x: f64, y: f64| -(0.5 * x + y) / 1.25_f64.sqrt();
+    let deepest = rows.iter().map(|(row, further)| depth(row.x, further[0])).fold(0.0, f64::max);
+    assert!(deepest > 0.0 && deepest < 3e-3, "{deepest}");
+}
+
+#[test]
+fn sphere_is_slid_over() {
+    let rows = rows_in_space::<3>("sphere");
+    let distance = |x: f64, further: &[f64]| x.hypot(further[0]).hypot(further[7]);
+    let nearest =
+        rows.iter().map(|(row, further)| distance(row.x, further)).fold(f64::INFINITY, f64::min);
+    near(nearest, 18.8e-3, 0.1e-3);
+    let over: Vec<f64> = rows
+        .windows(2)
+        .filter(|pair| pair[0].0.x * pair[1].0.x <= 0.0)
+        .map(|pair| pair[1].1[7])
+        .collect();
+    assert!(over.len() >= 3 && over[1..].iter().all(|z| *z > 0.019), "{over:?}");
+}
+
+#[test]
+fn box_pushes_with_one_face() {
+    let rows = rows_in_space::<2>("box");
+    for (row, further) in rows.iter().filter(|(row, _)| row.t > 1.0) {
+        near(row.f_env.abs(), 1.9, 0.1);
+        assert_eq!(further[3], 0.0);
+    }
+}
+
+#[test]
+fn walls_on_a_line_only_push() {
+    for name in ["layered-wall", "hunt-crossley", "moving-wall"] {
+        assert!(least(&rows(name), |row| row.f_env) >= 0.0, "{name}");
+    }
+}

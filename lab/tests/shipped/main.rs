@@ -1,0 +1,8 @@
+//! The scenes that ship: each runs to its end and shows what its comment says, and editors can check it.
+
+mod effects;
+mod environments;
+mod hand;
+mod rows;
+mod schema;
+mod table;
