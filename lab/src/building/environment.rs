@@ -46,8 +46,10 @@ pub(super) fn on_a_line<T: Scalar, R: Render<T>>(
     to: R,
 ) -> Result<R::Made, ParameterError> {
     let nothing = Dissipation::of(T::zero())?;
-    // Environments tick at their own rate, what is credited at the servo's.
-    let (slow, fast) = (T::of(scene.environment_rate()), T::of(scene.servo_rate.get()));
+    // Environments tick at their own rate, what is credited at the servo's. The one is taken from the other, because a
+    // scene's two rates divide each other but for a billionth, which would add up.
+    let rate = scene.servo_rate.get();
+    let (slow, fast) = (T::of(rate / scene.environment_ratio() as f64), T::of(rate));
     match &scene.environment {
         Environment::Wall(it) => {
             let wall = Wall::new(of(it.stiffness), of(it.damping))?.at(of(it.position));

@@ -4,7 +4,7 @@ use std::fmt;
 
 use lyapunov::{ParameterError, Requirement};
 
-use super::{Scalar, Scene};
+use super::{Motion, Scalar, Scene};
 use crate::Assembly;
 use crate::in_space;
 
@@ -131,7 +131,13 @@ impl Scene {
             return Ok(());
         }
         // Walking the serialized form covers every number, also of tables that are added later.
-        let lost = toml::Value::try_from(self).ok().and_then(|scene| lost_in_f32(&scene, ""));
+        let lost = toml::Value::try_from(self).ok().and_then(|scene| {
+            find(&scene, "", &|_, number| {
+                let single = number as f32;
+                number.is_finite() && (single.is_infinite() || (single == 0.0) != (number == 0.0))
+            })
+        });
+        let lost = lost.or_else(|| self.lost_rest());
         match lost {
             None => Ok(()),
             Some((key, value)) => Err(Conflict {
@@ -168,14 +174,33 @@ impl Scene {
             format!("`{one}` and `{other}` together are beyond the range of {scalar}")
         };
         let (keys, problem) = match (error.parameter, error.requirement) {
-            ("mass", Requirement::InRange) => (
-                vec![mass, damping, theirs[0], theirs[1], theirs[2], rate],
-                format!("the motion within one period is beyond the range of {scalar}"),
-            ),
+            ("mass" | "device.mass", Requirement::InRange) => {
+                let mut keys = vec![mass, damping, theirs[0], theirs[1], theirs[2], rate];
+                keys.extend(self.further_parts());
+                (keys, format!("the motion within one period is beyond the range of {scalar}"))
+            }
             ("mass", _) => (vec![mass, theirs[0]], sum(theirs[0].0, mass.0)),
             ("damping", _) => (vec![damping, theirs[1]], sum(theirs[1].0, damping.0)),
             ("period", _) => (vec![rate], format!("`servo_rate` gives no period within {scalar}")),
-            _ => (vec![rate], error.to_string()),
+            ("t" | "value", _) => {
+                return Conflict::new(
+                    "operator.motion.path",
+                    format!(
+                        "two rows of the motion are so far apart that it leaves the range of {scalar}"
+                    ),
+                    "give times in s and places in m",
+                );
+            }
+            _ => match self.holder(error) {
+                Some((key, value)) => {
+                    return Conflict::new(
+                        &key,
+                        format!("`{key}` = {value:?} takes the loop beyond the range of {scalar}"),
+                        "give a value nearer to 1",
+                    );
+                }
+                None => (vec![rate], error.to_string()),
+            },
         };
         // Any of them may be wrong; the one of the most unusual size is the most likely.
         let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
@@ -187,21 +212,48 @@ impl Scene {
             remedy: format!("`{key}` = {value:?} stands out; give a value nearer to 1"),
         }
     }
+
+    /// What else joins in the motion within one period.
+    fn further_parts(&self) -> Vec<(&'static str, f64)> {
+        let link = self.link.iter().flat_map(|link| {
+            [("link.stiffness", link.stiffness.get()), ("link.damping", link.damping.get())]
+        });
+        let grip = self.operator.grip.iter().flat_map(|grip| {
+            let stiffness = grip.stiffness.iter().map(|it| ("operator.grip.stiffness", it.get()));
+            stiffness.chain(grip.damping.iter().map(|it| ("operator.grip.damping", it.get())))
+        });
+        link.chain(grip).collect()
+    }
+
+    /// The key that holds what a block refused, and the value there.
+    fn holder(&self, error: &ParameterError) -> Option<(String, f64)> {
+        let name = error.parameter.rsplit([' ', '.']).next().unwrap_or(error.parameter);
+        let single = self.scalar == Scalar::F32;
+        let scene = toml::Value::try_from(self).ok()?;
+        find(&scene, "", &|key, value| {
+            let held = if single { f64::from(value as f32) } else { value };
+            key.rsplit('.').next() == Some(name) && held == error.value
+        })
+    }
+
+    /// The first place of a recorded motion that single precision cannot hold.
+    fn lost_rest(&self) -> Option<(String, f64)> {
+        let Some(Motion::File { samples, .. }) = &self.operator.motion else {
+            return None;
+        };
+        let lost = samples.iter().find(|(_, rest)| (*rest as f32).is_infinite());
+        lost.map(|(_, rest)| ("operator.motion.path".to_owned(), *rest))
+    }
 }
 
-/// The first finite number that single precision would turn into 0 or infinity, with its key.
-fn lost_in_f32(value: &toml::Value, path: &str) -> Option<(String, f64)> {
+/// The first number of a serialized scene that `is` the one looked for, given its key, with its table path.
+fn find(value: &toml::Value, path: &str, is: &dyn Fn(&str, f64) -> bool) -> Option<(String, f64)> {
     match value {
-        toml::Value::Float(number) => {
-            let single = *number as f32;
-            let lost =
-                number.is_finite() && (single.is_infinite() || (single == 0.0) != (*number == 0.0));
-            lost.then(|| (path.to_owned(), *number))
-        }
-        toml::Value::Array(list) => list.iter().find_map(|value| lost_in_f32(value, path)),
+        toml::Value::Float(number) => is(path, *number).then(|| (path.to_owned(), *number)),
+        toml::Value::Array(list) => list.iter().find_map(|value| find(value, path, is)),
         toml::Value::Table(table) => table.iter().find_map(|(key, value)| {
             let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-            lost_in_f32(value, &path)
+            find(value, &path, is)
         }),
         _ => None,
     }

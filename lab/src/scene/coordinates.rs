@@ -102,6 +102,10 @@ impl<'de> Visitor<'de> for Given {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Coordinates, A::Error> {
-        Vec::deserialize(SeqAccessDeserializer::new(list)).map(Coordinates)
+        let values = Vec::deserialize(SeqAccessDeserializer::new(list))?;
+        if values.is_empty() {
+            return Err(A::Error::custom("must have a number for each axis, not an empty list"));
+        }
+        Ok(Coordinates(values))
     }
 }

@@ -1,7 +1,8 @@
 //! What the device touches.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::coordinates::Coordinates;
 use super::quantity::{Finite, NonNegative, Positive};
@@ -120,10 +121,17 @@ pub struct LayeredWall {
     /// Depth of the upper layer in m, 0 or more; required.
     pub depth: NonNegative,
     /// Stiffnesses [k1, k2] of the upper and the lower layer in N/m, 0 or more; required.
+    #[serde(deserialize_with = "two")]
     pub stiffness: [NonNegative; 2],
     /// Damping b in N.s/m, 0 or more; default 0.
     #[serde(default)]
     pub damping: NonNegative,
+}
+
+fn two<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[NonNegative; 2], D::Error> {
+    <[NonNegative; 2]>::try_from(Vec::deserialize(deserializer)?).map_err(|list: Vec<_>| {
+        D::Error::custom(format_args!("must be a list of two numbers, not of {}", list.len()))
+    })
 }
 
 /// A one-sided wall after Hunt and Crossley: f = max(0, k p^e (1 + damping v)) for the depth p = x - position > 0.

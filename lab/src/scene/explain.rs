@@ -169,7 +169,9 @@ fn several(
     let last = names.pop().unwrap_or_default();
     let noun = &place.name;
     let message = format!("{count} {noun}s, {} and {last}: a scene has only one", names.join(", "));
-    let mut diagnostic = diagnostic(message).with_help("keep one of these tables");
+    let path = format!("{}.{}", place.path(), chosen.first().map_or("", String::as_str));
+    let kind = if keys::find(&path).is_none_or(Key::is_table) { "tables" } else { "keys" };
+    let mut diagnostic = diagnostic(message).with_help(format!("keep one of these {kind}"));
     for name in chosen.iter().take(4) {
         if !known.contains(&name.as_str()) {
             diagnostic = diagnostic.with_help(format!(

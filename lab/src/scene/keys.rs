@@ -215,6 +215,8 @@ impl Key {
 
 /// The entry of a key with this table path.
 pub(super) fn find(path: &str) -> Option<&'static Key> {
+    // What is said of a list is said of each number in it.
+    let path = path.split_once('[').map_or(path, |(list, _)| list);
     KEYS.iter().find(|key| key.path == path)
 }
 

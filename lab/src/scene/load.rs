@@ -119,8 +119,9 @@ fn place(conflict: &Conflict, root: &DeValue<'_>, text: &str, name: &str) -> Dia
 fn span_of(root: &DeValue<'_>, path: &str) -> Option<Range<usize>> {
     let mut parts = path.split('.');
     let mut value = root.get(parts.next()?)?;
-    for part in parts {
-        value = value.get_ref().get(part)?;
+    // A key that is not given has the place of its table.
+    while let Some(next) = parts.next().and_then(|part| value.get_ref().get(part)) {
+        value = next;
     }
     Some(value.span())
 }

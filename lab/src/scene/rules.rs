@@ -71,10 +71,10 @@ impl Scene {
             ("initial.velocity", self.initial.velocity.len()),
             ("operator.rest", self.operator.rest.len()),
         ];
-        vectors.extend(self.environment.vectors());
         // None given is the origin, or rest.
-        let wrong = |length: usize| length != dimensions && length != 0;
-        if let Some((key, length)) = vectors.into_iter().find(|(_, length)| wrong(*length)) {
+        vectors.retain(|(_, length)| *length != 0);
+        vectors.extend(self.environment.vectors());
+        if let Some((key, length)) = vectors.into_iter().find(|(_, length)| *length != dimensions) {
             let numbers = |count: usize| match count {
                 1 => "one number".to_owned(),
                 more => format!("a list of {more} numbers"),

@@ -35,7 +35,7 @@ const CASES: &[Case] = &[
     ("duration = 10.0", "duration = 10.0\nscalar = \"f16\"", &["scene.toml:5:10", "\"f16\"", "\"f64\", \"f32\""]),
     ("[stabilizer.lolc]", "[stabilizer.popc]\n[stabilizer.lolc]", &["scene.toml:24:13", "two stabilizers, `popc` and `lolc`", "keep one"]),
     ("[stabilizer.lolc]", "[stabilizer]", &["scene.toml:24:1", "unknown key `work` in [stabilizer]", "[stabilizer.lolc]"]),
-    ("[environment.wall]", "[environment.sphere]\n[environment.wall]", &["scene.toml:20:14", "two environments, `sphere` and `wall`", "keep one"]),
+    ("[environment.wall]", "[environment.cylinder]\n[environment.wall]", &["scene.toml:20:14", "two environments, `cylinder` and `wall`", "known: wall"]),
     ("[environment.wall]\nstiffness = 8000.0\ndamping = 2.0\n", "", &["missing key `environment.wall.stiffness`", "[environment.wall]"]),
     ("[environment.wall]", "[environment]", &["scene.toml:20:1", "`stiffness` is a key of [operator], [environment.wall]"]),
     ("candidate = \"mass-spring-damper\"", "candidate = \"device\"", &["scene.toml:25:13", "\"device\"", "did you mean \"device-damping\"?"]),
@@ -51,6 +51,39 @@ const CASES: &[Case] = &[
     ("servo_rate = 100.0", "scalar = \"f32\"\nservo_rate = 1e-40", &["scene.toml:6:14", "no period within f32"]),
     ("[device]", "[device", &["scene.toml:12", "lacks its closing `]`"]),
 ];
+
+/// Tables below the shipped scene, and what must be said of them.
+#[rustfmt::skip]
+const TABLES: &[(&str, &[&str])] = &[
+    ("[effects.filter]\ncutoff = 0", &["`effects.filter.cutoff`", "greater than 0", "Hz"]),
+    ("[effects.filter]\ncutoff = 1\nwindow = 2", &["two filters", "keep one of these keys"]),
+    ("[effects.noise]\ndeviation = -1\nseed = 1", &["0 or greater", "not -1.0"]),
+    ("[effects.noise]\ndeviation = 1\nseed = 0.5", &["whole number", "0.5"]),
+    ("[effects.jitter]\ndeviation = nan\nseed = 1", &["`effects.jitter.deviation`", "NaN"]),
+    ("[effects.dropout]\nprobability = 2\nseed = 1\npolicy = \"hold\"", &["from 0 to 1", "not 2.0"]),
+    ("[effects.dropout]\nprobability = 0\nseed = 1\npolicy = \"last\"", &["\"hold\", \"zero\""]),
+    ("[effects.friction]\ncoulomb = 2\nstatic = 1\nstribeck_velocity = 1", &["less than `coulomb`"]),
+    ("[effects.load]\nforce = inf", &["`effects.load.force`", "finite"]),
+    ("[effects.pulse]\nstart = 0\nforce = 1", &["missing key `effects.pulse.duration`"]),
+    ("[link]\nstiffness = -1", &["`link.stiffness`", "greater than 0"]),
+    ("[operator.grip]\ntimes = [2, 1]\nstiffness = [1, 1]\ndamping = [1, 1]", &["1.0 s after 2.0 s"]),
+    ("[operator.motion]\nkind = \"sine\"\nto = 1", &["has `to`", "kind, amplitude, frequency"]),
+    ("[operator.motion]\nkind = \"file\"\npath = \"none.csv\"", &["none.csv", "cannot be read"]),
+    ("[environment.spring]\nstiffness = 1", &["two environments", "keep one of these tables"]),
+    ("[space]\ndimensions = 3", &["`environment.wall` is not for 3 dimensions"]),
+];
+
+#[test]
+fn a_wrong_table_of_an_effect_is_refused() {
+    for (table, words) in TABLES {
+        let place = Place::new();
+        place.put("scene.toml", format!("{}\n{table}\n", SCENE.trim_end()));
+        place.put("rows.csv", "rows of another run");
+        for csv in ["rows.csv", "new.csv", "-"] {
+            place.refuses(["run", "scene.toml", "--csv", csv], words);
+        }
+    }
+}
 
 #[test]
 fn a_wrong_scene_is_refused_with_its_line_and_what_would_be_right() {

@@ -146,7 +146,8 @@ impl<T: Scalar> Linear<T, 2> for Body<T> {
     }
 
     #[inline]
-    fn place(&mut self, [position, velocity]: [T; 2]) {
-        (self.position, self.velocity) = (position, velocity);
+    fn place(&mut self, of: T::Mask, [position, velocity]: [T; 2]) {
+        self.position = T::choose(of, position, self.position);
+        self.velocity = T::choose(of, velocity, self.velocity);
     }
 }

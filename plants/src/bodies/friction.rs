@@ -146,26 +146,28 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
 
     fn advance(&mut self, effort: T) -> Drive<T> {
         let before = self.body.state();
-        let free = self.body;
-        let period = self.body.advance(effort).period;
-        let mut after = self.body.state();
-        // Friction reads where the body was; the body it owns stands there until all lanes are done.
-        self.body = free;
+        let mut moved = self.body;
+        let drive = moved.advance(effort);
+        let mut after = moved.state();
         self.transitions = Transitions::none();
-        let mut heat = T::zero();
+        let (mut heat, mut rubbed) = (T::zero(), T::zero());
         for lane in 0..T::LANES {
             let finite = before.iter().all(|part| part.lane(lane).is_finite())
                 && effort.lane(lane).is_finite()
                 && self.body.rest().lane(lane).is_finite();
             if finite && self.law.breakaway.lane(lane) > 0.0 {
-                let burnt = self.passed(lane, effort, period, &mut after);
+                let burnt = self.passed(lane, effort, drive.period, &mut after);
                 set(&mut heat, lane, burnt);
+                set(&mut rubbed, lane, 1.0);
             }
         }
         self.heat.add(heat);
-        self.body.place(after);
-        let displacement = after[S - 2] - before[S - 2];
-        Drive::new(period, after[S - 2], after[S - 1], displacement, effort)
+        // A body may keep its state in other numbers than those it tells: where nothing rubs it is left alone.
+        let rubbed = rubbed.above(T::zero());
+        moved.place(rubbed, after);
+        self.body = moved;
+        let displacement = T::choose(rubbed, after[S - 2] - before[S - 2], drive.displacement);
+        Drive::new(drive.period, after[S - 2], after[S - 1], displacement, effort)
     }
 }
 

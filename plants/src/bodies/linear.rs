@@ -23,6 +23,7 @@ pub trait Linear<T: Scalar, const S: usize>: Tethered<T> + Copy {
     /// Position and velocity of each mass, the device last.
     fn state(&self) -> [T; S];
 
-    /// Puts the masses at `state`, listed as [`state`](Self::state) lists them.
-    fn place(&mut self, state: [T; S]);
+    /// Puts the masses at `state`, listed as [`state`](Self::state) lists them, in the lanes of `of`; the others keep
+    /// theirs to the bit.
+    fn place(&mut self, of: T::Mask, state: [T; S]);
 }

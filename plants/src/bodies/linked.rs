@@ -192,8 +192,11 @@ impl<T: Scalar> Linear<T, 4> for Linked<T> {
     }
 
     #[inline]
-    fn place(&mut self, [x, v, position, velocity]: [T; 4]) {
-        (self.position, self.velocity) = (position, velocity);
-        (self.stretch, self.stretching) = (x - position, v - velocity);
+    fn place(&mut self, of: T::Mask, [x, v, position, velocity]: [T; 4]) {
+        let choose = |new, kept| T::choose(of, new, kept);
+        self.position = choose(position, self.position);
+        self.velocity = choose(velocity, self.velocity);
+        self.stretch = choose(x - position, self.stretch);
+        self.stretching = choose(v - velocity, self.stretching);
     }
 }

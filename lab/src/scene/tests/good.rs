@@ -1,7 +1,9 @@
 //! Scenes that are right, and what they mean.
 
+use serde_json::Value;
+
 use super::{FULL, scene, smallest_and, with};
-use crate::scene::keys::{KEYS, SMALLEST};
+use crate::scene::keys::{KEYS, Key, SMALLEST};
 use crate::scene::*;
 
 fn positive(value: f64) -> Positive {
@@ -249,24 +251,29 @@ fn quantities_accept_what_they_say() {
     assert_eq!(accepted, expected);
 }
 
-/// The paths of all keys and tables of a document.
-fn paths(table: &toml::Table, within: &str, found: &mut Vec<String>) {
-    for (key, value) in table {
+/// The paths of all keys and tables that a schema allows.
+fn paths(schema: &Value, root: &Value, within: &str, found: &mut Vec<String>) {
+    if let Some(Value::String(name)) = schema.get("$ref") {
+        let pointed = root.pointer(name.trim_start_matches('#')).unwrap();
+        paths(pointed, root, within, found);
+    }
+    for list in ["oneOf", "anyOf", "allOf"] {
+        let choices = schema.get(list).and_then(Value::as_array);
+        choices.into_iter().flatten().for_each(|choice| paths(choice, root, within, found));
+    }
+    let properties = schema.get("properties").and_then(Value::as_object);
+    for (key, schema) in properties.into_iter().flatten() {
         let path = format!("{within}{key}");
-        if let Some(table) = value.as_table() {
-            paths(table, &format!("{path}."), found);
-        }
+        paths(schema, root, &format!("{path}."), found);
         found.push(path);
     }
 }
 
 #[test]
 fn messages_know_every_key_and_no_other() {
+    let schema = schema();
     let mut written = Vec::new();
-    paths(&FULL.parse().unwrap(), "", &mut written);
-    let popc = "[stabilizer.popc]\nwork = \"held\"\ndamping_cap = 0.5";
-    scene(&smallest_and(popc));
-    paths(&popc.parse().unwrap(), "", &mut written);
+    paths(&schema, &schema, "", &mut written);
     written.sort();
     written.dedup();
     let mut known: Vec<_> = KEYS.iter().map(|key| key.path.to_owned()).collect();
@@ -276,18 +283,53 @@ fn messages_know_every_key_and_no_other() {
 
 #[test]
 fn every_example_in_a_message_is_right() {
-    for key in KEYS {
+    // What the file of a motion holds is no matter of keys.
+    for key in KEYS.iter().filter(|key| key.path != "operator.motion.path") {
         let text = if key.is_table() || key.table().is_empty() {
             key.example.to_owned()
         } else {
             format!("[{}]\n{}", key.table(), key.example)
         };
         let mut document: toml::Table = SMALLEST.parse().unwrap();
-        let example: toml::Table = text.parse().unwrap();
-        merge(&mut document, example);
-        let text = toml::to_string(&document).unwrap();
-        // An encoder, a delay or a limit needs no more than its own key, so each example stands for itself.
-        scene(&text);
+        for more in [needed_by(key), &text] {
+            merge(&mut document, more.parse().unwrap());
+        }
+        let environment = document["environment"].as_table_mut().unwrap();
+        if environment.len() > 1 {
+            environment.remove("wall");
+        }
+        scene(&toml::to_string(&document).unwrap());
+    }
+}
+
+/// What a key cannot be without: the rest of its table, and other tables.
+fn needed_by(key: &Key) -> &'static str {
+    let table = if key.is_table() { key.path } else { key.table() };
+    match (table, key.name()) {
+        ("effects.filter", _) => "",
+        ("operator.motion", "rate") => "[operator.motion]\nkind = \"ramp\"\nto = 0.01",
+        ("operator.motion", "amplitude") => "[operator.motion]\nkind = \"sine\"\nfrequency = 1.0",
+        ("operator.motion", "frequency") => "[operator.motion]\nkind = \"sine\"\namplitude = 1.0",
+        ("operator.grip", _) => {
+            "[operator.grip]\ntimes = [1.0, 2.0]\nstiffness = [1.0, 2.0]\ndamping = [1.0, 2.0]"
+        }
+        ("link", _) => "operator.mass = 0.1\nlink.stiffness = 20000.0",
+        ("space", _) => {
+            "[environment.plane]\npoint = [0.0, 0.0]\nnormal = [0.0, 1.0]\nstiffness = 1.0"
+        }
+        ("environment.plane", _) => {
+            "space.dimensions = 2\n[environment.plane]\npoint = [0.0, 0.0]\nnormal = [0.0, 1.0]\nstiffness = 1.0"
+        }
+        ("environment.sphere", _) => {
+            "space.dimensions = 2\n[environment.sphere]\ncenter = [0.0, 0.0]\nradius = 1.0\nstiffness = 1.0"
+        }
+        ("environment.box", _) => {
+            "space.dimensions = 2\n[environment.box]\ncenter = [0.0, 0.0]\nhalf = [1.0, 1.0]\nstiffness = 1.0"
+        }
+        (table, _) => {
+            let table = KEYS.iter().find(|key| key.path == table && key.is_table());
+            table.map_or("", |table| table.example)
+        }
     }
 }
 

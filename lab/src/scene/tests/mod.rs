@@ -1,6 +1,7 @@
 //! What a user of scene files relies on.
 
 mod bad;
+mod bad_effects;
 mod broken;
 mod edits;
 mod files;
