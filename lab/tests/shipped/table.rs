@@ -10,6 +10,9 @@ use lyapunov_lab::{Rollout, in_space};
 
 use crate::rows::{folder, scene};
 
+/// Whether effects have a certain one among them.
+type Has = fn(&Effects) -> bool;
+
 /// The widest line that fits a terminal.
 const WIDTH: usize = 100;
 
@@ -63,7 +66,7 @@ fn each_runs_to_its_end_within_range_in_both_scalars() {
 
 #[test]
 fn each_effect_has_a_scene_of_its_own() {
-    let names: [(&str, fn(&Effects) -> bool); 11] = [
+    let names: [(&str, Has); 11] = [
         ("encoder", |it| it.encoder.is_some()),
         ("delay", |it| it.delay.is_some()),
         ("saturation", |it| it.saturation.is_some()),
