@@ -91,7 +91,7 @@ impl Plant {
         let mut phase = Phase::Slides(1.0);
         if let Some(law) = self.friction {
             phase = if state[1] == 0.0 {
-                self.from_rest(law, state)
+                self.leaving_rest(law, state)
             } else {
                 Phase::Slides(state[1].signum())
             };
@@ -125,14 +125,14 @@ impl Plant {
                 Phase::Sticks => Phase::Slides(self.others(state).signum()),
                 Phase::Slides(_) => {
                     state[1] = 0.0;
-                    self.from_rest(law, state)
+                    self.leaving_rest(law, state)
                 }
             };
         }
         state
     }
 
-    fn from_rest(&self, law: Friction, state: State) -> Phase {
+    fn leaving_rest(&self, law: Friction, state: State) -> Phase {
         let others = self.others(state);
         if others.abs() <= law.breakaway { Phase::Sticks } else { Phase::Slides(others.signum()) }
     }

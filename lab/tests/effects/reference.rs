@@ -63,7 +63,7 @@ impl<'a> Loop<'a> {
         let measured = self.measure(n, x);
         self.measured.push(measured);
         let v = self.velocity();
-        if n % scene.hold == 0 {
+        if n.is_multiple_of(scene.hold) {
             self.ask(n, measured, v);
         }
         let (observer, alpha, shortfall) = self.stabilize(n, measured, v);
@@ -114,7 +114,7 @@ impl<'a> Loop<'a> {
                 self.state[axis][2..].copy_from_slice(&row[first..first + 2]);
             }
         }
-        if n % scene.hold == 0 {
+        if n.is_multiple_of(scene.hold) {
             self.seen_by_environment = Some(self.velocities[n]);
         }
         self.observer = row[8];

@@ -87,7 +87,9 @@ impl Linear<f64, 4> for TwoMasses {
         self.state
     }
 
-    fn place(&mut self, state: [f64; 4]) {
-        self.state = state;
+    fn place(&mut self, of: bool, state: [f64; 4]) {
+        if of {
+            self.state = state;
+        }
     }
 }
