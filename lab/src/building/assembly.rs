@@ -1,6 +1,6 @@
 //! A whole loop, put together from a scene.
 
-use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal};
+use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Signal};
 
 use super::environment::of;
 use super::port::{Operator, Tap};
@@ -44,7 +44,7 @@ impl<V: Space> Assembly<V> {
     #[inline]
     pub fn tick(&mut self, drive: &mut Drive<V>) -> V {
         let effort = self.port.respond(drive);
-        *drive = self.plant.advance(effort);
+        self.plant.advance_into(effort, drive);
         effort
     }
 

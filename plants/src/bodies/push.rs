@@ -31,8 +31,11 @@ impl<V: Signal, B: Plant<V>, C: Course<V>> Plant<V> for Push<B, C> {
     fn advance(&mut self, effort: V) -> Drive<V> {
         let push = self.course.at(self.tick);
         self.tick = self.tick.wrapping_add(1);
-        let drive = self.body.advance(effort - push);
-        Drive::new(drive.period, drive.position, drive.velocity, drive.displacement, effort)
+        // Changed in place: a body that is called through a table has written it number by number.
+        let mut drive = self.body.advance(effort - push);
+        drive.acted = effort;
+        drive.work = effort.times(drive.displacement);
+        drive
     }
 }
 
