@@ -1,6 +1,6 @@
 //! A whole loop, put together from a scene.
 
-use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Signal};
+use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal};
 
 use super::environment::of;
 use super::port::{Operator, Tap};

@@ -5,16 +5,10 @@ use std::fmt;
 use lyapunov::{Drive, Friction, Linked, ParameterError, Plant, Scalar, Signal, Tethered};
 
 use super::AnyPlant;
-use super::plant::Advance;
 use super::port::Operator;
 
 /// Any tethered body made of parts `P`, boxed.
-pub(super) struct AnyBody<V: Signal, P>(Box<dyn AdvanceTethered<V, Parts = P>>);
-
-/// A tethered body that writes its drive in place.
-trait AdvanceTethered<V: Signal>: Tethered<V> + Advance<V> {}
-
-impl<V: Signal, B: Tethered<V>> AdvanceTethered<V> for B {}
+pub(super) struct AnyBody<V: Signal, P>(Box<dyn Tethered<V, Parts = P>>);
 
 impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
     pub(super) fn new(body: impl Tethered<V, Parts = P> + 'static) -> Self {
@@ -41,6 +35,11 @@ impl<V: Signal, P: Copy + 'static> Plant<V> for AnyBody<V, P> {
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
         self.0.advance(effort)
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        self.0.advance_into(effort, drive);
     }
 }
 

@@ -16,19 +16,7 @@ use super::port::Operator;
 use crate::scene::{Motion, NonNegative, Scene};
 
 /// Any plant, boxed.
-pub struct AnyPlant<V: Signal>(Box<dyn Advance<V>>);
-
-/// A plant that writes its drive in place. Returned through a table it would be written by numbers and then copied by
-/// pairs of them, and a processor lets such a read wait until the writes before it are done.
-pub(super) trait Advance<V: Signal>: Plant<V> {
-    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>);
-}
-
-impl<V: Signal, P: Plant<V>> Advance<V> for P {
-    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
-        *drive = self.advance(effort);
-    }
-}
+pub struct AnyPlant<V: Signal>(Box<dyn Plant<V>>);
 
 impl<V: Signal> AnyPlant<V> {
     /// Boxes `plant`.
@@ -36,14 +24,8 @@ impl<V: Signal> AnyPlant<V> {
         Self(Box::new(plant))
     }
 
-    pub(super) fn boxed(plant: Box<dyn Advance<V>>) -> Self {
+    pub(super) fn boxed(plant: Box<dyn Plant<V>>) -> Self {
         Self(plant)
-    }
-
-    /// Moves as [`Plant::advance`] does, and writes into `drive` what happened.
-    #[inline]
-    pub(crate) fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
-        self.0.advance_into(effort, drive);
     }
 }
 
@@ -61,6 +43,11 @@ impl<V: Signal> Plant<V> for AnyPlant<V> {
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
         self.0.advance(effort)
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        self.0.advance_into(effort, drive);
     }
 }
 
