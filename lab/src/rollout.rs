@@ -100,7 +100,7 @@ impl<V: Space> Rollout<V> {
             self.further.extend(signals.map(|signal| signal.axis(axis)));
         }
         self.further.extend(self.seen.operator());
-        self.drive = self.assembly.plant.advance(acted);
+        self.assembly.plant.advance_into(acted, &mut self.drive);
         let in_range = row.in_range() && self.further.iter().all(|number| number.is_finite());
         in_range.then_some(row)
     }

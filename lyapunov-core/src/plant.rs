@@ -24,6 +24,16 @@ pub trait Plant<V: Signal> {
     /// The effort is what the environment exerts against the plant: a positive one accelerates it
     /// backwards, `m ẍ = … − effort`.
     fn advance(&mut self, effort: V) -> Drive<V>;
+
+    /// As [`advance`](Self::advance), and writes in place what happened.
+    ///
+    /// It is for plants that are called through a table (`Box<dyn Plant<V>>`). A drive that is returned from there is
+    /// written number by number and then copied by pairs of numbers; such a read waits until the writes before it are
+    /// done, and the processor does not begin the next tick meanwhile. What owns a plant hands it on.
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        *drive = self.advance(effort);
+    }
 }
 
 impl<V: Signal, P: Plant<V> + ?Sized> Plant<V> for &mut P {
@@ -35,5 +45,10 @@ impl<V: Signal, P: Plant<V> + ?Sized> Plant<V> for &mut P {
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
         (**self).advance(effort)
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        (**self).advance_into(effort, drive);
     }
 }

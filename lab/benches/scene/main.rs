@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use lyapunov::lanes::AutoF64x8;
-use lyapunov::{OnePort, ParameterError, Plant, Scalar, Signal};
+use lyapunov::{OnePort, ParameterError, Plant, Scalar};
 use lyapunov_lab::{Assembly, Scene, Space};
 
 /// Ticks of a run: the way to the wall and the first bounces.
@@ -56,21 +56,41 @@ effects.dropout = { probability = 0.1, seed = 7, policy = "hold" }
 effects.noise = { deviation = 2e-6, seed = 7 }
 "#;
 
-/// Every position of the run.
-#[inline(never)]
-fn run<V: Signal>(plant: &mut impl Plant<V>, port: &mut impl OnePort<V>, positions: &mut [V]) {
-    let mut drive = plant.start();
-    for position in positions {
-        drive = plant.advance(port.respond(&drive));
-        *position = drive.position;
+/// What is timed: a loop that moves on by ticks.
+trait Rolling<T> {
+    /// Every position of the run.
+    fn roll(&mut self, positions: &mut [T]);
+}
+
+impl<T: Space> Rolling<T> for Assembly<T> {
+    #[inline(never)]
+    fn roll(&mut self, positions: &mut [T]) {
+        let mut drive = self.plant.start();
+        for position in positions {
+            self.tick(&mut drive);
+            *position = drive.position;
+        }
+    }
+}
+
+/// A plant and a port, by type.
+impl<T: Scalar, P: Plant<T>, Q: OnePort<T>> Rolling<T> for (P, Q) {
+    #[inline(never)]
+    fn roll(&mut self, positions: &mut [T]) {
+        let (plant, port) = self;
+        let mut drive = plant.start();
+        for position in positions {
+            drive = plant.advance(port.respond(&drive));
+            *position = drive.position;
+        }
     }
 }
 
 /// Times fresh loops, one after the other, so that one iteration of the report is one tick of one rollout.
-fn time<T: Scalar, P: Plant<T>, Q: OnePort<T>>(
+fn time<T: Scalar, L: Rolling<T>>(
     group: &mut BenchmarkGroup<'_, WallTime>,
     id: String,
-    fresh: impl Fn() -> Result<(P, Q), ParameterError>,
+    fresh: impl Fn() -> Result<L, ParameterError>,
 ) -> Vec<T> {
     let mut positions = vec![T::of(0.0); TICKS];
     let steps = TICKS * T::LANES;
@@ -79,9 +99,9 @@ fn time<T: Scalar, P: Plant<T>, Q: OnePort<T>>(
             let runs = count.div_ceil(steps as u64);
             let mut elapsed = Duration::ZERO;
             for _ in 0..runs {
-                let (mut plant, mut port) = black_box(fresh()).expect("the numbers");
+                let mut rolling = black_box(fresh()).expect("the numbers");
                 let start = Instant::now();
-                run(&mut plant, &mut port, black_box(&mut positions));
+                rolling.roll(black_box(&mut positions));
                 elapsed += start.elapsed();
             }
             elapsed.mul_f64(count as f64 / (runs * steps as u64) as f64)
@@ -95,7 +115,7 @@ fn times<T: Space + Scalar>(criterion: &mut Criterion, scalar: &str) {
     macro_rules! contest {
         ($name:literal, $typed:path, $($part:expr),+) => {
             let scene = Scene::parse(&[$($part),+].concat(), $name).expect("a scene");
-            let built = || Assembly::<T>::of(&scene).map(|it| (it.plant, it.port));
+            let built = || Assembly::<T>::of(&scene);
             let built = time(&mut group, format!("built/{scalar}/{}", $name), built);
             let typed = time(&mut group, format!("typed/{scalar}/{}", $name), $typed);
             assert!(built.is_empty() || typed.is_empty() || built == typed, "{}", $name);

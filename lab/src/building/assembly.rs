@@ -44,7 +44,7 @@ impl<V: Space> Assembly<V> {
     #[inline]
     pub fn tick(&mut self, drive: &mut Drive<V>) -> V {
         let effort = self.port.respond(drive);
-        *drive = self.plant.advance(effort);
+        self.plant.advance_into(effort, drive);
         effort
     }
 

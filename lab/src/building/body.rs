@@ -36,6 +36,11 @@ impl<V: Signal, P: Copy + 'static> Plant<V> for AnyBody<V, P> {
     fn advance(&mut self, effort: V) -> Drive<V> {
         self.0.advance(effort)
     }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        self.0.advance_into(effort, drive);
+    }
 }
 
 impl<V: Signal, P: Copy + 'static> Tethered<V> for AnyBody<V, P> {

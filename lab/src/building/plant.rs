@@ -44,6 +44,11 @@ impl<V: Signal> Plant<V> for AnyPlant<V> {
     fn advance(&mut self, effort: V) -> Drive<V> {
         self.0.advance(effort)
     }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        self.0.advance_into(effort, drive);
+    }
 }
 
 /// What a kind of body is made of, and how it is made, in a scene.

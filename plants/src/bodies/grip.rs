@@ -37,6 +37,24 @@ impl<B, R, T: Scalar> Grip<B, R, T> {
     }
 }
 
+impl<B, R, T: Scalar> Grip<B, R, T> {
+    #[inline]
+    fn take_hold<V: Signal<Scalar = T>>(&mut self)
+    where
+        B: Tethered<V>,
+        R: AsRef<[(u64, B::Parts)]>,
+    {
+        while let Some(&(tick, parts)) = self.table.as_ref().get(self.next)
+            && tick <= self.tick
+        {
+            // Tried at construction; a table that has changed since is not followed where it is wrong.
+            let _ = self.body.reshape(parts, self.period);
+            self.next += 1;
+        }
+        self.tick = self.tick.wrapping_add(1);
+    }
+}
+
 impl<V, B, R> Plant<V> for Grip<B, R, V::Scalar>
 where
     V: Signal,
@@ -50,15 +68,14 @@ where
 
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
-        while let Some(&(tick, parts)) = self.table.as_ref().get(self.next)
-            && tick <= self.tick
-        {
-            // Tried at construction; a table that has changed since is not followed where it is wrong.
-            let _ = self.body.reshape(parts, self.period);
-            self.next += 1;
-        }
-        self.tick = self.tick.wrapping_add(1);
+        self.take_hold();
         self.body.advance(effort)
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        self.take_hold();
+        self.body.advance_into(effort, drive);
     }
 }
 

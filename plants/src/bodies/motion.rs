@@ -21,6 +21,18 @@ impl<B, C> Motion<B, C> {
     }
 }
 
+impl<B, C> Motion<B, C> {
+    #[inline]
+    fn lead<V: Signal>(&mut self)
+    where
+        B: Tethered<V>,
+        C: Course<V>,
+    {
+        self.body.rest_at(self.course.at(self.tick));
+        self.tick = self.tick.wrapping_add(1);
+    }
+}
+
 impl<V: Signal, B: Tethered<V>, C: Course<V>> Plant<V> for Motion<B, C> {
     #[inline]
     fn start(&self) -> Drive<V> {
@@ -29,9 +41,14 @@ impl<V: Signal, B: Tethered<V>, C: Course<V>> Plant<V> for Motion<B, C> {
 
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
-        self.body.rest_at(self.course.at(self.tick));
-        self.tick = self.tick.wrapping_add(1);
+        self.lead();
         self.body.advance(effort)
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        self.lead();
+        self.body.advance_into(effort, drive);
     }
 }
 

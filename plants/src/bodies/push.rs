@@ -21,6 +21,25 @@ impl<B, C> Push<B, C> {
     }
 }
 
+impl<B, C> Push<B, C> {
+    #[inline]
+    fn push<V: Signal>(&mut self) -> V
+    where
+        C: Course<V>,
+    {
+        let push = self.course.at(self.tick);
+        self.tick = self.tick.wrapping_add(1);
+        push
+    }
+}
+
+/// Says that `effort` acted, and nothing beside it.
+#[inline]
+fn told<V: Signal>(drive: &mut Drive<V>, effort: V) {
+    drive.acted = effort;
+    drive.work = effort.times(drive.displacement);
+}
+
 impl<V: Signal, B: Plant<V>, C: Course<V>> Plant<V> for Push<B, C> {
     #[inline]
     fn start(&self) -> Drive<V> {
@@ -29,10 +48,17 @@ impl<V: Signal, B: Plant<V>, C: Course<V>> Plant<V> for Push<B, C> {
 
     #[inline]
     fn advance(&mut self, effort: V) -> Drive<V> {
-        let push = self.course.at(self.tick);
-        self.tick = self.tick.wrapping_add(1);
-        let drive = self.body.advance(effort - push);
-        Drive::new(drive.period, drive.position, drive.velocity, drive.displacement, effort)
+        let push: V = self.push();
+        let mut drive = self.body.advance(effort - push);
+        told(&mut drive, effort);
+        drive
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+        let push: V = self.push();
+        self.body.advance_into(effort - push, drive);
+        told(drive, effort);
     }
 }
 
