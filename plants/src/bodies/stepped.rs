@@ -17,7 +17,7 @@ use crate::{Assembled, Coordinates, Tethered};
 /// use lyapunov_core::{ParameterError, Plant};
 /// use lyapunov_plants::{Impedance, Oscillator, RungeKutta4, Stepped};
 /// let hand = Oscillator::new(Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 })?;
-/// let mut plant = Stepped::new(hand, RungeKutta4, 1e-3, 4)?.starting(-0.004, 0.0);
+/// let mut plant = Stepped::new(hand, RungeKutta4, 1e-3, 4)?.starting(-0.004_f64, 0.0);
 /// let drive = plant.advance(0.0);
 /// // Over so short a time it falls freely: x₀ (1 − k T² / (2 m)).
 /// assert!((drive.position + 0.004 * (1.0 - 50.0 * 1e-6 / 0.6)).abs() < 1e-9);
