@@ -48,8 +48,14 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
     let (short, wide) = (T::of(1e-3), L::of(1e-3));
     macro_rules! with {
         ($($integrator:expr),+) => {$(
-            lane_by_lane(|lane| moved::<T, _, _>(one(lane), $integrator, short, 3), moved::<L, _, _>(ones, $integrator, wide, 3));
-            lane_by_lane(|lane| moved::<T, _, _>(two(lane), $integrator, short, 3), moved::<L, _, _>(twos, $integrator, wide, 3));
+            lane_by_lane(
+                |lane| moved::<T, _, _>(one(lane), $integrator, short, 3),
+                moved::<L, _, _>(ones, $integrator, wide, 3),
+            );
+            lane_by_lane(
+                |lane| moved::<T, _, _>(two(lane), $integrator, short, 3),
+                moved::<L, _, _>(twos, $integrator, wide, 3),
+            );
         )+};
     }
     with!(SemiImplicitEuler, ImplicitMidpoint, RungeKutta4, Exact::new());

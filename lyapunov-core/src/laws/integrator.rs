@@ -18,9 +18,9 @@ const SLACK: f64 = 0.25;
 /// its held effort over `interval` s.
 ///
 /// Its errors over the interval in 8, 16, 32 and 64 steps are taken against 2048 steps of Kutta's 3/8 rule, and the
-/// slope of their logarithms over that of the step must be `order` or more, less a quarter. Errors of the size of rounding
-/// are left out, so that an exact integrator has any order. Choose an interval in which the fastest motion turns
-/// about one radian.
+/// slope of their logarithms over that of the step must be `order` or more, less a quarter. Errors of the size of
+/// rounding are left out, so that an exact integrator has any order. Choose an interval in which the fastest motion
+/// turns about one radian.
 ///
 /// # Errors
 /// The first law that is broken, the start as its sample; for [`Converges`](Law::Converges) the slope.

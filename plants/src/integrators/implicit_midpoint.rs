@@ -12,10 +12,10 @@ use crate::ImplicitDynamics;
 /// v' = v + h a
 /// ```
 ///
-/// Of order 2, one evaluation and one division. It keeps every quadratic invariant, so the energy of linear motion without
-/// damping stays what it is, and it is A-stable: no motion that decays grows at any step. A motion far faster than the step
-/// does not decay either, it alternates (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, IV.2; Hairer
-/// and Wanner, Solving Ordinary Differential Equations II, 1996, IV.3).
+/// Of order 2, one evaluation and one division. It keeps every quadratic invariant, so the energy of linear motion
+/// without damping stays what it is, and it is A-stable: no motion that decays grows at any step. A motion far
+/// faster than the step does not decay either, it alternates (Hairer, Lubich and Wanner, Geometric Numerical
+/// Integration, 2006, IV.2; Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.3).
 ///
 /// In rounding it errs by about `h ω` units in the last place where `h ω` is above 1.
 ///

@@ -5,9 +5,9 @@ use lyapunov_core::{Dynamics, Integrator, Signal, State};
 /// The semi-implicit, or symplectic, Euler method: `v' = v + h a(x, v, f)`, then `x' = x + h v'`.
 ///
 /// Of order 1, one evaluation. Without damping it keeps, exactly, an energy that lies close to the true one: for
-/// `ẍ = −ω² x` it is `v² + ω² x² − h ω² x v`, so that the true energy swings by a factor `(1 + h ω / 2) / (1 − h ω / 2)`
-/// at most and never grows while `h ω < 2` (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, I.1 and
-/// VI.3). Damping is explicit here: it is stable while `h (b / m + h k / (2 m)) < 2`.
+/// `ẍ = −ω² x` it is `v² + ω² x² − h ω² x v`, so that the true energy swings by a factor of at most
+/// `(1 + h ω / 2) / (1 − h ω / 2)` and never grows while `h ω < 2` (Hairer, Lubich and Wanner, Geometric Numerical
+/// Integration, 2006, I.1 and VI.3). Damping is explicit here: it is stable while `h (b / m + h k / (2 m)) < 2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SemiImplicitEuler;
 
