@@ -3,7 +3,8 @@
 //! A **port** carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
 //! A [`Plant`] moves and tells a [`Drive`]: what moved, and which effort really acted. A [`OnePort`] answers
 //! with the next effort. In between a [`Stabilizer`] watches an [`Observer`]: the sum of what a
-//! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. Everything is generic over the [`Scalar`] (`f32`,
+//! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. An [`Integrator`] follows the [`Dynamics`] of a plant through
+//! its period. Everything is generic over the [`Scalar`] (`f32`,
 //! `f64`, [`lanes`] of either) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
 //! an allocator, and does not panic. [`laws`] checks parts of one's own.
 //!
@@ -18,6 +19,8 @@ mod action;
 mod candidate;
 mod dissipation;
 mod drive;
+mod dynamics;
+mod integrator;
 pub mod lanes;
 pub mod laws;
 mod ledger;
@@ -34,6 +37,8 @@ pub use action::Action;
 pub use candidate::{LyapunovCandidate, PortEnergy, Storage};
 pub use dissipation::{Always, Beyond, Dissipation, Gate};
 pub use drive::Drive;
+pub use dynamics::{Dynamics, State};
+pub use integrator::Integrator;
 pub use ledger::{Held, Ledger, Sampled, Work};
 pub use observer::Observer;
 pub use one_port::OnePort;

@@ -1,6 +1,11 @@
 //! Environments, bodies, exact propagation and the effects that act on a port.
 //!
-//! Effects are adaptors that own the port they act on, //! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2), //! Environments answer a motion: [`Spring`] and [`MassSpringDamper`] (the paper's examples 1 and 2) and the, //! one that is not written costs nothing. What follows time by itself, //! one-sided [`Wall`] of its evaluation, //! one-sided [`Wall`] of its evaluation. A [`Body`] is what moves, //! they act on, //! which swing with time; and, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`], a hand or a load, and so is [`Linked`], chained by [`Adapt`], chained by [`Adapt`]; one that is not written costs nothing., chained by [`Perturb`];, exactly, exactly. Effects are adaptors that own the port, is a [`Course`]., on several axes, or the body, the, which is two masses.,
+//! Environments answer a motion: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and the one-sided
+//! [`Wall`] of its evaluation; [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`], which swing
+//! with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly, and so is
+//! [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as [`RungeKutta4`]. What follows
+//! time by itself, a hand or a load, is a [`Course`]. Effects are adaptors that own the port, chained by [`Adapt`], or
+//! the body, chained by [`Perturb`], they act on; one that is not written costs nothing.
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};
@@ -18,15 +23,21 @@
 
 mod bodies;
 mod courses;
+mod dynamics;
 mod effects;
 mod environments;
+mod integrators;
 mod random;
 
 pub use bodies::{
     Body, DampedMass, Friction, Grip, Impedance, Jitter, Linear, Link, Linked, Motion, Perturb,
-    Push, Stribeck, Tethered, Transition, Transitions, TwoMass, held_input,
+    Push, Stepped, Stribeck, Tethered, Transition, Transitions, TwoMass, held_input,
 };
 pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
+pub use dynamics::{
+    Assembled, Coordinates, CoupledOscillators, ImplicitDynamics, Joined, LinearDynamics,
+    Oscillator,
+};
 pub use effects::{
     Adapt, AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass,
     Noise, Saturation,
@@ -35,4 +46,5 @@ pub use environments::{
     Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
     Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
 };
+pub use integrators::{Exact, ImplicitMidpoint, RungeKutta4, SemiImplicitEuler};
 pub use random::{Random, Source};

@@ -20,12 +20,14 @@
 //! ```
 
 mod candidate;
+mod integrator;
 mod one_port;
 mod plant;
 mod samples;
 mod stabilizer;
 
 pub use candidate::candidate;
+pub use integrator::integrator;
 pub use one_port::one_port;
 pub use plant::plant;
 pub use samples::Samples;
@@ -58,6 +60,10 @@ pub enum Law {
     /// The drive tells the motion: displacements lead from position to position, the work is the effort's over
     /// them, and the effort told is the one applied.
     TellsTheTruth,
+    /// No lane depends on what the others hold.
+    LaneByLane,
+    /// The error falls with the step as the order says, towards the solution of the equation of motion.
+    Converges,
 }
 
 impl fmt::Display for Law {
@@ -72,6 +78,8 @@ impl fmt::Display for Law {
             Self::Recovers => "after a sample that is not finite, the next must be finite again",
             Self::NothingForNothing => "where nothing happens, nothing must be credited",
             Self::TellsTheTruth => "the drive must tell what moved and what acted",
+            Self::LaneByLane => "a lane must not depend on the others",
+            Self::Converges => "the error must fall with the step as the order says",
         })
     }
 }

@@ -74,13 +74,8 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
     let mass = Requirement::Positive.check("mass", impedance.mass)?;
     let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
     let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
-    let [position, velocity, _] = by_rows(|lane| {
-        let (m, t) = (mass.lane(lane), interval.lane(lane));
-        let (b, k) = (damping.lane(lane), stiffness.lane(lane));
-        held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
-    });
     let row = |[deflection, velocity, effort]: [T; 3]| Row { deflection, velocity, effort };
-    let rows = [row(position), row(velocity)];
+    let rows = impedance_increments(Impedance { mass, damping, stiffness }, interval).map(row);
     let finite = rows[0].finite() & rows[1].finite();
     match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
         None => Ok(rows),
@@ -90,6 +85,16 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
             requirement: Requirement::InRange,
         }),
     }
+}
+
+/// What position and velocity gain over `interval` per unit of deflection, velocity and effort; nothing is checked.
+pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
+    let [position, velocity, _] = by_rows(|lane| {
+        let (m, t) = (parts.mass.lane(lane), interval.lane(lane));
+        let (b, k) = (parts.damping.lane(lane), parts.stiffness.lane(lane));
+        held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
+    });
+    [position, velocity]
 }
 
 impl<V: Signal> Plant<V> for Body<V> {

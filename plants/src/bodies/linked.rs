@@ -67,11 +67,7 @@ impl<V: Signal> Linked<V> {
 
 fn maps<T: Scalar>(parts: TwoMass<T>, interval: T) -> Result<Maps<T>, ParameterError> {
     let parts = parts.checked()?;
-    let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
-        let (device, centre) = views(parts, lane);
-        device * held_input(equations(parts, lane) * interval.lane(lane)) * centre
-    });
-    let maps = [position, stretch, velocity, stretching];
+    let maps = two_mass_increments(parts, interval);
     let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
     match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
         None => Ok(maps),
@@ -81,6 +77,15 @@ fn maps<T: Scalar>(parts: TwoMass<T>, interval: T) -> Result<Maps<T>, ParameterE
             requirement: Requirement::InRange,
         }),
     }
+}
+
+/// What device, stretch and their velocities gain over `interval`; nothing is checked.
+pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMass<T>, interval: T) -> [[T; 5]; 4] {
+    let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
+        let (device, centre) = views(parts, lane);
+        device * held_input(equations(parts, lane) * interval.lane(lane)) * centre
+    });
+    [position, stretch, velocity, stretching]
 }
 
 /// From centre to device, and from device to centre: `x_d = X − m_o s / M`, alike for the velocities.

@@ -1,0 +1,17 @@
+//! Equations of motion for integrators, and what some integrators ask of them beside the acceleration.
+
+mod assembled;
+mod coordinates;
+mod coupled_oscillators;
+mod implicit_dynamics;
+mod joined;
+mod linear_dynamics;
+mod oscillator;
+
+pub use assembled::Assembled;
+pub use coordinates::Coordinates;
+pub use coupled_oscillators::CoupledOscillators;
+pub use implicit_dynamics::ImplicitDynamics;
+pub use joined::Joined;
+pub use linear_dynamics::LinearDynamics;
+pub use oscillator::Oscillator;

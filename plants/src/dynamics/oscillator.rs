@@ -1,0 +1,87 @@
+//! One mass.
+
+use lyapunov_core::{Dynamics, ParameterError, Requirement, Scalar, Signal, State};
+
+use crate::bodies::impedance_increments;
+use crate::{Assembled, Impedance, ImplicitDynamics, LinearDynamics};
+
+/// A mass with a damper and a spring that rests at the origin: `ẍ = −(k x + b ẋ + f) / m`, alike on each axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Oscillator<T> {
+    parts: Impedance<T>,
+    by_position: T,
+    by_velocity: T,
+    by_effort: T,
+}
+
+impl<T: Scalar> Oscillator<T> {
+    /// The oscillator made of `parts`.
+    ///
+    /// # Errors
+    /// `mass` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass so small against
+    /// the rest that an acceleration is out of the scalar's range.
+    pub fn new(parts: Impedance<T>) -> Result<Self, ParameterError> {
+        let mass = Requirement::Positive.check("mass", parts.mass)?;
+        let damping = Requirement::NonNegative.check("damping", parts.damping)?;
+        let stiffness = Requirement::NonNegative.check("stiffness", parts.stiffness)?;
+        let per_mass = |value: T| -value / mass;
+        let by_position = per_mass(stiffness);
+        let by_velocity = per_mass(damping);
+        let by_effort = per_mass(T::of(1.0));
+        let largest = by_position + by_velocity + by_effort;
+        Requirement::InRange.check("mass", largest)?;
+        Ok(Self { parts, by_position, by_velocity, by_effort })
+    }
+}
+
+impl<T: Scalar> Assembled for Oscillator<T> {
+    type Parts = Impedance<T>;
+
+    fn assembled(parts: Impedance<T>) -> Result<Self, ParameterError> {
+        Self::new(parts)
+    }
+}
+
+impl<V: Signal> Dynamics<V> for Oscillator<V::Scalar> {
+    type Coordinates = V;
+
+    #[inline]
+    fn acceleration(&self, position: V, velocity: V, effort: V) -> V {
+        position.scale(self.by_position)
+            + velocity.scale(self.by_velocity)
+            + effort.scale(self.by_effort)
+    }
+}
+
+impl<V: Signal> ImplicitDynamics<V> for Oscillator<V::Scalar> {
+    /// As if the mass were `m + α k + β b`.
+    #[inline]
+    fn implicit_acceleration(
+        &self,
+        position: V,
+        velocity: V,
+        effort: V,
+        alpha: V::Scalar,
+        beta: V::Scalar,
+    ) -> V {
+        let one = V::Scalar::of(1.0);
+        let heavier = one - alpha * self.by_position - beta * self.by_velocity;
+        self.acceleration(position, velocity, effort).scale(one / heavier)
+    }
+}
+
+impl<V: Signal> LinearDynamics<V> for Oscillator<V::Scalar> {
+    type Increments = [[V::Scalar; 3]; 2];
+
+    fn increments(&self, interval: V::Scalar) -> Self::Increments {
+        impedance_increments(self.parts, interval)
+    }
+
+    #[inline]
+    fn gain(increments: &Self::Increments, from: State<V>, effort: V) -> State<V> {
+        let of = |row: [V::Scalar; 3]| {
+            from.position.scale(row[0]) + from.velocity.scale(row[1]) + effort.scale(row[2])
+        };
+        State { position: of(increments[0]), velocity: of(increments[1]) }
+    }
+}

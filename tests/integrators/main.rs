@@ -1,0 +1,37 @@
+//! Integrators: their orders, what they keep, and the plant that any of them moves.
+
+mod energy;
+mod exact;
+mod lanes;
+mod law;
+mod orders;
+mod plant;
+
+use lyapunov::{
+    Coordinates, DampedMass, Dynamics, Impedance, Integrator, Link, Scalar, Signal, Stepped,
+    TwoMass,
+};
+
+/// Half a unit in the last place of one.
+const U: f64 = f64::EPSILON / 2.0;
+
+fn hand<T: Scalar>() -> Impedance<T> {
+    Impedance { mass: T::of(0.3), damping: T::of(0.6), stiffness: T::of(50.0) }
+}
+
+fn pair<T: Scalar>() -> TwoMass<T> {
+    TwoMass {
+        operator: Impedance { mass: T::of(0.1), damping: T::of(0.2), stiffness: T::of(50.0) },
+        device: DampedMass { mass: T::of(0.2), damping: T::of(0.1) },
+        link: Link { stiffness: T::of(30.0), damping: T::of(0.3) },
+    }
+}
+
+fn moved<V, D, I>(dynamics: D, integrator: I, period: V::Scalar, steps: u32) -> Stepped<V, D, I>
+where
+    V: Signal,
+    D: Dynamics<V, Coordinates: Coordinates<V>>,
+    I: Integrator<V, D>,
+{
+    Stepped::new(dynamics, integrator, period, steps).expect("a plant")
+}
