@@ -1,8 +1,8 @@
 //! A whole loop, put together from a scene.
 
-use lyapunov::{Adapt, Drive, Fallback, OnePort, ParameterError, Plant, Signal};
+use lyapunov::{Adapt, Drive, Fallback, LyapunovCandidate, OnePort, ParameterError, Plant, Signal};
 
-use super::environment::{AsPort, of};
+use super::environment::{Render, of};
 use super::port::{Operator, Tap};
 use super::{AnyPlant, AnyStabilizer, Port, Space};
 use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
@@ -53,7 +53,7 @@ impl<V: Space> Assembly<V> {
         seen: Option<&Seen<V>>,
         stabilizer: Option<AnyStabilizer<V>>,
     ) -> Result<Self, ParameterError> {
-        let mut port = environment(scene)?;
+        let mut port = V::render(scene, AtServoRate(scene))?;
         if let Some(seen) = seen {
             port = port.tapped(&seen.environment);
         }
@@ -68,23 +68,38 @@ impl<V: Space> Assembly<V> {
     }
 }
 
-/// What the device touches, as it answers at the servo's rate.
-fn environment<V: Space>(scene: &Scene) -> Result<Port<V>, ParameterError> {
-    let mut port = V::render(scene, AsPort)?;
-    if let Some(dropout) = scene.effects.dropout {
-        let fallback = match dropout.policy {
-            Policy::Hold => Fallback::Hold,
-            Policy::Zero => Fallback::Zero,
-        };
-        let seed = |_| dropout.seed.get();
-        port = Port::new(port.dropped(of(dropout.probability), fallback, seed)?);
+/// What the device touches, as it answers at the servo's rate: in one box with its hold.
+struct AtServoRate<'a>(&'a Scene);
+
+impl<V: Space> Render<V> for AtServoRate<'_> {
+    type Made = Port<V>;
+
+    fn render(
+        self,
+        environment: impl OnePort<V> + 'static,
+        _credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<Port<V>, ParameterError> {
+        match self.0.effects.dropout {
+            None => held(self.0, environment),
+            Some(dropout) => {
+                let fallback = match dropout.policy {
+                    Policy::Hold => Fallback::Hold,
+                    Policy::Zero => Fallback::Zero,
+                };
+                let (probability, seed) = (of(dropout.probability), |_| dropout.seed.get());
+                held(self.0, Port::new(environment.dropped(probability, fallback, seed)?))
+            }
+        }
     }
-    if scene.environment_ratio() > 1 {
-        // A scene has fewer ticks than this, so a longer hold is the same hold.
-        let ticks = u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX);
-        port = Port::new(port.held(ticks)?);
-    }
-    Ok(port)
+}
+
+fn held<V: Space>(
+    scene: &Scene,
+    port: impl OnePort<V> + 'static,
+) -> Result<Port<V>, ParameterError> {
+    // A scene has fewer ticks than this, so a longer hold is the same hold.
+    let ticks = u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX);
+    Ok(if ticks > 1 { Port::new(port.held(ticks)?) } else { Port::new(port) })
 }
 
 /// The port as its efforts reach the plant: clipped, and late.

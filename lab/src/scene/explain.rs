@@ -77,11 +77,12 @@ fn unknown_key(mut diagnostic: Diagnostic, place: &Place, known: &[&'static str]
 /// Where a key that stands in the wrong table belongs.
 fn home(place: &Place) -> Option<String> {
     let path = place.path();
-    let homes: Vec<&Key> = KEYS
-        .iter()
-        .filter(|key| key.name() == place.name && key.path != path)
-        .take(MOST_HOMES)
-        .collect();
+    let mut homes: Vec<&Key> =
+        KEYS.iter().filter(|key| key.name() == place.name && key.path != path).collect();
+    // Who writes a key into a table most likely means one of the tables in it.
+    let within = format!("{}.", place.table);
+    homes.sort_by_key(|key| !key.path.starts_with(&within));
+    homes.truncate(MOST_HOMES);
     let first = homes.first()?;
     let name = first.name();
     if first.is_table() {

@@ -37,7 +37,7 @@ const CASES: &[Case] = &[
     ("[stabilizer.lolc]", "[stabilizer]", &["scene.toml:24:1", "unknown key `work` in [stabilizer]", "[stabilizer.lolc]"]),
     ("[environment.wall]", "[environment.cylinder]\n[environment.wall]", &["scene.toml:20:14", "two environments, `cylinder` and `wall`", "known: wall"]),
     ("[environment.wall]\nstiffness = 8000.0\ndamping = 2.0\n", "", &["missing key `environment.wall.stiffness`", "[environment.wall]"]),
-    ("[environment.wall]", "[environment]", &["scene.toml:20:1", "`stiffness` is a key of [operator]", "known keys here: wall, spring"]),
+    ("[environment.wall]", "[environment]", &["scene.toml:20:1", "`stiffness` is a key of [environment.wall], [environment.spring]"]),
     ("candidate = \"mass-spring-damper\"", "candidate = \"device\"", &["scene.toml:25:13", "\"device\"", "did you mean \"device-damping\"?"]),
     ("damping_cap = 0.5", "damping_cap = -0.5", &["scene.toml:26:15", "`stabilizer.lolc.damping_cap`", "0 or greater", "not -0.5"]),
     ("damping_cap = 0.5", "damping_cap = 0.5\n[effects.delay]\nticks = 1025", &["scene.toml:28:9", "0 to 1024", "not 1025"]),

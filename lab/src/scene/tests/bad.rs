@@ -57,7 +57,7 @@ const CASES: &[Case] = &[
     ("[environment.wall]", "[environment.spreng]\n[environment.wall]", "environment",
         &["two environments", "`spreng`", "`wall`", "there is no environment `spreng`"]),
     ("[environment.wall]           # one-sided\nposition = 0.0", "[environment]\nposition = 0.0", "environment.position",
-        &["unknown key `position` in [environment]", "key of [initial], [environment.wall]", "known keys here: wall"]),
+        &["unknown key `position` in [environment]", "key of [environment.wall], [environment.spring]", "known keys here: wall"]),
     ("work = \"held\"", "work = \"hold\"", "stabilizer.lolc.work", &["\"hold\"", "did you mean \"held\"", "\"sampled\""]),
     ("\"mass-spring-damper\"", "\"mass_spring_damper\"", "stabilizer.lolc.candidate",
         &["did you mean \"mass-spring-damper\"", "\"device-damping\", \"spring\""]),
