@@ -4,33 +4,59 @@ use lyapunov::{Drive, OnePort};
 
 use crate::Space;
 use crate::building::AsPort;
-use crate::scene::{Environment, Scene};
+use crate::scene::{Environment, Motion, Scene};
 
 /// Halvings of an interval: more than the digits of f64.
 const HALVINGS: usize = 200;
 
-/// Where the operator's spring, the environment and the load balance, m; none where no spring pulls, where something
-/// never rests, and in more than one dimension.
+/// Where the operator's spring, the environment and what pushes at the end balance, m; none where no spring pulls, where
+/// something never rests, and in more than one dimension.
 pub(crate) fn equilibrium(scene: &Scene) -> Option<f64> {
-    let (pull, rest) = (last_pull(scene), scene.last_rest()?);
-    let load = scene.effects.load.map_or(0.0, |load| load.force.get());
+    let (pull, rest) = (last_pull(scene), last_rest(scene)?);
     if scene.dimensions() > 1 || pull <= 0.0 {
         return None;
     }
-    let between = |push: f64, place: f64| (pull * rest + push * place + load) / (pull + push);
+    let free = rest + last_push(scene) / pull;
+    let balanced = balance(scene, pull, free)?;
+    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());
+    let pushed = pull * (free - balanced);
+    Some(if pushed.abs() > most { free - most.copysign(pushed) / pull } else { balanced })
+}
+
+/// Whether the scene is driven for as long as it lasts.
+pub(crate) fn never_rests(scene: &Scene) -> bool {
+    last_rest(scene).is_none()
+        || match &scene.environment {
+            Environment::MovingWall(it) => swings(it.amplitude.get(), it.frequency.get()),
+            Environment::VaryingSpring(it) => swings(it.amplitude.get(), it.frequency.get()),
+            _ => false,
+        }
+}
+
+/// Where a spring of `pull` N/m that would rest at `free` and the environment balance.
+fn balance(scene: &Scene, pull: f64, free: f64) -> Option<f64> {
+    let between = |push: f64, place: f64| {
+        (pull + push > 0.0).then(|| (pull * free + push * place) / (pull + push))
+    };
+    let pressed = |push: f64, surface: f64| {
+        Some(if free > surface {
+            surface + (free - surface) * (pull / (pull + push))
+        } else {
+            free
+        })
+    };
     match &scene.environment {
-        Environment::Wall(wall) => {
-            let (push, surface) = (wall.stiffness.get(), wall.position.get());
-            let free = rest + load / pull;
-            let pressed = surface + (free - surface) * (pull / (pull + push));
-            Some(if free > surface { pressed } else { free })
+        Environment::Wall(it) => pressed(it.stiffness.get(), it.position.get()),
+        Environment::MovingWall(it) if !swings(it.amplitude.get(), it.frequency.get()) => {
+            pressed(it.stiffness.get(), it.position.get())
         }
-        Environment::Spring(it) if pull + it.stiffness.get() > 0.0 => {
-            Some(between(it.stiffness.get(), it.position.get()))
+        Environment::Spring(it) => between(it.stiffness.get(), it.position.get()),
+        Environment::VaryingSpring(it) if !swings(it.amplitude.get(), it.frequency.get()) => {
+            between(it.stiffness.get(), it.position.get())
         }
-        Environment::MassSpringDamper(it) => Some(between(it.stiffness.get(), it.position.get())),
-        Environment::LayeredWall(it) => one_sided(scene, it.position.get(), rest + load / pull),
-        Environment::HuntCrossley(it) => one_sided(scene, it.position.get(), rest + load / pull),
+        Environment::MassSpringDamper(it) => between(it.stiffness.get(), it.position.get()),
+        Environment::LayeredWall(it) => one_sided(scene, it.position.get(), pull, free),
+        Environment::HuntCrossley(it) => one_sided(scene, it.position.get(), pull, free),
         _ => None,
     }
 }
@@ -43,18 +69,60 @@ pub(crate) fn swing(scene: &Scene, rest: f64) -> f64 {
     away.hypot(scene.initial.velocity.get() / frequency)
 }
 
-/// The stiffness that the operator's spring ends with, N/m.
+fn swings(amplitude: f64, frequency: f64) -> bool {
+    amplitude != 0.0 && frequency != 0.0
+}
+
+/// The stiffness that the device is pulled back with at the end, N/m: the operator's spring, and a link in series.
 fn last_pull(scene: &Scene) -> f64 {
-    let last = scene.operator.grip.as_ref().and_then(|grip| grip.stiffness.last());
-    last.unwrap_or(&scene.operator.stiffness).get()
+    let operator = &scene.operator;
+    let changes = operator.grip.iter().flat_map(|grip| grip.times.iter().zip(&grip.stiffness));
+    let mut gone = changes.filter(|(time, _)| scene.tick_of(time.get()) <= scene.ticks());
+    let hand = gone.next_back().map_or(operator.stiffness, |(_, stiffness)| *stiffness).get();
+    match scene.link {
+        Some(link) if hand > 0.0 => (hand.recip() + link.stiffness.get().recip()).recip(),
+        _ => hand,
+    }
+}
+
+/// The force in +x on the device at the end, N.
+fn last_push(scene: &Scene) -> f64 {
+    let load = scene.effects.load.map_or(0.0, |load| load.force.get());
+    let pulse = scene.effects.pulse.filter(|pulse| {
+        let (start, duration) = (pulse.start.get(), pulse.duration.get());
+        (scene.tick_of(start)..scene.tick_of(start + duration)).contains(&scene.ticks())
+    });
+    load + pulse.map_or(0.0, |pulse| pulse.force.get())
+}
+
+/// Where the operator's spring rests at the end, m; none if that still moves.
+fn last_rest(scene: &Scene) -> Option<f64> {
+    let rest = scene.operator.rest.get();
+    let end = scene.ticks() as f64 * scene.period();
+    match &scene.operator.motion {
+        None => Some(rest),
+        Some(Motion::Step { at, to }) => {
+            Some(if scene.tick_of(at.get()) <= scene.ticks() { to.get() } else { rest })
+        }
+        Some(Motion::Ramp { at, to, rate }) => {
+            let (way, speed, time) = (to.get() - rest, rate.get(), end - at.get());
+            let moved = speed * time.max(0.0);
+            if moved >= way.abs() { Some(to.get()) } else { (moved == 0.0).then_some(rest) }
+        }
+        Some(Motion::Sine { amplitude, frequency }) => {
+            (!swings(amplitude.get(), frequency.get())).then_some(rest)
+        }
+        Some(Motion::File { samples, .. }) => {
+            samples.last().filter(|(time, _)| *time <= end).map(|(_, rest)| *rest)
+        }
+    }
 }
 
 /// Between the surface and where the spring would rest without the wall, where a wall that only pushes balances it.
-fn one_sided(scene: &Scene, surface: f64, free: f64) -> Option<f64> {
+fn one_sided(scene: &Scene, surface: f64, pull: f64, free: f64) -> Option<f64> {
     if free <= surface {
         return Some(free);
     }
-    let pull = last_pull(scene);
     let excess = |x: f64| {
         let mut wall = f64::render(scene, AsPort).ok()?;
         Some(pull * (x - free) + wall.respond(&Drive::starting(1.0, x, 0.0)))
@@ -65,4 +133,63 @@ fn one_sided(scene: &Scene, surface: f64, free: f64) -> Option<f64> {
         if excess(middle)? > 0.0 { high = middle } else { low = middle }
     }
     Some(0.5 * (low + high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Rollout;
+
+    /// A slow hand of 200 N/m, 3 mm beyond a wall of 900 N/m at 2 mm, that comes to rest within 20 s.
+    const HAND: &str = "duration = 20.0\nservo_rate = 1000.0\ndevice.mass = 0.2\n\
+        operator = { mass = 0.1, damping = 20.0, stiffness = 200.0, rest = 0.005 }\n";
+    const WALL: &str = "environment.wall = { position = 0.002, stiffness = 900.0 }\n";
+
+    fn scene(hand: &str, more: &str) -> Scene {
+        Scene::parse(&format!("{hand}{more}"), "test").unwrap_or_else(|fault| panic!("{fault}"))
+    }
+
+    #[test]
+    fn a_run_that_rests_does_so_at_the_equilibrium() {
+        let led = |motion: &str| HAND.replace(" }\n", &format!(", motion = {{ {motion} }} }}\n"));
+        let grip = HAND.replace(
+            " }\n",
+            ", grip = { times = [1.0, 99.0], stiffness = [400.0, 1.0], damping = [30.0, 1.0] } }\n",
+        );
+        let cases = [
+            scene(HAND, WALL),
+            scene(HAND, &format!("{WALL}effects.load.force = 1.0\n")),
+            scene(HAND, &format!("{WALL}effects.saturation.force = 0.3\n")),
+            scene(HAND, &format!("{WALL}link.stiffness = 300.0\neffects.load.force = 1.0\n")),
+            scene(
+                HAND,
+                &format!("{WALL}effects.pulse = {{ start = 1, duration = 99, force = 2 }}"),
+            ),
+            scene(&led("kind = \"step\", at = 99.0, to = 0.1"), WALL),
+            scene(&led("kind = \"ramp\", to = 0.1, rate = 0.0"), WALL),
+            scene(&led("kind = \"ramp\", to = 0.01, rate = 0.01"), WALL),
+            scene(&led("kind = \"sine\", amplitude = 0.0, frequency = 1.0"), WALL),
+            scene(&grip, WALL),
+            scene(
+                HAND,
+                "environment.moving-wall = { position = 0.002, stiffness = 900.0, \
+                amplitude = 0.0, frequency = 1.0 }",
+            ),
+            scene(HAND, "environment.spring.stiffness = -50.0"),
+            scene(HAND, "environment.layered-wall = { depth = 1e-3, stiffness = [100.0, 2000.0] }"),
+            scene(HAND, "environment.hunt-crossley = { stiffness = 1e5, exponent = 1.5 }"),
+        ];
+        for scene in &cases {
+            let last = Rollout::<f64>::of(scene).unwrap().last().unwrap();
+            let told = equilibrium(scene).unwrap_or_else(|| panic!("{scene:?} has none"));
+            assert!((last.x - told).abs() < 1e-9, "{} but {told} of {scene:?}", last.x);
+        }
+    }
+
+    #[test]
+    fn what_moves_at_the_end_has_no_equilibrium() {
+        let motion = "motion = { kind = \"ramp\", to = 1.0, rate = 0.01 } }\n";
+        let ramp = scene(&HAND.replace(" }\n", &format!(", {motion}")), WALL);
+        assert!(never_rests(&ramp) && equilibrium(&ramp).is_none());
+    }
 }

@@ -6,7 +6,7 @@ use std::fmt;
 
 use crate::Row;
 use crate::described::{self, Described};
-use crate::equilibrium::{equilibrium, swing};
+use crate::equilibrium::{equilibrium, never_rests, swing};
 use crate::row::FURTHER;
 use crate::scene::{
     Candidate, Cap, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
@@ -280,14 +280,6 @@ impl Summary {
             found(MILLI * self.shortfall)
         )
     }
-}
-
-/// Whether the scene is driven for as long as it lasts.
-fn never_rests(scene: &Scene) -> bool {
-    let moves = |environment: &Environment| {
-        matches!(environment, Environment::MovingWall(_) | Environment::VaryingSpring(_))
-    };
-    scene.last_rest().is_none() || moves(&scene.environment)
 }
 
 /// A line of things with their name in front, folded where it grows long; nothing where there is none.

@@ -38,7 +38,7 @@ fn part(column: &Column, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 
 fn cells(difference: Difference) -> String {
     let Difference { ns_per_step, spread_ns, ratio } = difference;
-    format!("{ns_per_step:>9.1}{spread_ns:>9.1}{ratio:>9.2}")
+    format!(" {ns_per_step:>8.1} {spread_ns:>8.1} {ratio:>8.2}")
 }
 
 #[cfg(test)]
@@ -56,6 +56,6 @@ mod tests {
         let prices = Prices { not_deterministic: [""; 4], rounds: 41, ticks: 250, scalars };
         let text = prices.to_string();
         assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
-        assert!(text.contains("mass-spring-damper -1234567.8"), "{text}");
+        assert!(text.contains(" -1234567.8 "), "{text}");
     }
 }

@@ -20,6 +20,7 @@ pub struct Conflict {
     key: String,
     problem: String,
     remedy: String,
+    asker: Option<&'static str>,
 }
 
 impl Conflict {
@@ -28,7 +29,17 @@ impl Conflict {
         problem: impl Into<String>,
         remedy: impl Into<String>,
     ) -> Self {
-        Self { key: key.into(), problem: problem.into(), remedy: remedy.into() }
+        Self { key: key.into(), problem: problem.into(), remedy: remedy.into(), asker: None }
+    }
+
+    /// The same, because the key `asker` asks for it: its place counts where the key at fault has none.
+    pub(super) fn asked_by(self, asker: &'static str) -> Self {
+        Self { asker: Some(asker), ..self }
+    }
+
+    /// See [`Conflict::asked_by`].
+    pub(super) fn asker(&self) -> Option<&'static str> {
+        self.asker
     }
 
     /// The key whose value is to be changed, with its table path.
@@ -78,6 +89,7 @@ impl Scene {
                     "`servo_rate` = {rate:?} Hz is too small: its period 1 / servo_rate is infinite"
                 ),
                 remedy: "give a rate in Hz, for example `servo_rate = 1000.0`".to_owned(),
+                asker: None,
             });
         }
         let ticks = (duration * rate).round();
@@ -93,6 +105,7 @@ impl Scene {
                 "a run has at most 1e9 ticks: at this rate at most {:?} s",
                 MOST_TICKS / rate
             ),
+            asker: None,
         })
     }
 
@@ -123,6 +136,7 @@ impl Scene {
             remedy: format!(
                 "servo_rate / environment_rate is {ratio:?}, not a whole number of 1 or more; {remedy}"
             ),
+            asker: None,
         })
     }
 
@@ -146,6 +160,7 @@ impl Scene {
                     "f32 holds sizes from 1e-45 to 3.4e38; take `scalar = \"f64\"` or another value"
                         .to_owned(),
                 key,
+                asker: None,
             }),
         }
     }
@@ -210,6 +225,7 @@ impl Scene {
             key: key.to_owned(),
             problem,
             remedy: format!("`{key}` = {value:?} stands out; give a value nearer to 1"),
+            asker: None,
         }
     }
 

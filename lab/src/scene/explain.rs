@@ -202,7 +202,12 @@ pub(super) fn with_example(diagnostic: Diagnostic, path: &str) -> Diagnostic {
 }
 
 fn headers(path: &str, known: &[&'static str]) -> String {
-    let headers: Vec<_> = known.iter().map(|name| format!("[{path}.{name}]")).collect();
+    let shown = |name: &&str| {
+        let whole = format!("{path}.{name}");
+        let is_table = keys::find(&whole).is_none_or(Key::is_table);
+        if is_table { format!("[{whole}]") } else { format!("`{name}`") }
+    };
+    let headers: Vec<_> = known.iter().map(shown).collect();
     headers.join(", ")
 }
 

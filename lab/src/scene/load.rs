@@ -107,7 +107,8 @@ fn not_text(bytes: &[u8], name: &str) -> Diagnostic {
 
 /// The conflict at the place of its key.
 fn place(conflict: &Conflict, root: &DeValue<'_>, text: &str, name: &str) -> Diagnostic {
-    let span = span_of(root, conflict.key()).unwrap_or_default();
+    let asker = || conflict.asker().and_then(|key| span_of(root, key));
+    let span = span_of(root, conflict.key()).or_else(asker).unwrap_or_default();
     let value = text.get(span.clone()).filter(|value| !value.is_empty());
     Diagnostic::new(name, conflict.problem())
         .with_key(conflict.key())

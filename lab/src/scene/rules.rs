@@ -1,7 +1,7 @@
 //! The rules between the tables of the effects, the operator and the space.
 
 use super::check::Conflict;
-use super::{Environment, Friction, Motion, Scene, Velocity};
+use super::{Environment, Friction, Scene, Velocity};
 
 impl Scene {
     /// The rules of each table whose values must fit each other or another table.
@@ -28,12 +28,12 @@ impl Scene {
         if self.link.is_none() || self.operator.mass.get() > 0.0 {
             return Ok(());
         }
-        let key = if self.operator == Default::default() { "link" } else { "operator.mass" };
         Err(Conflict::new(
-            key,
+            "operator.mass",
             "`operator.mass` must be greater than 0 where `link` joins operator and device, not 0.0",
             "give it in kg, for example `operator.mass = 0.1`, or leave out `link`: the two then move as one",
-        ))
+        )
+        .asked_by("link"))
     }
 
     fn check_grip(&self) -> Result<(), Conflict> {
@@ -136,16 +136,6 @@ impl Scene {
                 ))
             }
             _ => Ok(()),
-        }
-    }
-
-    /// Where a motion comes to rest, m; none where it never does.
-    pub(crate) fn last_rest(&self) -> Option<f64> {
-        match &self.operator.motion {
-            None => Some(self.operator.rest.get()),
-            Some(Motion::Step { to, .. } | Motion::Ramp { to, .. }) => Some(to.get()),
-            Some(Motion::Sine { .. }) => None,
-            Some(Motion::File { samples, .. }) => samples.last().map(|(_, rest)| *rest),
         }
     }
 }

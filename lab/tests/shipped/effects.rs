@@ -30,7 +30,7 @@ fn dropout_loses_three_in_ten_and_gives_energy() {
 #[test]
 fn delay_makes_a_wall_that_settles_swing() {
     let mut scene = scene("delay");
-    near(most(&rows_of(&scene), |row| row.x.abs()), 0.03, 0.005);
+    near(most(&rows_of(&scene), |row| row.x.abs()), 0.033, 0.0005);
     scene.effects.delay = None;
     let summary = Summary::of(&scene, rows_of(&scene));
     assert!(summary.settled.is_some_and(|time| time < 1.0), "{summary}");
