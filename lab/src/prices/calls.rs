@@ -29,7 +29,7 @@ const TOGETHER: [(&str, &str); 11] = [
     ("load", "effects.load = { force = 0.2 }"),
     ("pulse", "effects.pulse = { start = 0.1, duration = 0.1, force = 1.0 }"),
     ("link", "link = { stiffness = 2000.0, damping = 1.0 }"),
-    ("motion, sine", "operator.motion = { kind = \"sine\", amplitude = 0.002, frequency = 2.0 }"),
+    (SINE, "operator.motion = { kind = \"sine\", amplitude = 0.002, frequency = 2.0 }"),
     ("grip", "operator.grip = { times = [0.1], stiffness = [100.0], damping = [0.4] }"),
 ];
 
@@ -42,8 +42,18 @@ const LONG: [(&str, &str); 2] = [
 
 const CUTOFF: &str = "filter, cutoff";
 
-/// The other filter.
-const WINDOW: (&str, &str) = ("filter, window", "effects.filter = { window = 16 }");
+const SINE: &str = "motion, sine";
+
+/// Other kinds of the same, and the one whose place they take.
+const OTHERS: [(&str, &str, &str); 3] = [
+    ("filter, window", "effects.filter = { window = 16 }", CUTOFF),
+    ("motion, step", "operator.motion = { kind = \"step\", at = 0.1, to = 0.002 }", SINE),
+    (
+        "motion, ramp",
+        "operator.motion = { kind = \"ramp\", at = 0.1, to = 0.002, rate = 0.01 }",
+        SINE,
+    ),
+];
 
 /// What may stand in the place of the wall.
 const ENVIRONMENTS: [(&str, &str); 6] = [
@@ -71,7 +81,7 @@ const ENVIRONMENTS: [(&str, &str); 6] = [
 ];
 
 /// Several axes.
-const SPACES: [(&str, &str); 2] = [
+const SPACES: [(&str, &str); 4] = [
     (
         "plane, 2 axes",
         "space.dimensions = 2
@@ -86,6 +96,22 @@ environment.plane = { point = [0.0, 0.0], normal = [-1.0, 0.0], stiffness = 2000
 operator.rest = [0.0, 0.0, 0.0]
 initial = { position = [-0.001, 0.0, 0.0], velocity = [0.1, 0.0, 0.0] }
 environment.plane = { point = [0.0, 0.0, 0.0], normal = [-1.0, 0.0, 0.0], stiffness = 2000.0, damping = 1.0 }
+",
+    ),
+    (
+        "sphere, 3 axes",
+        "space.dimensions = 3
+operator.rest = [0.0, 0.0, 0.0]
+initial = { position = [-0.001, 0.0, 0.0], velocity = [0.1, 0.0, 0.0] }
+environment.sphere = { center = [0.05, 0.0, 0.0], radius = 0.05, stiffness = 2000.0, damping = 1.0 }
+",
+    ),
+    (
+        "box, 3 axes",
+        "space.dimensions = 3
+operator.rest = [0.0, 0.0, 0.0]
+initial = { position = [-0.001, 0.0, 0.0], velocity = [0.1, 0.0, 0.0] }
+environment.box = { center = [0.05, 0.0, 0.0], half = [0.05, 0.1, 0.1], stiffness = 2000.0, damping = 1.0 }
 ",
     ),
 ];
@@ -124,7 +150,9 @@ impl Calls {
                 [calls.place(&walled, &without(&[name]))?, calls.place(&walled, &without(&[]))?];
             calls.effects.push(Effect { name, alone, composed });
         }
-        calls.joins(WINDOW, &without(&[CUTOFF]))?;
+        for (name, table, instead) in OTHERS {
+            calls.joins((name, table), &without(&[instead]))?;
+        }
         for long in LONG {
             calls.joins(long, &without(&[]))?;
         }
@@ -186,7 +214,7 @@ mod tests {
     #[test]
     fn every_effect_of_a_scene_has_a_price() {
         let keys = serde_json::to_value(Effects::default()).unwrap();
-        let tables = || TOGETHER.iter().chain(&LONG).chain([&WINDOW]);
+        let tables = || TOGETHER.iter().chain(&LONG);
         for key in keys.as_object().unwrap().keys() {
             assert!(
                 tables().any(|(_, table)| table.starts_with(&format!("effects.{key} ="))),
@@ -198,7 +226,10 @@ mod tests {
     #[test]
     fn a_loop_is_compared_with_the_same_less_one_effect() {
         let calls = Calls::new().unwrap();
-        assert_eq!(calls.effects.len(), TOGETHER.len() + 3 + ENVIRONMENTS.len() + SPACES.len());
+        assert_eq!(
+            calls.effects.len(),
+            TOGETHER.len() + LONG.len() + OTHERS.len() + ENVIRONMENTS.len() + SPACES.len()
+        );
         let names = |at: usize| calls.all[at].scene.effects;
         let encoder = &calls.effects[0];
         let [without, with] = encoder.composed.map(names);
