@@ -45,6 +45,17 @@ fn timeless(document: &str) -> Value {
 }
 
 #[test]
+fn a_scene_in_space_is_refused_and_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("results");
+    refused(
+        &[&shipped("sphere.toml"), &"--out", &out],
+        &["sphere.toml", "[space]", "one dimension"],
+    );
+    assert!(!out.exists());
+}
+
+#[test]
 fn tables_files_and_documents_agree() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("deep/results");

@@ -11,7 +11,7 @@ use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
 const DELAY: usize = 1024;
 
 /// Room for the window of a scene, in ticks.
-const WINDOW: usize = 257;
+const WINDOW: usize = 256;
 
 /// The two halves of a loop: what moves, and what answers.
 #[derive(Debug)]

@@ -114,12 +114,13 @@ impl<V: Space> Kind<V> for Apart {
     }
 }
 
+/// The plant of a scene on a line, where friction has a sign.
 pub(super) fn on_a_line<T: Scalar + Space>(
     scene: &Scene,
     seen: &Operator<T>,
 ) -> Result<AnyPlant<T>, ParameterError> {
     let Some(friction) = scene.effects.friction else {
-        return in_space(scene, seen);
+        return frictionless(scene, seen);
     };
     let law = Stribeck {
         coulomb: of(friction.coulomb),
@@ -137,7 +138,8 @@ pub(super) fn on_a_line<T: Scalar + Space>(
     }
 }
 
-pub(super) fn in_space<V: Space>(
+/// The plant of any scene without friction.
+pub(super) fn frictionless<V: Space>(
     scene: &Scene,
     seen: &Operator<V>,
 ) -> Result<AnyPlant<V>, ParameterError> {

@@ -78,7 +78,7 @@ impl<T: Scalar + Send, const N: usize> Space for SVector<T, N> {
     }
 
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {
-        plant::in_space(scene, operator)
+        plant::frictionless(scene, operator)
     }
 }
 

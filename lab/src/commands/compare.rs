@@ -52,11 +52,6 @@ impl Compare {
         let load = |path: &PathBuf| Ok((path.display().to_string(), Scene::load(path)?));
         let scenes: Result<Vec<(String, Scene)>, _> = self.scenes.iter().map(load).collect();
         let scenes = scenes.map_err(|error: lyapunov_lab::scene::Diagnostic| End::input(error))?;
-        if let Some((name, _)) = scenes.iter().find(|(_, scene)| scene.dimensions() > 1) {
-            return Err(End::input(format_args!(
-                "{name}: [space] is not for a comparison\n  = compare scenes of one dimension"
-            )));
-        }
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let comparisons = self.compare(&scenes)?;
         let text = document(&comparisons).map_err(End::internal)?;

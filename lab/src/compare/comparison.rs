@@ -48,6 +48,11 @@ pub enum CompareError {
         /// What is not right.
         error: ParameterError,
     },
+    /// The scene has more than one dimension, and the meters look along one axis.
+    Space {
+        /// The scene.
+        scene: String,
+    },
     /// Whoever watched said so.
     Stopped,
 }
@@ -58,6 +63,10 @@ impl fmt::Display for CompareError {
             Self::Parameter { stabilizer, scene, error } => {
                 write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
                 f.write_str("change that value in the scene, or compute in f64 if it says f32")
+            }
+            Self::Space { scene } => {
+                write!(f, "{scene}: [space] is not for a comparison\n  = ")?;
+                f.write_str("compare scenes of one dimension")
             }
             Self::Stopped => f.write_str("the comparison was stopped"),
         }
@@ -70,7 +79,7 @@ impl Comparison {
     /// Runs all `contestants` on `scene` in the scalar of `V`, whatever the scene says of it, and times their steps.
     ///
     /// # Errors
-    /// A stabilizer that cannot be made on this scene.
+    /// A stabilizer that cannot be made on this scene; a scene of more than one dimension.
     pub fn of<V: Space>(
         name: &str,
         scene: &Scene,
@@ -89,6 +98,9 @@ impl Comparison {
         contestants: &Contestants<V>,
         watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, CompareError> {
+        if scene.dimensions() > 1 {
+            return Err(CompareError::Space { scene: name.to_owned() });
+        }
         let refused = |stabilizer: &str, error| CompareError::Parameter {
             stabilizer: stabilizer.to_owned(),
             scene: name.to_owned(),

@@ -187,6 +187,6 @@ impl Scene {
 
     /// The tick from which on an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
     pub fn tick_of(&self, instant: f64) -> u64 {
-        (instant * self.servo_rate.get() - 1e-9).ceil() as u64
+        lyapunov::tick_of(instant, self.servo_rate.get())
     }
 }
