@@ -54,7 +54,7 @@ pub enum Work {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Candidate {
-    /// The wall's damping b v² T while the device is beyond the surface; the paper's.
+    /// What the environment's own damper burns, as a wall's b v² T while the device is beyond the surface; the paper's.
     #[default]
     MassSpringDamper,
     /// The device's own damping b v² T at every tick.
