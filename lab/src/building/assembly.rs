@@ -57,11 +57,11 @@ impl<V: Space> Assembly<V> {
         if let Some(seen) = seen {
             port = port.tapped(&seen.environment);
         }
-        if let Some(stabilizer) = stabilizer {
-            port = stabilizer.on(port);
-        }
+        let port = match stabilizer {
+            None => measured(scene, port)?,
+            Some(stabilizer) => stabilizer.on(port, scene)?,
+        };
         let port = commanded(scene, seen, port)?;
-        let port = measured(scene, port)?;
         let unseen = Operator::default();
         let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
         Ok(Self { plant, port })
@@ -129,14 +129,17 @@ fn commanded<V: Space>(
 }
 
 /// The port as it is told of the motion: the velocity from positions, these from an encoder, and these with noise.
-fn measured<V: Space>(scene: &Scene, port: Port<V>) -> Result<Port<V>, ParameterError> {
+///
+/// It stands around the stabilizer itself, in one box: saturation and delay hand drives on as they are, so it is no matter
+/// that they are farther in by the contract.
+pub(super) fn measured<V: Space>(
+    scene: &Scene,
+    port: impl OnePort<V> + 'static,
+) -> Result<Port<V>, ParameterError> {
     let effects = &scene.effects;
     let resolution = effects.encoder.map(|encoder| encoder.resolution);
     let port = match (scene.velocity, effects.filter) {
-        (Velocity::Exact, _) => match resolution {
-            None => port,
-            Some(_) => counted(port, resolution)?,
-        },
+        (Velocity::Exact, _) => counted(port, resolution)?,
         (_, None) => counted(port.differenced(), resolution)?,
         (_, Some(Filter::Cutoff(cutoff))) => counted(port.low_passed(of(cutoff))?, resolution)?,
         (_, Some(Filter::Window(ticks))) => {

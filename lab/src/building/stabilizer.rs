@@ -7,6 +7,7 @@ use lyapunov::{
     PortEnergy, Signal, Stabilizer,
 };
 
+use super::assembly::measured;
 use super::environment::{Render, of};
 use super::{Port, Space};
 use crate::scene::{self, Candidate, Scene, Work};
@@ -15,19 +16,15 @@ use crate::scene::{self, Candidate, Scene, Work};
 pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
 
 impl<V: Signal> AnyStabilizer<V> {
-    /// Boxes `stabilizer`.
-    pub fn new(stabilizer: impl Stabilizer<V> + 'static) -> Self {
-        Self(Box::new(stabilizer))
-    }
-
     /// Bytes that the stabilizer keeps from tick to tick, parameters included.
     pub fn state_bytes(&self) -> usize {
         size_of_val(self.0.as_ref())
     }
 
-    /// `port` watched and corrected by this stabilizer: one part, compiled for its type, instead of a box in a box.
-    pub(super) fn on(self, port: Port<V>) -> Port<V> {
-        self.0.on(port)
+    /// `port` watched and corrected by this stabilizer, and told of the motion as `scene` measures it: one part, compiled
+    /// for its type, instead of a box in a box.
+    pub(super) fn on(self, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
+        self.0.on(port, scene)
     }
 
     /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
@@ -37,6 +34,11 @@ impl<V: Signal> AnyStabilizer<V> {
 }
 
 impl<V: Space> AnyStabilizer<V> {
+    /// Boxes `stabilizer`.
+    pub fn new(stabilizer: impl Stabilizer<V> + 'static) -> Self {
+        Self(Box::new(stabilizer))
+    }
+
     /// The stabilizer that `scene` names, if it names one.
     ///
     /// # Errors
@@ -118,14 +120,14 @@ impl<V: Space> Render<V> for Crediting<'_> {
 
 /// A stabilizer with a loop or a port of its own around it, compiled for its type.
 trait Replay<V: Signal>: Stabilizer<V> {
-    fn on(self: Box<Self>, port: Port<V>) -> Port<V>;
+    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
 }
 
-impl<V: Signal, S: Stabilizer<V> + 'static> Replay<V> for S {
-    fn on(self: Box<Self>, port: Port<V>) -> Port<V> {
-        Port::new(port.stabilized(*self))
+impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for S {
+    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
+        measured(scene, port.stabilized(*self))
     }
 
     #[inline(never)]
