@@ -1,5 +1,6 @@
 //! Integrators: their orders, what they keep, and the plant that any of them moves.
 
+mod adaptive;
 mod energy;
 mod exact;
 mod lanes;

@@ -1,8 +1,8 @@
 //! The order of each method, by regression against closed forms.
 
 use lyapunov::{
-    CoupledOscillators, Exact, Impedance, ImplicitMidpoint, Integrator, Linked, Oscillator, Plant,
-    RungeKutta4, SemiImplicitEuler, State,
+    CoupledOscillators, DormandPrince5, DormandPrince8, Exact, Impedance, ImplicitMidpoint,
+    Integrator, Linked, Oscillator, Plant, RungeKutta4, SemiImplicitEuler, State,
 };
 
 use crate::{U, hand, moved, pair};
@@ -82,6 +82,11 @@ fn errors_fall_with_the_step_as_the_order_says() {
     near(order_of_two(SemiImplicitEuler, fine), 1.0);
     near(order_of_two(ImplicitMidpoint, coarse), 2.0);
     near(order_of_two(RungeKutta4, coarse), 4.0);
+    near(order_of_one(DormandPrince5, [32, 64, 128, 256]), 5.0);
+    near(order_of_two(DormandPrince5, [64, 128, 256, 512]), 5.0);
+    // So few steps that rounding stays out, and so many that the next order does.
+    near(order_of_one(DormandPrince8, [10, 12, 14, 16]), 8.0);
+    near(order_of_two(DormandPrince8, [16, 20, 24, 28]), 8.0);
 }
 
 #[test]
