@@ -151,7 +151,8 @@ fn axes_and_masses_move_together() {
     );
     (plant, exact) = (plant.starting(start.0, start.1), exact.starting(start.0, start.1));
     let coupled = CoupledOscillators::new(pair::<f64>()).expect("parts");
-    let mut two = moved::<f64, _, _>(coupled, adaptive(DormandPrince5, tolerance), 0.2, 1).starting(-0.004_f64, 0.1);
+    let mut two = moved::<f64, _, _>(coupled, adaptive(DormandPrince5, tolerance), 0.2, 1)
+        .starting(-0.004_f64, 0.1);
     let mut exactly = moved::<f64, _, _>(coupled, Exact::new(), 0.2, 1).starting(-0.004_f64, 0.1);
     for _ in 0..10 {
         let effort = Vector2::new(1.0, -0.5);

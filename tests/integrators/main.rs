@@ -5,6 +5,7 @@ mod energy;
 mod exact;
 mod lanes;
 mod law;
+mod located;
 mod orders;
 mod plant;
 

@@ -8,7 +8,7 @@ use lyapunov::{
 use crate::{U, hand, moved, pair};
 
 /// The damped oscillation `x₀ → x(t)`, `v₀ → v(t)` about where the held force leaves it, in closed form.
-fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 2] {
+pub(crate) fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 2] {
     let Impedance { mass, damping, stiffness } = parts;
     let (middle, decay) = (-force / stiffness, damping / (2.0 * mass));
     let omega = (stiffness / mass - decay * decay).sqrt();
@@ -21,7 +21,7 @@ fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 
 }
 
 /// By least squares, the slope of log error over log step.
-fn slope(errors: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+pub(crate) fn slope(errors: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     let points: Vec<_> = errors.into_iter().map(|(step, error)| (step.ln(), error.ln())).collect();
     let mean =
         |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
