@@ -123,7 +123,7 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
     let body = Body::new(block(), period).expect("a body").starting(0.02, 0.0);
     let mut exact = Friction::new(body, block(), law()).expect("friction");
     let (mut stuck, mut slipped, mut reversed) = (0, 0, 0);
-    let mut before = State { position: 0.02, velocity: 0.0 };
+    let mut before = State { position: 0.02_f64, velocity: 0.0_f64 };
     for tick in 0..2000_u32 {
         let effort = 1.5 * (f64::from(tick) * 0.05).sin() + 0.7 * (f64::from(tick) * 0.23).sin();
         let (one, other) = (plant.advance(effort), exact.advance(effort));
