@@ -73,7 +73,7 @@ pub use quantity::{
     WindowTicks,
 };
 pub use schema::{schema, schema_text};
-pub use stabilizer::{Candidate, Lolc, Popc, Stabilizer, Work};
+pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;
 
 use std::path::Path;
