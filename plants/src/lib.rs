@@ -46,5 +46,8 @@ pub use environments::{
     Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
     Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
 };
-pub use integrators::{Exact, ImplicitMidpoint, RungeKutta4, SemiImplicitEuler};
+pub use integrators::{
+    Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, ImplicitMidpoint, RungeKutta4,
+    SemiImplicitEuler,
+};
 pub use random::{Random, Source};

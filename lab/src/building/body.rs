@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use lyapunov::{Drive, Friction, Linked, ParameterError, Plant, Scalar, Signal, Tethered};
+use lyapunov::{
+    CoupledOscillators, Drive, Friction, Integrator, Linked, ParameterError, Plant, Scalar, Signal,
+    State, Stepped, Tethered,
+};
 
 use super::AnyPlant;
 use super::port::Operator;
@@ -64,6 +67,17 @@ pub(super) trait Operated<V> {
 impl<V: Signal> Operated<V> for Linked<V> {
     fn operator(&self) -> (V, V) {
         Linked::operator(self)
+    }
+}
+
+impl<V, I> Operated<V> for Stepped<V, CoupledOscillators<V::Scalar>, I>
+where
+    V: Signal,
+    I: Integrator<V, CoupledOscillators<V::Scalar>>,
+{
+    fn operator(&self) -> (V, V) {
+        let State { position, velocity } = self.state();
+        (position.device + position.stretch, velocity.device + velocity.stretch)
     }
 }
 

@@ -3,6 +3,7 @@
 mod assembly;
 mod body;
 mod environment;
+mod integrator;
 mod plant;
 mod port;
 mod space;

@@ -4,14 +4,16 @@ use std::fmt;
 use std::sync::Arc;
 
 use lyapunov::{
-    Body, Constant, DampedMass, Drive, FirstAxis, Friction, Impedance, Link, Linked,
-    ParameterError, Perturb, Plant, Pulse, Ramp, Random, Samples, Scalar, Signal, Sine, Source,
-    Step, Stribeck, Tethered, TwoMass,
+    Body, Constant, Coordinates, CoupledOscillators, DampedMass, Drive, Dynamics, FirstAxis,
+    Friction, Impedance, Integrator, Link, Linked, Oscillator, ParameterError, Perturb, Plant,
+    Pulse, Ramp, Random, Samples, Scalar, Signal, Sine, Source, Step, Stepped, Stribeck, Tethered,
+    TwoMass,
 };
 
 use super::Space;
 use super::body::{AnyBody, Watched};
 use super::environment::of;
+use super::integrator::AnyIntegrator;
 use super::port::Operator;
 use crate::scene::{Motion, NonNegative, Scene};
 
@@ -143,12 +145,51 @@ pub(super) fn frictionless<V: Space>(
     scene: &Scene,
     seen: &Operator<V>,
 ) -> Result<AnyPlant<V>, ParameterError> {
+    if let Some((integrator, steps)) = AnyIntegrator::of(scene.integrator)? {
+        return stepped(scene, seen, integrator, steps);
+    }
     if scene.link.is_some() {
         let body = Watched::new(start::<V, Apart>(scene)?.0, seen);
         disturbed::<V, Apart>(scene, AnyBody::new(body))
     } else {
         disturbed::<V, Joined>(scene, AnyBody::new(start::<V, Joined>(scene)?.0))
     }
+}
+
+/// The same, moved by `integrator` in `steps` steps to a period.
+fn stepped<V: Space>(
+    scene: &Scene,
+    seen: &Operator<V>,
+    integrator: AnyIntegrator<V::Scalar>,
+    steps: u32,
+) -> Result<AnyPlant<V>, ParameterError> {
+    let (stiffness, damping) = (scene.operator.stiffness, scene.operator.damping);
+    if scene.link.is_some() {
+        let parts = <Apart as Kind<V>>::parts(scene, stiffness, damping);
+        let body = moved(scene, CoupledOscillators::new(parts)?, integrator, steps)?;
+        disturbed::<V, Apart>(scene, AnyBody::new(Watched::new(body, seen)))
+    } else {
+        let parts = <Joined as Kind<V>>::parts(scene, stiffness, damping);
+        let body = moved(scene, Oscillator::new(parts)?, integrator, steps)?;
+        disturbed::<V, Joined>(scene, AnyBody::new(body))
+    }
+}
+
+/// Something that moves along `dynamics`, where `scene` starts it.
+fn moved<V, D, I>(
+    scene: &Scene,
+    dynamics: D,
+    integrator: I,
+    steps: u32,
+) -> Result<Stepped<V, D, I>, ParameterError>
+where
+    V: Space,
+    D: Dynamics<V, Coordinates: Coordinates<V>>,
+    I: Integrator<V, D>,
+{
+    let start = (V::at(&scene.initial.position), V::at(&scene.initial.velocity));
+    let body = Stepped::new(dynamics, integrator, of(scene.period()), steps)?;
+    Ok(body.resting_at(V::at(&scene.operator.rest)).starting(start.0, start.1))
 }
 
 fn start<V: Space, K: Kind<V>>(scene: &Scene) -> Result<(K::Body, K::Parts), ParameterError> {

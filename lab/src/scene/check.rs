@@ -4,7 +4,7 @@ use std::fmt;
 
 use lyapunov::{ParameterError, Requirement};
 
-use super::{Motion, Scalar, Scene};
+use super::{Integrator, Motion, Scalar, Scene};
 use crate::Assembly;
 use crate::in_space;
 
@@ -196,7 +196,20 @@ impl Scene {
             }
             ("mass", _) => (vec![mass, theirs[0]], sum(theirs[0].0, mass.0)),
             ("damping", _) => (vec![damping, theirs[1]], sum(theirs[1].0, damping.0)),
+            ("period", Requirement::InRange) if self.integrator != Integrator::Exact => {
+                return self.integrator.overtaxed(scalar);
+            }
             ("period", _) => (vec![rate], format!("`servo_rate` gives no period within {scalar}")),
+            ("tolerance", Requirement::AtLeast(least)) => {
+                return Conflict::new(
+                    "tolerance",
+                    format!(
+                        "`tolerance` = {:?} is less than rounding in {scalar} lets a step keep",
+                        error.value
+                    ),
+                    format!("give {least:?} or more"),
+                );
+            }
             ("t" | "value", _) => {
                 return Conflict::new(
                     "operator.motion.path",

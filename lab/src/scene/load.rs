@@ -14,6 +14,7 @@ use super::excerpt::shorten;
 use super::fault::Place;
 use super::keys::SMALLEST;
 use super::reader::Reader;
+use super::written::Keys;
 use super::{Scene, explain, syntax};
 
 /// The largest scene file in bytes.
@@ -31,12 +32,16 @@ pub(super) fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diag
         return Err(Diagnostic::new(name, "the scene is empty")
             .with_help(format!("the smallest scene is:\n{SMALLEST}")));
     }
-    let mut scene = Scene::deserialize(Reader::new(&root, Place::default()))
+    let keys = Keys::deserialize(Reader::new(&root, Place::default()))
         .map_err(|fault| explain::explain(fault, text, name))?;
-    match scene.read_motion(folder).and_then(|()| scene.check()) {
-        Ok(()) => Ok(scene),
-        Err(conflict) => Err(place(&conflict, &root, text, name)),
-    }
+    checked(keys, folder).map_err(|conflict| place(&conflict, &root, text, name))
+}
+
+fn checked(keys: Keys, folder: &Path) -> Result<Scene, Conflict> {
+    let mut scene = Scene::try_from(keys)?;
+    scene.read_motion(folder)?;
+    scene.check()?;
+    Ok(scene)
 }
 
 /// See [`Scene::load`].

@@ -38,6 +38,7 @@ mod environment;
 mod excerpt;
 mod explain;
 mod fault;
+mod integrator;
 mod keys;
 mod load;
 mod motion;
@@ -53,6 +54,7 @@ mod suggest;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod written;
 
 pub use check::Conflict;
 pub use coordinates::Coordinates;
@@ -66,11 +68,12 @@ pub use environment::{
     Spring, VaryingSpring, Wall,
 };
 pub(crate) use excerpt::{printable, shorten};
+pub use integrator::Integrator;
 pub use operator::{Grip, Motion, Operator};
-pub use parts::{Device, Initial, Integrator, Link, Scalar, Space, Velocity};
+pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{
     Cap, DelayTicks, Dimensions, Finite, NonNegative, OutOfRange, Positive, Probability, Seed,
-    WindowTicks,
+    StepsPerTick, WindowTicks,
 };
 pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
@@ -78,21 +81,17 @@ pub(crate) use suggest::nearest;
 
 use std::path::Path;
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use written::Keys;
 
 /// One simulated run: two bodies that move as one, an environment at the port, at most one stabilizer, and the effects
 /// of the sampled loop.
 ///
 /// [`Scene::parse`] and [`Scene::load`] give only scenes that pass [`Scene::check`]. Whoever changes a field afterwards
 /// calls it again before the derived quantities are used.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(
-    title = "A scene of lyapunov",
-    description = "One simulated run: an operator's hand and a device, an environment at the port, at most one \
-                   stabilizer, and what else is simulated of the sampled loop. SI units."
-)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Keys", into = "Keys")]
 pub struct Scene {
     /// Simulated time in s, greater than 0; required.
     pub duration: Positive,
@@ -100,38 +99,28 @@ pub struct Scene {
     pub servo_rate: Positive,
     /// Rate at which the environment is evaluated in Hz, the servo rate divided by a whole number; default: the servo
     /// rate.
-    #[serde(default)]
     pub environment_rate: Option<Positive>,
     /// How the loop obtains the velocity; default: backward difference.
-    #[serde(default)]
     pub velocity: Velocity,
     /// Number type the run computes in; default: f64.
-    #[serde(default)]
     pub scalar: Scalar,
     /// How the plant moves between two ticks; default: exact.
-    #[serde(default)]
     pub integrator: Integrator,
     /// The operator's hand; default: all zero.
-    #[serde(default)]
     pub operator: Operator,
     /// The haptic device; required.
     pub device: Device,
     /// What joins the two; default: they move as one.
-    #[serde(default)]
     pub link: Option<Link>,
     /// The space that the scene is in; default: a line.
-    #[serde(default)]
     pub space: Option<Space>,
     /// State of the plant at t = 0; default: at rest at 0.
-    #[serde(default)]
     pub initial: Initial,
     /// What the device touches, exactly one; required.
     pub environment: Environment,
     /// What keeps the loop bounded; default: none.
-    #[serde(default)]
     pub stabilizer: Option<Stabilizer>,
     /// Imperfections of the loop; default: none.
-    #[serde(default)]
     pub effects: Effects,
 }
 

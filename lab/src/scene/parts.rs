@@ -28,15 +28,6 @@ pub enum Scalar {
     F32,
 }
 
-/// How the plant moves from one tick to the next.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Integrator {
-    /// The exact solution under the force held over the period.
-    #[default]
-    Exact,
-}
-
 /// The haptic device.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -103,6 +103,14 @@ quantity!(
     |value| value.is_finite() && value > 0.0
 );
 
+impl Positive {
+    /// A number that is known to be right when the program is compiled.
+    pub(super) const fn known(value: f64) -> Self {
+        assert!(value > 0.0 && value.is_finite(), "above 0 and finite");
+        Self(value)
+    }
+}
+
 quantity!(
     /// A finite number of 0 or more: a damping, a stiffness, an operator's mass.
     #[derive(Default)]
@@ -206,6 +214,21 @@ whole!(
     { "type": "integer", "minimum": 1, "maximum": 256 },
     1..=256
 );
+
+whole!(
+    /// The steps of an integrator from one servo tick to the next.
+    StepsPerTick,
+    u32,
+    "a whole number from 1 to 1000000",
+    { "type": "integer", "minimum": 1, "maximum": 1_000_000 },
+    1..=1_000_000
+);
+
+impl Default for StepsPerTick {
+    fn default() -> Self {
+        Self(1)
+    }
+}
 
 whole!(
     /// The dimensions of a space.

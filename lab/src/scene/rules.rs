@@ -1,13 +1,14 @@
 //! The rules between the tables of the effects, the operator and the space.
 
 use super::check::Conflict;
-use super::{Environment, Friction, Scene, Velocity};
+use super::{Environment, Friction, Integrator, Scene, Velocity};
 
 impl Scene {
     /// The rules of each table whose values must fit each other or another table.
     pub(super) fn check_tables(&self) -> Result<(), Conflict> {
         self.check_filter()?;
         self.effects.friction.map_or(Ok(()), check_friction)?;
+        self.check_integrator()?;
         self.check_link()?;
         self.check_grip()?;
         self.check_space()
@@ -21,6 +22,20 @@ impl Scene {
             "effects.filter",
             "`effects.filter` filters a velocity that is taken from positions, and `velocity` is \"exact\"",
             "leave the filter out, or take `velocity = \"backward-difference\"`",
+        ))
+    }
+
+    fn check_integrator(&self) -> Result<(), Conflict> {
+        if self.effects.friction.is_none() || self.integrator == Integrator::Exact {
+            return Ok(());
+        }
+        Err(Conflict::new(
+            "effects.friction",
+            format!(
+                "`effects.friction` sticks and slips within a period, and `integrator` = \"{}\" does not look there",
+                self.integrator.name()
+            ),
+            "take `integrator = \"exact\"`, or leave the friction out",
         ))
     }
 

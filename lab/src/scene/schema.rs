@@ -5,14 +5,14 @@ use schemars::generate::SchemaSettings;
 use schemars::transform::{Transform, transform_subschemas};
 use serde_json::{Map, Value};
 
-use super::Scene;
+use super::written::Keys;
 
 /// A JSON Schema (draft 7, which editors of TOML know) of scene files, made from the types that read them.
 ///
-/// It holds the keys, their types and the range of each value; the rules between values are [`Scene::check`]'s.
+/// It holds the keys, their types and the range of each value; the rules between values are [`Scene::check`](super::Scene::check)'s.
 pub fn schema() -> Value {
     let settings = SchemaSettings::draft07().with_transform(AsInToml);
-    settings.into_generator().into_root_schema_for::<Scene>().to_value()
+    settings.into_generator().into_root_schema_for::<Keys>().to_value()
 }
 
 /// [`schema`] as the text of a file.

@@ -1,10 +1,18 @@
 //! One-step methods for equations of motion.
 
+mod adaptive;
+mod dormand_prince_5;
+mod dormand_prince_8;
+mod embedded_pair;
 mod exact;
 mod implicit_midpoint;
 mod runge_kutta_4;
 mod semi_implicit_euler;
 
+pub use adaptive::Adaptive;
+pub use dormand_prince_5::DormandPrince5;
+pub use dormand_prince_8::DormandPrince8;
+pub use embedded_pair::EmbeddedPair;
 pub use exact::Exact;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use runge_kutta_4::RungeKutta4;

@@ -33,6 +33,19 @@ const CASES: &[Case] = &[
     ("\"f64\"", "\"F64\"", "scalar", &["did you mean \"f64\"", "\"f32\""]),
     ("\"f64\"", "\"double\"", "scalar", &["\"double\"", "one of: \"f64\", \"f32\""]),
     ("integrator = \"exact\"", "integrator = \"euler\"", "integrator", &["\"euler\"", "one of: \"exact\""]),
+    ("integrator = \"exact\"", "integrator = \"dopri\"", "integrator", &["did you mean \"dopri5\"", "\"semi-implicit-euler\", \"implicit-midpoint\", \"rk4\", \"dopri5\", \"dop853\""]),
+    ("integrator = \"exact\"", "steps_per_tick = 4", "steps_per_tick", &["`steps_per_tick` does not apply", "\"exact\" takes one step", "leave it out", "\"rk4\""]),
+    ("integrator = \"exact\"", "tolerance = 1e-9", "tolerance", &["`tolerance` does not apply", "\"exact\" takes one step", "\"dopri5\" or \"dop853\""]),
+    ("integrator = \"exact\"", "integrator = \"rk4\"\ntolerance = 1e-9", "tolerance", &["`tolerance` does not apply", "\"rk4\" takes equal steps", "`steps_per_tick`"]),
+    ("integrator = \"exact\"", "integrator = \"dop853\"\nsteps_per_tick = 4", "steps_per_tick", &["\"dop853\" chooses its own steps", "`tolerance`"]),
+    ("integrator = \"exact\"", "integrator = \"rk4\"\nsteps_per_tick = 0", "steps_per_tick", &["whole number from 1 to 1000000", "not 0", "steps_per_tick = 4"]),
+    ("integrator = \"exact\"", "integrator = \"rk4\"\nsteps_per_tick = 1000001", "steps_per_tick", &["1 to 1000000"]),
+    ("integrator = \"exact\"", "integrator = \"rk4\"\nsteps_per_tick = 1.5", "steps_per_tick", &["must be a whole number", "1.5"]),
+    ("integrator = \"exact\"", "integrator = \"rk4\"\nsteps_per_tick = \"4\"", "steps_per_tick", &["must be a whole number"]),
+    ("integrator = \"exact\"", "integrator = \"dopri5\"\ntolerance = 0", "tolerance", &["greater than 0", "not 0.0", "m and m/s"]),
+    ("integrator = \"exact\"", "integrator = \"dopri5\"\ntolerance = nan", "tolerance", &["finite", "NaN"]),
+    ("integrator = \"exact\"", "integrator = \"dopri5\"\ntolerance = 1e-15", "tolerance", &["1e-15", "rounding in f64", "give 1.7763568394002505e-15 or more"]),
+    ("integrator = \"exact\"", "integrator = \"dopri5\"\ntolerance = 1e-320", "tolerance", &["rounding in f64"]),
     ("integrator = \"exact\"", "integrator = { exact = 1 }", "integrator.exact", &["must be a word in quotes"]),
     ("mass = 0.1", "mass = -0.1", "operator.mass", &["0 or greater", "-0.1", "unit is kg"]),
     ("mass = 0.1", "maas = 0.1", "operator.maas", &["unknown key `maas` in [operator]", "did you mean `mass`", "mass, damping, stiffness, rest"]),
@@ -203,6 +216,15 @@ fn single_precision_must_hold_every_number() {
         assert_eq!(fault.line(), Some(line_of(part, replacement)));
         assert!(fault.to_string().contains("f32"), "{fault}");
     }
+}
+
+#[test]
+fn single_precision_keeps_no_fine_tolerance() {
+    let text = with("\"f64\"", "\"f32\"")
+        .replace("integrator = \"exact\"", "integrator = \"dopri5\"\ntolerance = 1e-7");
+    let fault = fault(&text);
+    assert_eq!((fault.key(), fault.value()), (Some("tolerance"), Some("1e-7")));
+    assert!(fault.to_string().contains("rounding in f32"), "{fault}");
 }
 
 #[test]

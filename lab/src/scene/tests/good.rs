@@ -126,6 +126,46 @@ fn every_word_is_known() {
 }
 
 #[test]
+fn an_integrator_has_the_keys_that_apply_to_it_and_their_defaults() {
+    let integrator = |text: &str| scene(&with("integrator = \"exact\"", text)).integrator;
+    let steps_per_tick = |steps| StepsPerTick::new(steps).unwrap();
+    let one = steps_per_tick(1);
+    #[rustfmt::skip]
+    let cases = [
+        ("", Integrator::Exact),
+        ("integrator = \"semi-implicit-euler\"", Integrator::SemiImplicitEuler { steps_per_tick: one }),
+        ("integrator = \"implicit-midpoint\"", Integrator::ImplicitMidpoint { steps_per_tick: one }),
+        ("integrator = \"rk4\"", Integrator::Rk4 { steps_per_tick: one }),
+        ("integrator = \"rk4\"\nsteps_per_tick = 4", Integrator::Rk4 { steps_per_tick: steps_per_tick(4) }),
+        ("steps_per_tick = 1000000\nintegrator = \"rk4\"", Integrator::Rk4 { steps_per_tick: steps_per_tick(1_000_000) }),
+        ("integrator = \"dopri5\"", Integrator::Dopri5 { tolerance: positive(1e-9) }),
+        ("integrator = \"dop853\"", Integrator::Dop853 { tolerance: positive(1e-9) }),
+        ("integrator = \"dop853\"\ntolerance = 1e-12", Integrator::Dop853 { tolerance: positive(1e-12) }),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(integrator(text), expected, "{text}");
+        let scene = scene(&with("integrator = \"exact\"", text));
+        let written = toml::to_string(&scene).unwrap();
+        assert_eq!(super::scene(&written), scene, "{written}");
+        let read: Scene = toml::from_str(&written).unwrap();
+        assert_eq!(read, scene);
+    }
+    let single = with("\"f64\"", "\"f32\"").replace("\"exact\"", "\"dopri5\"");
+    assert_eq!(scene(&single).integrator, Integrator::Dopri5 { tolerance: positive(1e-6) });
+}
+
+#[test]
+fn an_integrator_tells_its_word_and_its_numbers() {
+    let told = |text: &str| {
+        let it = scene(&with("integrator = \"exact\"", text)).integrator;
+        (it.name(), it.steps_per_tick(), it.tolerance())
+    };
+    assert_eq!(told(""), ("exact", None, None));
+    assert_eq!(told("integrator = \"rk4\"\nsteps_per_tick = 3"), ("rk4", Some(3), None));
+    assert_eq!(told("integrator = \"dopri5\"\ntolerance = 1e-7"), ("dopri5", None, Some(1e-7)));
+}
+
+#[test]
 fn whole_numbers_stand_for_reals() {
     assert_eq!(scene(&with("duration = 10.0", "duration = 10")).duration.get(), 10.0);
     assert_eq!(scene(&with("rest = 0.0", "rest = -3")).operator.rest.get(), -3.0);
@@ -314,6 +354,8 @@ fn every_example_in_a_message_is_right() {
 fn needed_by(key: &Key) -> &'static str {
     let table = if key.is_table() { key.path } else { key.table() };
     match (table, key.name()) {
+        ("", "steps_per_tick") => "integrator = \"rk4\"",
+        ("", "tolerance") => "integrator = \"dopri5\"",
         ("effects.filter", _) => "",
         ("operator.motion", "rate") => "[operator.motion]\nkind = \"ramp\"\nto = 0.01",
         ("operator.motion", "amplitude") => "[operator.motion]\nkind = \"sine\"\nfrequency = 1.0",

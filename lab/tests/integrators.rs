@@ -1,0 +1,115 @@
+//! Scenes moved by each integrator, against the exact motion.
+
+use lyapunov::lanes::AutoF64x8;
+use lyapunov_lab::scene::{Integrator, Positive, Scalar, StepsPerTick};
+use lyapunov_lab::shipped::{SCENES, text_of};
+use lyapunov_lab::{Rollout, Scene, in_space};
+
+/// Rows in which nothing has had time to grow.
+const ROWS: usize = 60;
+
+fn shipped(name: &str) -> Scene {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes");
+    Scene::load(format!("{folder}/{name}.toml").as_ref()).unwrap_or_else(|fault| panic!("{fault}"))
+}
+
+fn moved_by(scene: &Scene, integrator: Integrator) -> Scene {
+    let scene = Scene { integrator, ..scene.clone() };
+    scene.check().unwrap_or_else(|conflict| panic!("{conflict}"));
+    scene
+}
+
+/// Everything that the rows tell of the motion: each axis, and the operator where a link sets it apart.
+fn places(scene: &Scene) -> Vec<Vec<f64>> {
+    in_space!(scene, Axes => {
+        let mut rollout = Rollout::<Axes>::of(scene).expect("a loop");
+        let mut rows = Vec::new();
+        while let Some(row) = rollout.next().filter(|_| rows.len() < ROWS) {
+            rows.push([&[row.x], rollout.further()].concat());
+        }
+        rows
+    })
+}
+
+/// The largest error as a share of the largest place.
+fn error(scene: &Scene, integrator: Integrator) -> f64 {
+    let (exact, other) = (places(scene), places(&moved_by(scene, integrator)));
+    assert_eq!(exact.len(), other.len());
+    assert!(exact.len() > 20);
+    let of = |(one, other): (&Vec<f64>, &Vec<f64>)| (one[0] - other[0]).abs();
+    let span = exact.iter().map(|place| place[0].abs()).fold(0.0, f64::max);
+    exact.iter().zip(&other).map(of).fold(0.0, f64::max) / span
+}
+
+fn steps(steps: i64) -> StepsPerTick {
+    StepsPerTick::new(steps).expect("steps")
+}
+
+fn tolerance(tolerance: f64) -> Positive {
+    Positive::new(tolerance).expect("a tolerance")
+}
+
+#[test]
+fn every_shipped_scene_moves_as_it_does_exactly() {
+    for shown in SCENES.iter().filter(|shown| shown.name != "friction") {
+        let scene = shipped(shown.name);
+        if scene.effects.friction.is_some() {
+            continue;
+        }
+        let most = |integrator, most: f64| {
+            let error = error(&scene, integrator);
+            assert!(error < most, "{}, {integrator:?}: {error:e}", shown.name);
+        };
+        most(Integrator::SemiImplicitEuler { steps_per_tick: steps(256) }, 3e-2);
+        most(Integrator::ImplicitMidpoint { steps_per_tick: steps(64) }, 3e-3);
+        most(Integrator::Rk4 { steps_per_tick: steps(32) }, 1e-6);
+        most(Integrator::Dopri5 { tolerance: tolerance(1e-10) }, 1e-6);
+        most(Integrator::Dop853 { tolerance: tolerance(1e-10) }, 1e-6);
+    }
+}
+
+#[test]
+fn steps_and_tolerance_reach_the_plant() {
+    let scene = shipped("paper-8k-none");
+    let rk4 = |count| error(&scene, Integrator::Rk4 { steps_per_tick: steps(count) });
+    assert!(rk4(1) > 100.0 * rk4(4) && rk4(4) > 100.0 * rk4(16), "{} {}", rk4(1), rk4(4));
+    let scene = shipped("link");
+    let dopri5 = |most| error(&scene, Integrator::Dopri5 { tolerance: tolerance(most) });
+    assert!(dopri5(1e-4) > 100.0 * dopri5(1e-9), "{} {}", dopri5(1e-4), dopri5(1e-9));
+}
+
+#[test]
+fn single_precision_and_lanes_move_alike() {
+    let double = shipped("hold");
+    let exact = places(&double);
+    let span = exact.iter().map(|place| place[0].abs()).fold(0.0, f64::max);
+    for integrator in [
+        Integrator::Rk4 { steps_per_tick: steps(4) },
+        Integrator::ImplicitMidpoint { steps_per_tick: steps(64) },
+        Integrator::Dopri5 { tolerance: tolerance(1e-6) },
+        Integrator::Dop853 { tolerance: tolerance(1e-6) },
+    ] {
+        let single = moved_by(&Scene { scalar: Scalar::F32, ..double.clone() }, integrator);
+        for (exact, single) in exact.iter().zip(places(&single)) {
+            let error = (exact[0] - single[0]).abs();
+            assert!(error < 1e-3 * span, "{integrator:?}: {error:e} m of {span:e} m");
+        }
+        let lanes = moved_by(&double, integrator);
+        let wide = Rollout::<AutoF64x8>::of(&lanes).expect("a loop").take(ROWS);
+        let narrow = Rollout::<f64>::of(&lanes).expect("a loop");
+        for (wide, narrow) in wide.zip(narrow) {
+            assert_eq!(wide, narrow, "{integrator:?}");
+        }
+    }
+}
+
+#[test]
+fn what_moves_too_fast_to_be_followed_is_refused_by_name() {
+    let text = text_of("hold").expect("a scene");
+    let stiff = text
+        .replace("duration = 2.0", "duration = 2.0\nintegrator = \"dopri5\"")
+        .replace("stiffness = 200.0", "stiffness = 1e20");
+    let fault = Scene::parse(&stiff, "stiff.toml").expect_err("too stiff");
+    assert!(fault.to_string().contains("100000 steps"), "{fault}");
+    assert!(fault.to_string().contains("integrator = \"exact\""), "{fault}");
+}
