@@ -12,10 +12,10 @@ pub use lyapunov_plants::{
     CoupledOscillators, Course, Cuboid, DampedMass, Delay, Difference, DissipationOf,
     DormandPrince5, DormandPrince8, Dropout, EmbeddedPair, Encoder, Exact, Fallback, FirstAxis,
     Friction, Grip, Guard, Hold, HuntCrossley, Impedance, ImplicitDynamics, ImplicitMidpoint,
-    Jitter, Joined, LayeredWall, Linear, LinearDynamics, Link, Linked, LowPass, MassSpringDamper,
-    Motion, MovingWall, Nearest, Noise, Oscillator, Perturb, Plane, Pulse, Push, Ramp, Random,
-    RungeKutta4, Samples, Saturation, SemiImplicitEuler, Sine, Solid, Source, Sphere, Spring, Step,
-    Stepped, Stribeck, Tethered, Transition, Transitions, TwoMass, VaryingSpring, Wall, held_input,
-    tick_of,
+    Jitter, Joined, LayeredWall, Linear, LinearDynamics, Link, Linked, Located, LowPass,
+    MassSpringDamper, Motion, MovingWall, Nearest, Noise, Oscillator, Perturb, Plane, Pulse, Push,
+    Ramp, Random, Rubbing, RubbingOscillator, RungeKutta4, Samples, Saturation, SemiImplicitEuler,
+    Sine, Solid, Source, Sphere, Spring, Step, Stepped, Stribeck, Switching, Tethered, Transition,
+    Transitions, TwoMass, VaryingSpring, Wall, Walled, WalledOscillator, held_input, tick_of,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};

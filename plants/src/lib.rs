@@ -36,7 +36,7 @@ pub use bodies::{
 pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
 pub use dynamics::{
     Assembled, Coordinates, CoupledOscillators, ImplicitDynamics, Joined, LinearDynamics,
-    Oscillator,
+    Oscillator, Rubbing, RubbingOscillator, Switching, Walled, WalledOscillator,
 };
 pub use effects::{
     Adapt, AdaptiveWindow, Delay, Difference, Dropout, Encoder, Fallback, Guard, Hold, LowPass,
@@ -47,7 +47,7 @@ pub use environments::{
     Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
 };
 pub use integrators::{
-    Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, ImplicitMidpoint, RungeKutta4,
-    SemiImplicitEuler,
+    Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, ImplicitMidpoint, Located,
+    RungeKutta4, SemiImplicitEuler,
 };
 pub use random::{Random, Source};

@@ -3,8 +3,9 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Coordinates, CoupledOscillators, DampedMass, Dynamics, Exact, Impedance, ImplicitMidpoint,
-    Integrator, Oscillator, Plant, RungeKutta4, Scalar, SemiImplicitEuler, Stepped, TwoMass,
+    Adaptive, Coordinates, CoupledOscillators, DampedMass, DormandPrince5, DormandPrince8,
+    Dynamics, Exact, Impedance, ImplicitMidpoint, Integrator, Oscillator, Plant, RungeKutta4,
+    Scalar, SemiImplicitEuler, Stepped, TwoMass,
 };
 
 use crate::{hand, moved, pair};
@@ -45,9 +46,9 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
     let two = |lane| two(lane).expect("parts");
     let device = DampedMass { mass: L::from_lanes(mass), damping: L::of(0.1) };
     let twos = CoupledOscillators::new(TwoMass { device, ..pair() }).expect("parts");
-    let (short, wide) = (T::of(1e-3), L::of(1e-3));
     macro_rules! with {
-        ($($integrator:expr),+) => {$(
+        ($period:literal: $($integrator:expr),+) => {$(
+            let (short, wide) = (T::of($period), L::of($period));
             lane_by_lane(
                 |lane| moved::<T, _, _>(one(lane), $integrator, short, 3),
                 moved::<L, _, _>(ones, $integrator, wide, 3),
@@ -58,7 +59,12 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
             );
         )+};
     }
-    with!(SemiImplicitEuler, ImplicitMidpoint, RungeKutta4, Exact::new());
+    with!(1e-3: SemiImplicitEuler, ImplicitMidpoint, RungeKutta4, Exact::new());
+    with!(1e-3: DormandPrince5, DormandPrince8);
+    // Over which lanes take steps of their own, and some more of them than others.
+    let tolerance = 1e-5;
+    with!(1.0: Adaptive::new(DormandPrince5, Scalar::of(tolerance)).expect("a tolerance"));
+    with!(1.0: Adaptive::new(DormandPrince8, Scalar::of(tolerance)).expect("a tolerance"));
 }
 
 #[test]

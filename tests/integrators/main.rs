@@ -1,9 +1,11 @@
 //! Integrators: their orders, what they keep, and the plant that any of them moves.
 
+mod adaptive;
 mod energy;
 mod exact;
 mod lanes;
 mod law;
+mod located;
 mod orders;
 mod plant;
 

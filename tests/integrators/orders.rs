@@ -1,14 +1,14 @@
 //! The order of each method, by regression against closed forms.
 
 use lyapunov::{
-    CoupledOscillators, Exact, Impedance, ImplicitMidpoint, Integrator, Linked, Oscillator, Plant,
-    RungeKutta4, SemiImplicitEuler, State,
+    CoupledOscillators, DormandPrince5, DormandPrince8, Exact, Impedance, ImplicitMidpoint,
+    Integrator, Linked, Oscillator, Plant, RungeKutta4, SemiImplicitEuler, State,
 };
 
 use crate::{U, hand, moved, pair};
 
 /// The damped oscillation `x₀ → x(t)`, `v₀ → v(t)` about where the held force leaves it, in closed form.
-fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 2] {
+pub(crate) fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 2] {
     let Impedance { mass, damping, stiffness } = parts;
     let (middle, decay) = (-force / stiffness, damping / (2.0 * mass));
     let omega = (stiffness / mass - decay * decay).sqrt();
@@ -21,7 +21,7 @@ fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 
 }
 
 /// By least squares, the slope of log error over log step.
-fn slope(errors: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+pub(crate) fn slope(errors: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     let points: Vec<_> = errors.into_iter().map(|(step, error)| (step.ln(), error.ln())).collect();
     let mean =
         |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
@@ -82,6 +82,11 @@ fn errors_fall_with_the_step_as_the_order_says() {
     near(order_of_two(SemiImplicitEuler, fine), 1.0);
     near(order_of_two(ImplicitMidpoint, coarse), 2.0);
     near(order_of_two(RungeKutta4, coarse), 4.0);
+    near(order_of_one(DormandPrince5, [32, 64, 128, 256]), 5.0);
+    near(order_of_two(DormandPrince5, [64, 128, 256, 512]), 5.0);
+    // So few steps that rounding stays out, and so many that the next order does.
+    near(order_of_one(DormandPrince8, [10, 12, 14, 16]), 8.0);
+    near(order_of_two(DormandPrince8, [16, 20, 24, 28]), 8.0);
 }
 
 #[test]

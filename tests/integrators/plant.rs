@@ -18,7 +18,10 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!(refused(1.0, 0.0, f32::NAN), ("stiffness", Requirement::NonNegative));
     assert_eq!(refused(1e-38, 0.0, 50.0), ("mass", Requirement::InRange));
     let no_link = TwoMass { link: Link { stiffness: 0.0, damping: 0.0 }, ..pair() };
-    let error = CoupledOscillators::<f64>::assembled(no_link).expect_err("no link");
+    let error = CoupledOscillators::new(pair::<f64>())
+        .expect("parts")
+        .made_of(no_link)
+        .expect_err("no link");
     assert_eq!((error.parameter, error.requirement), ("link.stiffness", Requirement::Positive));
 
     let dynamics = Oscillator::new(hand::<f32>()).expect("parts");

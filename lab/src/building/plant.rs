@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use lyapunov::{
     Body, Constant, Coordinates, CoupledOscillators, DampedMass, Drive, Dynamics, FirstAxis,
-    Friction, Impedance, Integrator, Link, Linked, Oscillator, ParameterError, Perturb, Plant,
-    Pulse, Ramp, Random, Samples, Scalar, Signal, Sine, Source, Step, Stepped, Stribeck, Tethered,
-    TwoMass,
+    Friction, Impedance, Integrator, Link, Linked, Located, Oscillator, ParameterError, Perturb,
+    Plant, Pulse, Ramp, Random, RubbingOscillator, Samples, Scalar, Signal, Sine, Source, Step,
+    Stepped, Stribeck, Tethered, TwoMass,
 };
 
 use super::Space;
@@ -130,6 +130,14 @@ pub(super) fn on_a_line<T: Scalar + Space>(
         // Where the two forces are one, any velocity will do.
         stribeck_velocity: friction.stribeck_velocity.map_or(T::one(), of),
     };
+    if let Some((integrator, steps)) = AnyIntegrator::of(scene.integrator)? {
+        // Behind a link friction moves exactly only: a scene that asks for both is not built.
+        let parts =
+            <Joined as Kind<T>>::parts(scene, scene.operator.stiffness, scene.operator.damping);
+        let dynamics = RubbingOscillator::new(parts, law)?;
+        let body = moved(scene, dynamics, Located::new(integrator), steps)?;
+        return disturbed::<T, Joined>(scene, AnyBody::new(body));
+    }
     if scene.link.is_some() {
         let (body, parts) = start::<T, Apart>(scene)?;
         let body = Watched::new(Friction::new(body, parts, law)?, seen);

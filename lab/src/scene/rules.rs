@@ -26,16 +26,19 @@ impl Scene {
     }
 
     fn check_integrator(&self) -> Result<(), Conflict> {
-        if self.effects.friction.is_none() || self.integrator == Integrator::Exact {
+        if self.effects.friction.is_none()
+            || self.link.is_none()
+            || self.integrator == Integrator::Exact
+        {
             return Ok(());
         }
         Err(Conflict::new(
             "effects.friction",
             format!(
-                "`effects.friction` sticks and slips within a period, and `integrator` = \"{}\" does not look there",
+                "`effects.friction` behind a `link` moves exactly only, and `integrator` is \"{}\"",
                 self.integrator.name()
             ),
-            "take `integrator = \"exact\"`, or leave the friction out",
+            "take `integrator = \"exact\"`, or leave out the friction or the link",
         ))
     }
 

@@ -152,7 +152,7 @@ where
 
     fn reshape(&mut self, parts: D::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let period = Requirement::NonNegative.check("period", interval)?;
-        let (dynamics, mut integrator) = (D::assembled(parts)?, self.integrator);
+        let (dynamics, mut integrator) = (self.dynamics.made_of(parts)?, self.integrator);
         let interval = step_of(period, self.steps);
         tried(&dynamics, &mut integrator, period, interval)?;
         (self.dynamics, self.integrator) = (dynamics, integrator);

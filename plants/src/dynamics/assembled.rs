@@ -7,9 +7,9 @@ pub trait Assembled: Sized {
     /// An [`Impedance`](crate::Impedance), or one for each mass.
     type Parts: Copy;
 
-    /// The equation of motion of `parts`.
+    /// The same equation of motion of other `parts`.
     ///
     /// # Errors
     /// A part that does not exist, named.
-    fn assembled(parts: Self::Parts) -> Result<Self, ParameterError>;
+    fn made_of(&self, parts: Self::Parts) -> Result<Self, ParameterError>;
 }

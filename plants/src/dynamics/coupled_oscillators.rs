@@ -55,7 +55,7 @@ impl<T: Scalar> CoupledOscillators<T> {
 impl<T: Scalar> Assembled for CoupledOscillators<T> {
     type Parts = TwoMass<T>;
 
-    fn assembled(parts: TwoMass<T>) -> Result<Self, ParameterError> {
+    fn made_of(&self, parts: TwoMass<T>) -> Result<Self, ParameterError> {
         Self::new(parts)
     }
 }

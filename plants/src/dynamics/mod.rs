@@ -7,6 +7,9 @@ mod implicit_dynamics;
 mod joined;
 mod linear_dynamics;
 mod oscillator;
+mod rubbing_oscillator;
+mod switching;
+mod walled_oscillator;
 
 pub use assembled::Assembled;
 pub use coordinates::Coordinates;
@@ -15,3 +18,6 @@ pub use implicit_dynamics::ImplicitDynamics;
 pub use joined::Joined;
 pub use linear_dynamics::LinearDynamics;
 pub use oscillator::Oscillator;
+pub use rubbing_oscillator::{Rubbing, RubbingOscillator};
+pub use switching::Switching;
+pub use walled_oscillator::{Walled, WalledOscillator};

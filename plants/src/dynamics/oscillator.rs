@@ -34,10 +34,45 @@ impl<T: Scalar> Oscillator<T> {
     }
 }
 
+impl<T: Scalar> Oscillator<T> {
+    /// `yes` in the lanes of `mask`, `no` elsewhere.
+    pub(super) fn chosen(mask: T::Mask, yes: Self, no: Self) -> Self {
+        let choose = |yes: T, no: T| T::choose(mask, yes, no);
+        Self {
+            parts: Impedance {
+                mass: choose(yes.parts.mass, no.parts.mass),
+                damping: choose(yes.parts.damping, no.parts.damping),
+                stiffness: choose(yes.parts.stiffness, no.parts.stiffness),
+            },
+            by_position: choose(yes.by_position, no.by_position),
+            by_velocity: choose(yes.by_velocity, no.by_velocity),
+            by_effort: choose(yes.by_effort, no.by_effort),
+        }
+    }
+
+    /// The force on the mass at rest at `position`, N.
+    #[inline]
+    pub(super) fn force_at_rest(&self, position: T, effort: T) -> T {
+        -(self.parts.stiffness * position) - effort
+    }
+
+    /// What an implicit step's acceleration loses per unit of effort, 1/kg.
+    #[inline]
+    pub(super) fn mobility(&self, alpha: T, beta: T) -> T {
+        -self.by_effort / self.heavier(alpha, beta)
+    }
+
+    /// By how much the mass of an implicit step is larger than the mass itself.
+    #[inline]
+    fn heavier(&self, alpha: T, beta: T) -> T {
+        T::of(1.0) - alpha * self.by_position - beta * self.by_velocity
+    }
+}
+
 impl<T: Scalar> Assembled for Oscillator<T> {
     type Parts = Impedance<T>;
 
-    fn assembled(parts: Impedance<T>) -> Result<Self, ParameterError> {
+    fn made_of(&self, parts: Impedance<T>) -> Result<Self, ParameterError> {
         Self::new(parts)
     }
 }
@@ -64,9 +99,8 @@ impl<V: Signal> ImplicitDynamics<V> for Oscillator<V::Scalar> {
         alpha: V::Scalar,
         beta: V::Scalar,
     ) -> V {
-        let one = V::Scalar::of(1.0);
-        let heavier = one - alpha * self.by_position - beta * self.by_velocity;
-        self.acceleration(position, velocity, effort).scale(one / heavier)
+        let share = V::Scalar::of(1.0) / self.heavier(alpha, beta);
+        self.acceleration(position, velocity, effort).scale(share)
     }
 }
 

@@ -126,6 +126,8 @@ where
             self.step = choose(open, next, self.step);
         }
         let complete = sound & !passed.below(interval);
+        // What has been given up says nothing of the next interval either.
+        self.step = choose(complete, self.step, V::Scalar::largest());
         chosen(complete, gained, all(zero / zero))
     }
 }

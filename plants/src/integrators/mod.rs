@@ -6,6 +6,7 @@ mod dormand_prince_8;
 mod embedded_pair;
 mod exact;
 mod implicit_midpoint;
+mod located;
 mod runge_kutta_4;
 mod semi_implicit_euler;
 
@@ -15,5 +16,6 @@ pub use dormand_prince_8::DormandPrince8;
 pub use embedded_pair::EmbeddedPair;
 pub use exact::Exact;
 pub use implicit_midpoint::ImplicitMidpoint;
+pub use located::Located;
 pub use runge_kutta_4::RungeKutta4;
 pub use semi_implicit_euler::SemiImplicitEuler;

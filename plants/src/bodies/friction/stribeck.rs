@@ -15,7 +15,7 @@ pub struct Stribeck<T> {
 }
 
 impl<T: Scalar> Stribeck<T> {
-    pub(super) fn checked(self) -> Result<Self, ParameterError> {
+    pub(crate) fn checked(self) -> Result<Self, ParameterError> {
         let coulomb = Requirement::NonNegative.check("coulomb", self.coulomb)?;
         let breakaway = Requirement::NonNegative.check("static", self.breakaway)?;
         Requirement::Positive.check("stribeck_velocity", self.stribeck_velocity)?;
@@ -27,6 +27,17 @@ impl<T: Scalar> Stribeck<T> {
                 requirement: Requirement::AtMost(breakaway.lane(lane)),
             }),
         }
+    }
+
+    /// The magnitude of the friction at `velocity`, N, lane by lane.
+    pub(crate) fn force(self, velocity: T) -> T {
+        T::from_lanes(|lane| self.lane(lane).at(velocity.lane(lane)))
+    }
+
+    /// How fast it grows with the velocity, N·s/m.
+    pub(crate) fn slope(self, velocity: T) -> T {
+        let fallen = (self.force(velocity) - self.coulomb) / self.stribeck_velocity;
+        fallen * T::of(-2.0) * (velocity / self.stribeck_velocity)
     }
 
     pub(super) fn lane(self, lane: usize) -> Stribeck<f64> {

@@ -1,0 +1,100 @@
+//! One mass before a spring that it is not fixed to.
+
+use lyapunov_core::{Dynamics, ParameterError, Requirement, Scalar, State};
+
+use crate::{Impedance, ImplicitDynamics, Oscillator, Switching};
+
+/// An [`Oscillator`] and a one-sided elastic wall: `m ẍ = −k x − b ẋ − f − max(0, k_w (x − surface))`.
+///
+/// The force is continuous and has a kink at the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WalledOscillator<T> {
+    free: Oscillator<T>,
+    touching: Oscillator<T>,
+    stiffness: T,
+    surface: T,
+}
+
+/// An oscillator that is away from its wall, or touches it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Walled<T> {
+    oscillator: Oscillator<T>,
+    /// What the wall pushes at the origin, N.
+    preload: T,
+    /// 1 in contact, −1 away from it.
+    side: T,
+}
+
+impl<T: Scalar> WalledOscillator<T> {
+    /// The oscillator made of `parts` before a wall of `stiffness` N/m with its surface at `surface` m.
+    ///
+    /// # Errors
+    /// As [`Oscillator::new`] has them; `stiffness` below 0, infinite or NaN; `surface` not finite.
+    pub fn new(parts: Impedance<T>, stiffness: T, surface: T) -> Result<Self, ParameterError> {
+        let stiffness = Requirement::NonNegative.check("stiffness", stiffness)?;
+        let surface = Requirement::Finite.check("surface", surface)?;
+        let joined = Impedance { stiffness: parts.stiffness + stiffness, ..parts };
+        let (free, touching) = (Oscillator::new(parts)?, Oscillator::new(joined)?);
+        Ok(Self { free, touching, stiffness, surface })
+    }
+
+    fn on_side(&self, contact: T::Mask) -> Walled<T> {
+        let (zero, one) = (T::of(0.0), T::of(1.0));
+        Walled {
+            oscillator: Oscillator::chosen(contact, self.touching, self.free),
+            preload: T::choose(contact, -self.stiffness * self.surface, zero),
+            side: T::choose(contact, one, -one),
+        }
+    }
+}
+
+impl<T: Scalar> Dynamics<T> for WalledOscillator<T> {
+    type Coordinates = T;
+
+    #[inline]
+    fn acceleration(&self, position: T, velocity: T, effort: T) -> T {
+        self.phase(State { position, velocity }, effort).acceleration(position, velocity, effort)
+    }
+}
+
+impl<T: Scalar> Dynamics<T> for Walled<T> {
+    type Coordinates = T;
+
+    #[inline]
+    fn acceleration(&self, position: T, velocity: T, effort: T) -> T {
+        self.oscillator.acceleration(position, velocity, effort + self.preload)
+    }
+}
+
+impl<T: Scalar> ImplicitDynamics<T> for Walled<T> {
+    #[inline]
+    fn implicit_acceleration(&self, position: T, velocity: T, effort: T, alpha: T, beta: T) -> T {
+        let effort = effort + self.preload;
+        self.oscillator.implicit_acceleration(position, velocity, effort, alpha, beta)
+    }
+}
+
+impl<T: Scalar> Switching<T> for WalledOscillator<T> {
+    type Phase = Walled<T>;
+
+    fn phase(&self, state: State<T>, _effort: T) -> Walled<T> {
+        self.on_side(state.position.above(self.surface))
+    }
+
+    fn reserve(&self, phase: &Walled<T>, state: State<T>) -> T {
+        (state.position - self.surface) * phase.side
+    }
+
+    fn switched(&self, phase: &Walled<T>, _: State<T>, _: T) -> (Walled<T>, State<T>) {
+        let nothing = State { position: T::of(0.0), velocity: T::of(0.0) };
+        (self.on_side(phase.side.below(T::of(0.0))), nothing)
+    }
+
+    fn chosen(mask: T::Mask, yes: Walled<T>, no: Walled<T>) -> Walled<T> {
+        Walled {
+            oscillator: Oscillator::chosen(mask, yes.oscillator, no.oscillator),
+            preload: T::choose(mask, yes.preload, no.preload),
+            side: T::choose(mask, yes.side, no.side),
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! Steps cut where the motion switches.
+
+use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
+use lyapunov::laws::Samples;
+use lyapunov::{
+    Adaptive, Body, DormandPrince5, DormandPrince8, Friction, Impedance, ImplicitMidpoint,
+    Integrator, Located, Oscillator, Plant, Requirement, RubbingOscillator, RungeKutta4, Scalar,
+    SemiImplicitEuler, State, Stepped, Stribeck, Transition, WalledOscillator,
+};
+
+use crate::orders::{damped, slope};
+use crate::{hand, moved};
+
+/// A hand without damping, before a wall that is 40 times as stiff and 1 mm away.
+const FREE: Impedance<f64> = Impedance { mass: 0.3, damping: 0.0, stiffness: 50.0 };
+const WALL: f64 = 2000.0;
+const SURFACE: f64 = 0.001;
+const START: [f64; 2] = [-0.004, 0.05];
+const PERIOD: f64 = 0.5;
+
+/// When the closed form of one piece is first on the other side, by bisection between `near` and `far`.
+fn crossing(beyond: impl Fn(f64) -> bool, mut near: f64, mut far: f64) -> f64 {
+    for _ in 0..80 {
+        let middle = 0.5 * (near + far);
+        if beyond(middle) { far = middle } else { near = middle }
+    }
+    far
+}
+
+/// Against the wall and back, piece by piece in closed form, and how often it touched.
+fn bounced(t: f64) -> ([f64; 2], u32) {
+    let touching = Impedance { stiffness: FREE.stiffness + WALL, ..FREE };
+    let (mut state, mut left, mut contact, mut touched) = (START, t, false, 0);
+    loop {
+        let (parts, force) = if contact { (touching, -WALL * SURFACE) } else { (FREE, 0.0) };
+        let at = |time: f64| damped(parts, state, force, time);
+        let beyond = |time: f64| (at(time)[0] > SURFACE) != contact;
+        // Of a piece nothing is shorter than a millisecond, so that none is stepped over.
+        let found = (1..).map(|n| 1e-3 * f64::from(n)).take_while(|&time| time < left + 1e-3);
+        let Some(after) = found.into_iter().find(|&time| beyond(time)) else {
+            return (at(left), touched);
+        };
+        let instant = crossing(beyond, after - 1e-3, after);
+        if instant >= left {
+            return (at(left), touched);
+        }
+        (state, left, contact) = (at(instant), left - instant, !contact);
+        touched += u32::from(contact);
+    }
+}
+
+/// The order with which errors fall from one count of steps to the next, at many phases of the step to the wall.
+fn order(integrator: impl Integrator<f64, WalledOscillator<f64>> + Copy, counts: [u32; 4]) -> f64 {
+    slope(counts.map(|steps| {
+        let ends = [0.0, 0.013, 0.026, 0.039].map(|more| {
+            let period = PERIOD + more;
+            let ([x, v], touched) = bounced(period);
+            assert!(touched >= 1);
+            let dynamics = WalledOscillator::new(FREE, WALL, SURFACE).expect("parts");
+            let mut plant = moved::<f64, _, _>(dynamics, integrator, period, steps)
+                .starting(START[0], START[1]);
+            let drive = plant.advance(0.0);
+            (drive.position - x).hypot((drive.velocity - v) / 80.0)
+        });
+        (1.0 / f64::from(steps), ends.iter().map(|end| end * end).sum::<f64>().sqrt())
+    }))
+}
+
+#[test]
+fn the_order_is_kept_across_an_impact_and_falls_without_a_located_instant() {
+    let at_least = |order: f64, expected: f64| {
+        assert!(order > expected - 0.3, "{order}, not {expected}");
+    };
+    at_least(order(Located::new(RungeKutta4), [128, 256, 512, 1024]), 4.0);
+    at_least(order(Located::new(ImplicitMidpoint), [128, 256, 512, 1024]), 2.0);
+    at_least(order(Located::new(SemiImplicitEuler), [512, 1024, 2048, 4096]), 1.0);
+    at_least(order(Located::new(DormandPrince5), [128, 181, 256, 362]), 5.0);
+    let blind = order(RungeKutta4, [128, 256, 512, 1024]);
+    assert!(blind < 3.0, "{blind}");
+}
+
+#[test]
+fn adaptive_steps_meet_their_tolerance_across_an_impact() {
+    let ([x, _], _) = bounced(PERIOD);
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let pair = Adaptive::new(DormandPrince8, tolerance).expect("a tolerance");
+        let dynamics = WalledOscillator::new(FREE, WALL, SURFACE).expect("parts");
+        let mut plant = moved::<f64, _, _>(dynamics, Located::new(pair), PERIOD, 50)
+            .starting(START[0], START[1]);
+        let error = (plant.advance(0.0).position - x).abs();
+        assert!(error < 100.0 * tolerance, "{error:e} at {tolerance:e}");
+    }
+}
+
+fn law<T: Scalar>() -> Stribeck<T> {
+    Stribeck { coulomb: T::of(0.5), breakaway: T::of(1.0), stribeck_velocity: T::of(0.02) }
+}
+
+fn block<T: Scalar>() -> Impedance<T> {
+    Impedance { mass: T::of(0.5), damping: T::of(0.4), stiffness: T::of(200.0) }
+}
+
+/// When within `period` a step from `from` first has the velocity that `ended` tells, by bisection.
+fn first<I>(integrator: I, from: State<f64>, effort: f64, period: f64, sense: f64) -> f64
+where
+    I: Integrator<f64, RubbingOscillator<f64>> + Copy,
+{
+    let dynamics = RubbingOscillator::new(block(), law()).expect("parts");
+    let ended = |time: f64| {
+        let gain = { integrator }.step(&dynamics, from, effort, time);
+        sense * (from.velocity + gain.velocity) <= 0.0
+    };
+    crossing(ended, 0.0, period)
+}
+
+#[test]
+fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
+    let period = 1e-2;
+    let pair = Adaptive::new(DormandPrince8, 1e-13).expect("a tolerance");
+    let rubbing = RubbingOscillator::new(block(), law()).expect("parts");
+    let mut plant =
+        moved::<f64, _, _>(rubbing, Located::new(pair), period, 1).starting(0.02_f64, 0.0);
+    let body = Body::new(block(), period).expect("a body").starting(0.02, 0.0);
+    let mut exact = Friction::new(body, block(), law()).expect("friction");
+    let (mut stuck, mut slipped, mut reversed) = (0, 0, 0);
+    let mut before = State { position: 0.02_f64, velocity: 0.0_f64 };
+    for tick in 0..2000_u32 {
+        let effort = 1.5 * (f64::from(tick) * 0.05).sin() + 0.7 * (f64::from(tick) * 0.23).sin();
+        let (one, other) = (plant.advance(effort), exact.advance(effort));
+        assert!((one.position - other.position).abs() < 1e-9, "{tick}");
+        assert!((one.velocity - other.velocity).abs() < 1e-8, "{tick}");
+        let all: Vec<_> = exact.transitions().last(0).collect();
+        for &(instant, transition) in all.iter().take(1) {
+            match transition {
+                Transition::Slip => {
+                    slipped += 1;
+                    assert!(instant == 0.0 && before.velocity == 0.0, "{tick}");
+                }
+                Transition::Stick | Transition::Reverse => {
+                    let sense = before.velocity.signum();
+                    let found = first(Located::new(pair), before, effort, period, sense);
+                    assert!((found - instant).abs() < 1e-9, "{tick}: {found} for {instant}");
+                    let sticks = transition == Transition::Stick;
+                    (stuck, reversed) = (stuck + u32::from(sticks), reversed + u32::from(!sticks));
+                    assert!(all.len() > 1 || (one.velocity == 0.0) == sticks, "{tick}");
+                }
+                Transition::Cut => panic!("{tick}"),
+            }
+        }
+        // Instants from the same state: of two that differ by a rounding they differ by that over a small deceleration.
+        before = State { position: other.position, velocity: other.velocity };
+    }
+    assert!(stuck > 10 && slipped > 10, "{stuck} {slipped} {reversed}");
+}
+
+#[test]
+fn what_sticks_does_not_move_by_a_bit_and_without_friction_nothing_rubs() {
+    let rubbing = RubbingOscillator::new(block::<f64>(), law()).expect("parts");
+    let mut plant = moved(rubbing, Located::new(ImplicitMidpoint), 1e-3, 3).starting(0.004, 0.0);
+    for effort in [0.0, 0.1, -1.7, 0.15] {
+        let drive = plant.advance(effort);
+        assert_eq!((drive.position, drive.velocity), (0.004, 0.0));
+    }
+    assert!(plant.advance(-2.0).velocity > 0.0);
+    let none = Stribeck { coulomb: 0.0, breakaway: 0.0, stribeck_velocity: 1.0 };
+    let rubbing = RubbingOscillator::new(block(), none).expect("parts");
+    let free = Oscillator::new(block::<f64>()).expect("parts");
+    let mut plant = moved::<f64, _, _>(rubbing, Located::new(ImplicitMidpoint), 1e-3, 1)
+        .starting(0.004_f64, 0.1);
+    let mut other = moved::<f64, _, _>(free, ImplicitMidpoint, 1e-3, 1).starting(0.004_f64, 0.1);
+    for _ in 0..1000 {
+        let (one, other) = (plant.advance(0.1), other.advance(0.1));
+        // Steps are cut where the motion turns, and so err otherwise, by (h ω)³ / 12 of the swing at each turn.
+        assert!((one.position - other.position).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn the_implicit_rule_resolves_a_friction_that_falls() {
+    let exact = || {
+        let body = Body::new(block(), 0.1).expect("a body").starting(0.02, 0.0);
+        Friction::new(body, block(), law()).expect("friction").advance(0.0)
+    };
+    let [x, v] = [exact().position, exact().velocity];
+    let order = slope([64, 128, 256, 512].map(|steps| {
+        let rubbing = RubbingOscillator::new(block(), law()).expect("parts");
+        let plant = moved::<f64, _, _>(rubbing, Located::new(ImplicitMidpoint), 0.1, steps);
+        let drive = plant.starting(0.02, 0.0).advance(0.0);
+        let error = (drive.position - x).hypot((drive.velocity - v) / 20.0);
+        (1.0 / f64::from(steps), error)
+    }));
+    assert!((order - 2.0).abs() < 0.2, "{order}");
+}
+
+#[test]
+fn every_step_ends_whatever_the_state() {
+    let rubbing = RubbingOscillator::new(block::<f64>(), law()).expect("parts");
+    let wall = WalledOscillator::new(FREE, 1e300, 0.0).expect("parts");
+    for value in [f64::NAN, f64::INFINITY, 1e308, -1e308, 1e-308, 0.0] {
+        for (x, v, f) in [(value, 0.1, 0.1), (0.1, value, 0.1), (-0.1, 0.1, value)] {
+            let from = State { position: x, velocity: v };
+            let mut pair = Located::new(Adaptive::new(DormandPrince5, 1e-6).expect("a tolerance"));
+            Located::new(RungeKutta4).step(&rubbing, from, f, 1e-3);
+            pair.step(&rubbing, from, f, 1e-3);
+            Located::new(RungeKutta4).step(&wall, from, f, 1e-3);
+        }
+    }
+    let error =
+        RubbingOscillator::new(block(), Stribeck { coulomb: 2.0, ..law() }).expect_err("law");
+    assert_eq!((error.parameter, error.requirement), ("coulomb", Requirement::AtMost(1.0)));
+    let error = WalledOscillator::new(FREE, -1.0, 0.0).expect_err("no wall");
+    assert_eq!((error.parameter, error.requirement), ("stiffness", Requirement::NonNegative));
+    let error = WalledOscillator::new(FREE, 1.0, f64::NAN).expect_err("no surface");
+    assert_eq!((error.parameter, error.requirement), ("surface", Requirement::Finite));
+}
+
+fn lanes_are_scalars<T: Scalar, L: Scalar>() {
+    let place = |lane: usize| 0.01 * lane as f64 - 0.03;
+    macro_rules! with {
+        ($($dynamics:ident($($part:expr),+), $integrator:expr);+ $(;)?) => {$({
+            let wide = $dynamics::new($($part),+).expect("parts");
+            let wide = Stepped::<L, _, _>::new(wide, $integrator, L::of(0.02), 2).expect("a plant");
+            let mut wide = wide.starting(L::from_lanes(place), L::of(0.3));
+            let scalar = |lane| {
+                let one = $dynamics::new($($part),+).expect("parts");
+                let one = Stepped::<T, _, _>::new(one, $integrator, T::of(0.02), 2).expect("a plant");
+                one.starting(T::of(place(lane)), T::of(0.3))
+            };
+            let mut scalars: Vec<_> = (0..L::LANES).map(scalar).collect();
+            for (_, effort) in Samples::<L>::new(L::of(1e-3)) {
+                let drive = wide.advance(effort);
+                for (lane, scalar) in scalars.iter_mut().enumerate() {
+                    let alone = scalar.advance(T::of(effort.lane(lane)));
+                    let (one, other) = (drive.position.lane(lane), alone.position.lane(0));
+                    assert_eq!(one.to_bits(), other.to_bits());
+                    let (one, other) = (drive.velocity.lane(lane), alone.velocity.lane(0));
+                    assert_eq!(one.to_bits(), other.to_bits());
+                }
+            }
+        })+};
+    }
+    with!(
+        RubbingOscillator(block(), law()), Located::new(RungeKutta4);
+        RubbingOscillator(block(), law()), Located::new(ImplicitMidpoint);
+        RubbingOscillator(block(), law()),
+            Located::new(Adaptive::new(DormandPrince5, Scalar::of(1e-6)).expect("a tolerance"));
+        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), Located::new(RungeKutta4);
+        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)),
+            Located::new(Adaptive::new(DormandPrince8, Scalar::of(1e-6)).expect("a tolerance"));
+    );
+}
+
+#[test]
+fn each_lane_has_its_own_instants_and_is_its_scalar_run_bit_for_bit() {
+    lanes_are_scalars::<f64, AutoF64x4>();
+    lanes_are_scalars::<f64, WideF64x4>();
+    lanes_are_scalars::<f32, AutoF32x8>();
+}
