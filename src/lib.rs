@@ -2,10 +2,10 @@
 #![no_std]
 
 pub use lyapunov_core::{
-    Accumulator, Action, Always, Beyond, Compensated, Dissipation, Drive, Dynamics, Gate, Held,
-    Integrator, Ledger, LyapunovCandidate, Mask, Observer, OnePort, ParameterError, Plain, Plant,
-    PortEnergy, Requirement, Sampled, Scalar, Signal, Stabilized, Stabilizer, State, Storage, Wide,
-    Widen, Work, lanes, laws,
+    Accumulator, Action, Always, Beyond, Compensated, Dissipation, DoubleDouble, Drive, Dynamics,
+    Gate, Held, Integrator, Ledger, LyapunovCandidate, Mask, Observer, OnePort, ParameterError,
+    Plain, Plant, PortEnergy, Requirement, Sampled, Scalar, Signal, Stabilized, Stabilizer, State,
+    Storage, Wide, Widen, Work, lanes, laws,
 };
 pub use lyapunov_plants::{
     Adapt, Adaptive, AdaptiveWindow, Assembled, Body, Constant, Contact, Coordinates,

@@ -21,6 +21,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod accuracy;
 mod building;
 pub mod chart;
 pub mod compare;
@@ -31,6 +32,7 @@ pub mod observe;
 mod output;
 pub mod paper;
 mod prices;
+mod quartiles;
 mod rollout;
 mod row;
 pub mod scene;

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8};
 
-use crate::Scalar;
+use crate::{DoubleDouble, Scalar};
 
 /// A running sum of energies, J.
 pub trait Accumulator<T: Scalar>: Copy + Debug {
@@ -130,9 +130,10 @@ macro_rules! widen {
     )+};
 }
 
-widen!(f32 => f64, AutoF32x4 => AutoF64x4, AutoF32x8 => AutoF64x8);
+widen!(f32 => f64, AutoF32x4 => AutoF64x4, AutoF32x8 => AutoF64x8, f64 => DoubleDouble);
 
-/// One number wider than the port's: an `f64` sum under an `f32` port costs little and is as good as `f64`.
+/// One number wider than the port's: an `f64` sum under an `f32` port costs little and is as good as `f64`; under an
+/// `f64` port the sum is a [`DoubleDouble`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wide<T: Widen> {
     sum: Plain<T::Wide>,

@@ -39,6 +39,8 @@ macro_rules! lanes {
         impl Scalar for $lanes {
             type Mask = $mask;
 
+            type Real = f64;
+
             const LANES: usize = $count;
 
             #[inline]
@@ -54,6 +56,16 @@ macro_rules! lanes {
             #[inline]
             fn lane(self, index: usize) -> f64 {
                 if index < $count { self.extract(index).into() } else { f64::NAN }
+            }
+
+            #[inline]
+            fn from_reals(value: impl FnMut(usize) -> f64) -> Self {
+                Self::from_lanes(value)
+            }
+
+            #[inline]
+            fn real(self, index: usize) -> f64 {
+                self.lane(index)
             }
 
             #[inline]

@@ -5,7 +5,7 @@
 //! with the next effort. In between a [`Stabilizer`] watches an [`Observer`]: the sum of what a
 //! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. An [`Integrator`] follows the [`Dynamics`] of a plant through
 //! its period. Everything is generic over the [`Scalar`] (`f32`,
-//! `f64`, [`lanes`] of either) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
+//! `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
 //! an allocator, and does not panic. [`laws`] checks parts of one's own.
 //!
 //! Only impedance causality is here: motion in, effort out. The names leave room for the other: what is said of
@@ -18,6 +18,7 @@ mod accumulator;
 mod action;
 mod candidate;
 mod dissipation;
+mod double_double;
 mod drive;
 mod dynamics;
 mod integrator;
@@ -36,6 +37,7 @@ pub use accumulator::{Accumulator, Compensated, Plain, Wide, Widen};
 pub use action::Action;
 pub use candidate::{LyapunovCandidate, PortEnergy, Storage};
 pub use dissipation::{Always, Beyond, Dissipation, Gate};
+pub use double_double::DoubleDouble;
 pub use drive::Drive;
 pub use dynamics::{Dynamics, State};
 pub use integrator::Integrator;

@@ -32,12 +32,14 @@ pub trait Mask:
     }
 }
 
-/// The arithmetic a step may use, alike for `f32`, `f64` and lanes of either.
+/// The arithmetic a step may use, alike for `f32`, `f64`, lanes of either, and
+/// [`DoubleDouble`](crate::DoubleDouble).
 ///
-/// Everything reachable here is a correctly rounded IEEE 754 operation, a comparison or a choice, so a
+/// Everything reachable here is made of correctly rounded IEEE 754 operations, comparisons and choices, so a
 /// lane equals the scalar run bit for bit. Fused multiply-add, the library minimum and maximum and
 /// transcendental functions are left out because they do not: they belong to construction, which works
-/// lane by lane in `f64` through [`lane`](Self::lane) and [`from_lanes`](Self::from_lanes).
+/// lane by lane in `f64` through [`lane`](Self::lane) and [`from_lanes`](Self::from_lanes), or where arithmetic is
+/// enough, in the scalar's [`Real`](Self::Real).
 ///
 /// ```
 /// use lyapunov_core::Scalar;
@@ -59,6 +61,9 @@ pub trait Scalar:
     /// What comparing two of these gives.
     type Mask: Mask;
 
+    /// One value as construction computes with it: an `f64`, or the scalar itself where that has more digits.
+    type Real: Scalar<Mask = bool, Real = Self::Real>;
+
     /// How many values travel together.
     const LANES: usize;
 
@@ -73,6 +78,12 @@ pub trait Scalar:
 
     /// Lane `index` as an `f64`; lanes past the last one are NaN.
     fn lane(self, index: usize) -> f64;
+
+    /// The scalar whose lane `i` is `value(i)`, rounded to the element type.
+    fn from_reals(value: impl FnMut(usize) -> Self::Real) -> Self;
+
+    /// Lane `index` with all its digits; lanes past the last one are NaN.
+    fn real(self, index: usize) -> Self::Real;
 
     /// The smallest positive normal number: the least `v² T` that a stabilizer divides by.
     fn tiny() -> Self;
@@ -152,11 +163,23 @@ macro_rules! real {
         impl Scalar for $real {
             type Mask = bool;
 
+            type Real = f64;
+
             const LANES: usize = 1;
 
             #[inline]
             fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
                 value(0) as $real
+            }
+
+            #[inline]
+            fn from_reals(value: impl FnMut(usize) -> f64) -> Self {
+                Self::from_lanes(value)
+            }
+
+            #[inline]
+            fn real(self, index: usize) -> f64 {
+                self.lane(index)
             }
 
             #[inline]

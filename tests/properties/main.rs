@@ -10,6 +10,7 @@ mod balance;
 mod courses;
 mod detection;
 mod device_damping;
+mod double_double;
 mod dropout;
 mod environments;
 mod filter_order;

@@ -1,8 +1,12 @@
 //! A whole loop, put together from a scene.
 
-use lyapunov::{Adapt, Drive, Fallback, LyapunovCandidate, OnePort, ParameterError, Plant, Signal};
+use lyapunov::{
+    Adapt, CoupledOscillators, Drive, Fallback, Integrator, LyapunovCandidate, OnePort, Oscillator,
+    ParameterError, Plant, Signal,
+};
 
 use super::environment::{Render, of};
+use super::plant::stepped;
 use super::port::{Operator, Tap};
 use super::{AnyPlant, AnyStabilizer, Port, Space};
 use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
@@ -53,19 +57,41 @@ impl<V: Space> Assembly<V> {
         seen: Option<&Seen<V>>,
         stabilizer: Option<AnyStabilizer<V>>,
     ) -> Result<Self, ParameterError> {
-        let mut port = V::render(scene, AtServoRate(scene))?;
-        if let Some(seen) = seen {
-            port = port.tapped(&seen.environment);
-        }
-        let port = match stabilizer {
-            None => measured(scene, port)?,
-            Some(stabilizer) => stabilizer.on(port, scene)?,
-        };
-        let port = commanded(scene, seen, port)?;
+        let port = answering(scene, seen, stabilizer)?;
         let unseen = Operator::default();
         let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
         Ok(Self { plant, port })
     }
+
+    /// The loop of `scene`, which has no friction, moved by `integrator` in the place of its own.
+    pub(crate) fn moved_by<I>(scene: &Scene, integrator: I) -> Result<Self, ParameterError>
+    where
+        I: Integrator<V, Oscillator<V::Scalar>>
+            + Integrator<V, CoupledOscillators<V::Scalar>>
+            + Copy
+            + 'static,
+    {
+        let port = answering(scene, None, AnyStabilizer::of(scene)?)?;
+        let plant = stepped(scene, &Operator::default(), integrator, 1)?;
+        Ok(Self { plant, port })
+    }
+}
+
+/// What answers the motion, stabilizer and effects included.
+fn answering<V: Space>(
+    scene: &Scene,
+    seen: Option<&Seen<V>>,
+    stabilizer: Option<AnyStabilizer<V>>,
+) -> Result<Port<V>, ParameterError> {
+    let mut port = V::render(scene, AtServoRate(scene))?;
+    if let Some(seen) = seen {
+        port = port.tapped(&seen.environment);
+    }
+    let port = match stabilizer {
+        None => measured(scene, port)?,
+        Some(stabilizer) => stabilizer.on(port, scene)?,
+    };
+    commanded(scene, seen, port)
 }
 
 /// What the device touches, as it answers at the servo's rate: in one box with its hold.

@@ -93,7 +93,7 @@ pub(super) fn on_a_line<T: Scalar, R: Render<T>>(
     }
 }
 
-pub(super) fn in_space<T: Scalar + Send, const N: usize, R: Render<SVector<T, N>>>(
+pub(super) fn in_space<T: Scalar + Space, const N: usize, R: Render<SVector<T, N>>>(
     scene: &Scene,
     to: R,
 ) -> Result<R::Made, ParameterError> {

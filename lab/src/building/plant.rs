@@ -165,12 +165,19 @@ pub(super) fn frictionless<V: Space>(
 }
 
 /// The same, moved by `integrator` in `steps` steps to a period.
-fn stepped<V: Space>(
+pub(super) fn stepped<V, I>(
     scene: &Scene,
     seen: &Operator<V>,
-    integrator: AnyIntegrator<V::Scalar>,
+    integrator: I,
     steps: u32,
-) -> Result<AnyPlant<V>, ParameterError> {
+) -> Result<AnyPlant<V>, ParameterError>
+where
+    V: Space,
+    I: Integrator<V, Oscillator<V::Scalar>>
+        + Integrator<V, CoupledOscillators<V::Scalar>>
+        + Copy
+        + 'static,
+{
     let (stiffness, damping) = (scene.operator.stiffness, scene.operator.damping);
     if scene.link.is_some() {
         let parts = <Apart as Kind<V>>::parts(scene, stiffness, damping);

@@ -1,7 +1,9 @@
 //! What stands at the port of a scene: one axis, or several.
 
 use lyapunov::lanes::AutoF64x8;
-use lyapunov::{ParameterError, Scalar, Signal};
+use lyapunov::{
+    Accumulator, Compensated, DoubleDouble, ParameterError, Plain, Scalar, Signal, Wide,
+};
 use nalgebra::SVector;
 
 use super::environment::{self, Render};
@@ -9,8 +11,11 @@ use super::port::Operator;
 use super::{AnyPlant, plant};
 use crate::scene::{Coordinates, Scene};
 
-/// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`), or an `SVector` of two or three.
+/// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an `SVector` of two or three.
 pub trait Space: Signal<Scalar: Send> + Send {
+    /// What a ledger sums in that is to be wider than the port.
+    type Wide: Accumulator<Self::Scalar> + 'static;
+
     /// How many axes there are.
     const DIMENSIONS: usize;
 
@@ -34,8 +39,10 @@ pub trait Space: Signal<Scalar: Send> + Send {
 }
 
 macro_rules! line {
-    ($($scalar:ty),*) => {$(
+    ($($scalar:ty, wide $wide:ty);* $(;)?) => {$(
         impl Space for $scalar {
+            type Wide = $wide;
+
             const DIMENSIONS: usize = 1;
 
             fn at(coordinates: &Coordinates) -> Self {
@@ -60,9 +67,18 @@ macro_rules! line {
     )*};
 }
 
-line!(f32, f64, AutoF64x8);
+line! {
+    f32, wide Wide<f32>;
+    f64, wide Wide<f64>;
+    // There are no lanes that are wider; two numbers have as many digits.
+    AutoF64x8, wide Compensated<AutoF64x8>;
+    // For references: nothing is wider, and nothing needs to be.
+    DoubleDouble, wide Plain<DoubleDouble>;
+}
 
-impl<T: Scalar + Send, const N: usize> Space for SVector<T, N> {
+impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
+    type Wide = T::Wide;
+
     const DIMENSIONS: usize = N;
 
     fn at(coordinates: &Coordinates) -> Self {

@@ -3,14 +3,14 @@
 use std::fmt;
 
 use lyapunov::{
-    Action, DampingLimit, Dissipation, Drive, Lolc, LyapunovCandidate, OnePort, ParameterError,
-    PortEnergy, Signal, Stabilizer,
+    Accumulator, Action, Compensated, DampingLimit, Dissipation, Drive, Held, Lolc,
+    LyapunovCandidate, OnePort, ParameterError, PortEnergy, Signal, Stabilizer,
 };
 
 use super::assembly::measured;
 use super::environment::{Render, of};
 use super::{Port, Space};
-use crate::scene::{self, Candidate, Scene, Work};
+use crate::scene::{self, Candidate, Ledger, Popc, Scene, Work};
 
 /// Any stabilizer, boxed: what a scene file names, or one of one's own.
 pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
@@ -57,33 +57,76 @@ impl<V: Space> AnyStabilizer<V> {
     pub fn named(scene: &Scene, named: scene::Stabilizer) -> Result<Self, ParameterError> {
         let lolc = match named {
             scene::Stabilizer::Popc(popc) => {
-                return Self::watching(scene, PortEnergy, popc.work, popc.damping_cap.get());
+                return Self::watching(scene, PortEnergy, popc.into());
             }
             scene::Stabilizer::Lolc(lolc) => lolc,
         };
-        let (work, cap) = (lolc.work, lolc.damping_cap.get());
+        let booking = lolc.into();
         match lolc.candidate {
-            Candidate::Spring => Self::watching(scene, PortEnergy, work, cap),
+            Candidate::Spring => Self::watching(scene, PortEnergy, booking),
             Candidate::DeviceDamping => {
                 let damper = Dissipation::of(of(scene.device.damping))?;
-                Self::watching(scene, (PortEnergy, damper), work, cap)
+                Self::watching(scene, (PortEnergy, damper), booking)
             }
-            Candidate::MassSpringDamper => V::render(scene, Crediting { scene, work, cap }),
+            Candidate::MassSpringDamper => V::render(scene, Crediting { scene, booking }),
         }
     }
 
     fn watching(
         scene: &Scene,
         candidate: impl LyapunovCandidate<V> + 'static,
-        work: Work,
-        cap: f64,
+        Booking { work, ledger, cap }: Booking,
     ) -> Result<Self, ParameterError> {
         let limit = DampingLimit::of_mass(of(cap), of(scene.mass()), of(scene.period()))?;
-        let lolc = Lolc::new(candidate, limit);
-        Ok(match work {
+        // Only the default ledger is compiled for each candidate; a box costs the others a call.
+        let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
+        Ok(match (work, ledger) {
+            (Work::Held, Ledger::Plain) => Self::new(Lolc::new(candidate, limit)),
+            (Work::Sampled, Ledger::Plain) => Self::new(Lolc::new(candidate, limit).sampled()),
+            (_, Ledger::Compensated) => {
+                Self::booked(boxed(candidate).summed_in::<Compensated<V::Scalar>>(), work)
+            }
+            (_, Ledger::Wide) => Self::booked(boxed(candidate).summed_in::<V::Wide>(), work),
+        })
+    }
+
+    fn booked<A: Accumulator<V::Scalar> + 'static>(
+        lolc: Lolc<V::Scalar, AnyCandidate<V>, Held, A>,
+        work: Work,
+    ) -> Self {
+        match work {
             Work::Held => Self::new(lolc),
             Work::Sampled => Self::new(lolc.sampled()),
-        })
+        }
+    }
+}
+
+/// How a stabilizer of a scene books, and how much it may damp.
+#[derive(Clone, Copy)]
+struct Booking {
+    work: Work,
+    ledger: Ledger,
+    cap: f64,
+}
+
+impl From<Popc> for Booking {
+    fn from(Popc { work, ledger, damping_cap }: Popc) -> Self {
+        Self { work, ledger, cap: damping_cap.get() }
+    }
+}
+
+impl From<scene::Lolc> for Booking {
+    fn from(lolc: scene::Lolc) -> Self {
+        Self { work: lolc.work, ledger: lolc.ledger, cap: lolc.damping_cap.get() }
+    }
+}
+
+/// Any candidate, boxed.
+struct AnyCandidate<V: Signal>(Box<dyn LyapunovCandidate<V>>);
+
+impl<V: Signal> LyapunovCandidate<V> for AnyCandidate<V> {
+    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+        self.0.decrease(drive)
     }
 }
 
@@ -102,8 +145,7 @@ impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
 /// LOLC with the credit of the scene's own environment.
 struct Crediting<'a> {
     scene: &'a Scene,
-    work: Work,
-    cap: f64,
+    booking: Booking,
 }
 
 impl<V: Space> Render<V> for Crediting<'_> {
@@ -114,7 +156,7 @@ impl<V: Space> Render<V> for Crediting<'_> {
         _environment: impl OnePort<V> + 'static,
         credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Self::Made, ParameterError> {
-        AnyStabilizer::watching(self.scene, (PortEnergy, credit), self.work, self.cap)
+        AnyStabilizer::watching(self.scene, (PortEnergy, credit), self.booking)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::geometry::{Place, Rect};
 use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, FRAME, GRID, INK, Stroke};
+use super::scale::Scale;
 use super::span::Span;
 use super::text::{self, Weight};
 use super::ticks::Ticks;
@@ -46,10 +47,10 @@ pub(super) struct Numbers {
 }
 
 /// Numbers of the abscissa, as many as stand apart from each other.
-pub(super) fn x_ticks(span: Span, width: f64, size: f64) -> Ticks {
+pub(super) fn x_ticks(span: Span, scale: Scale, width: f64, size: f64) -> Ticks {
     let mut count = ((width / (5.0 * size)) as usize).clamp(2, 12);
     loop {
-        let mut ticks = Ticks::within(span, count);
+        let mut ticks = Ticks::of(span, scale, count);
         if stand_apart(&ticks, span, width, size) {
             return ticks;
         }
@@ -62,8 +63,8 @@ pub(super) fn x_ticks(span: Span, width: f64, size: f64) -> Ticks {
 }
 
 /// Numbers of the ordinate, as many as stand apart from each other.
-pub(super) fn y_ticks(span: Span, height: f64, size: f64) -> Ticks {
-    Ticks::within(span, ((height / (2.1 * size)) as usize).clamp(2, 12))
+pub(super) fn y_ticks(span: Span, scale: Scale, height: f64, size: f64) -> Ticks {
+    Ticks::of(span, scale, ((height / (2.1 * size)) as usize).clamp(2, 12))
 }
 
 fn stand_apart(ticks: &Ticks, span: Span, width: f64, size: f64) -> bool {
@@ -157,7 +158,7 @@ mod tests {
         {
             let span = Span { low, high };
             for width in [20.0, 60.0, 150.0, 700.0] {
-                let ticks = x_ticks(span, width, 11.0);
+                let ticks = x_ticks(span, Scale::Plain, width, 11.0);
                 assert!(!ticks.marks.is_empty());
                 assert!(stand_apart(&ticks, span, width, 11.0), "{low} {high} {width}");
             }

@@ -8,6 +8,7 @@ use super::markup::Markup;
 use super::palette::{PAPER, Stroke};
 use super::panel::Panel;
 use super::reference;
+use super::scale::Scale;
 use super::span::Span;
 
 const SIZE: f64 = 9.5;
@@ -77,14 +78,14 @@ fn inside(panel: &Panel, whole: &Axes, x: Span, y: Span) -> (Magnifier, usize) {
 fn within(outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> Magnifier {
     let (above, below, right) = (7.0, SIZE + 8.0, 12.0);
     let height = (outer.height - above - below).max(10.0);
-    let y_ticks = axes::y_ticks(y, height, SIZE);
+    let y_ticks = axes::y_ticks(y, Scale::Plain, height, SIZE);
     let left = axes::widest(&y_ticks, SIZE) + 11.0;
     let width = (outer.width - left - right).max(10.0);
     let area = Rect::new(outer.left + left, outer.top + above, width, height);
     Magnifier {
         axes: Axes { area, x, y },
         numbers: Numbers {
-            x: axes::x_ticks(x, width, SIZE),
+            x: axes::x_ticks(x, Scale::Plain, width, SIZE),
             y: y_ticks,
             size: SIZE,
             side: Side::Left,
@@ -98,7 +99,7 @@ fn within(outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> Magnifier {
 /// The panel made narrower, and the magnified part to its right.
 fn beside(whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
     const GAP: f64 = 40.0;
-    let y_ticks = axes::y_ticks(y, whole.area.height, SIZE);
+    let y_ticks = axes::y_ticks(y, Scale::Plain, whole.area.height, SIZE);
     let numbers_width = axes::widest(&y_ticks, SIZE) + 8.0;
     let room = (whole.area.width - GAP - numbers_width).max(40.0);
     let main = Axes { area: Rect { width: 0.6 * room, ..whole.area }, ..*whole };
@@ -106,7 +107,7 @@ fn beside(whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
     let magnifier = Magnifier {
         axes: Axes { area, x, y },
         numbers: Numbers {
-            x: axes::x_ticks(x, area.width, SIZE),
+            x: axes::x_ticks(x, Scale::Plain, area.width, SIZE),
             y: y_ticks,
             size: SIZE,
             side: Side::Right,

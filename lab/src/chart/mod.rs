@@ -39,6 +39,7 @@ mod palette;
 mod panel;
 mod raster;
 mod reference;
+mod scale;
 mod series;
 mod span;
 #[cfg(test)]
@@ -54,4 +55,5 @@ pub use inset::{Inset, Placement};
 pub use palette::PALETTE;
 pub use panel::Panel;
 pub use raster::MOST_PIXELS;
+pub use scale::Scale;
 pub use series::{Series, Trace};

@@ -164,7 +164,7 @@ impl<'a> Cell<'a> {
     fn of(panel: &'a Panel, frame_height: f64) -> Self {
         let x = panel.x_span();
         let y = panel.y_span(x);
-        let y_ticks = axes::y_ticks(y, frame_height, NUMBER_SIZE);
+        let y_ticks = axes::y_ticks(y, panel.scale, frame_height, NUMBER_SIZE);
         let label = if panel.y_label.trim().is_empty() { 0.0 } else { LABEL_SIZE + 7.0 };
         let numbers = axes::widest(&y_ticks, NUMBER_SIZE) + 8.0;
         let note = text::width(&y_ticks.note, NUMBER_SIZE, Weight::Regular) + 10.0;
@@ -183,7 +183,7 @@ impl<'a> Cell<'a> {
 
     fn room_below(&self) -> f64 {
         // The finest numbers are the likeliest to need a factor beside the label.
-        let has_note = !Ticks::within(self.x, 12).note.is_empty();
+        let has_note = !Ticks::of(self.x, self.panel.scale, 12).note.is_empty();
         let has_label = has_note || !self.panel.x_label.trim().is_empty();
         let label = if has_label { LABEL_SIZE + 6.0 } else { 0.0 };
         NUMBER_SIZE + 8.0 + label
@@ -193,7 +193,7 @@ impl<'a> Cell<'a> {
         let whole = Axes { area, x: self.x, y: self.y };
         let (main, magnifier) = magnifier::arrange(self.panel, whole);
         let numbers = Numbers {
-            x: axes::x_ticks(self.x, main.area.width, NUMBER_SIZE),
+            x: axes::x_ticks(self.x, self.panel.scale, main.area.width, NUMBER_SIZE),
             y: self.y_ticks.clone(),
             size: NUMBER_SIZE,
             side: Side::Left,

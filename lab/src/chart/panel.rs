@@ -2,6 +2,7 @@
 
 use super::guide::{Direction, Guide};
 use super::inset::Inset;
+use super::scale::Scale;
 use super::series::{Series, Trace};
 use super::span::Span;
 
@@ -18,6 +19,8 @@ pub struct Panel {
     pub x_range: Option<(f64, f64)>,
     /// Range of the ordinate; by default what series and guides cover, with a little room.
     pub y_range: Option<(f64, f64)>,
+    /// What the numbers along both axes say.
+    pub scale: Scale,
     /// Curves, the first one lowest.
     pub series: Vec<Series>,
     /// Reference lines.
@@ -59,6 +62,13 @@ impl Panel {
     #[must_use]
     pub fn with_inset(mut self, inset: Inset) -> Self {
         self.inset = Some(inset);
+        self
+    }
+
+    /// The same panel with other numbers along both axes.
+    #[must_use]
+    pub fn with_scale(mut self, scale: Scale) -> Self {
+        self.scale = scale;
         self
     }
 

@@ -1,5 +1,6 @@
 //! What the command line offers, and how its commands end.
 
+mod accuracy;
 mod compare;
 mod effects;
 mod folder;
@@ -36,6 +37,7 @@ pub(crate) enum Command {
     Paper(paper::Paper),
     Observe(observe::Observe),
     Effects(effects::Effects),
+    Accuracy(accuracy::Accuracy),
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
 }
@@ -48,6 +50,7 @@ impl Command {
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
             Self::Effects(effects) => effects.run(),
+            Self::Accuracy(accuracy) => accuracy.run(),
             Self::Scenes(scenes) => scenes.run(),
             Self::Schema(schema) => schema.run(),
         };

@@ -4,7 +4,7 @@ use std::fmt;
 
 use lyapunov::{Action, Drive, ParameterError, Stabilizer};
 
-use crate::scene::{self, Candidate, Cap, Lolc, Popc, Scene, Work};
+use crate::scene::{self, Candidate, Cap, Ledger, Lolc, Popc, Scene, Work};
 use crate::{AnyStabilizer, Space};
 
 /// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
@@ -51,14 +51,15 @@ impl<V: Space> Contestants<V> {
     pub fn standard() -> Self {
         let lolc = |candidate| {
             move |set: Settings| {
-                let Settings { work, damping_cap, .. } = set;
-                scene::Stabilizer::Lolc(Lolc { work, candidate, damping_cap })
+                let Settings { work, ledger, damping_cap, .. } = set;
+                scene::Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })
             }
         };
         Self::nobody()
             .with("none", |_| Ok(Nothing))
             .named("POPC", |set| {
-                scene::Stabilizer::Popc(Popc { work: set.work, damping_cap: set.damping_cap })
+                let Settings { work, ledger, damping_cap, .. } = set;
+                scene::Stabilizer::Popc(Popc { work, ledger, damping_cap })
             })
             .named("LOLC spring", lolc(Candidate::Spring))
             .named("LOLC device-damping", lolc(Candidate::DeviceDamping))
@@ -121,6 +122,8 @@ impl<V: Space> fmt::Debug for Contestant<V> {
 pub struct Settings {
     /// The work they book.
     pub work: Work,
+    /// What they sum energies in.
+    pub ledger: Ledger,
     /// The limit of their damping, of m / T.
     pub damping_cap: Cap,
     /// Whether the scene says so; else these are the defaults.
@@ -130,12 +133,12 @@ pub struct Settings {
 impl Settings {
     /// Those of the stabilizer that `scene` names, whichever it is, or the defaults.
     pub fn of(scene: &Scene) -> Self {
-        let (work, damping_cap) = match scene.stabilizer {
-            None => (Work::default(), Cap::default()),
-            Some(scene::Stabilizer::Popc(popc)) => (popc.work, popc.damping_cap),
-            Some(scene::Stabilizer::Lolc(lolc)) => (lolc.work, lolc.damping_cap),
+        let (work, ledger, damping_cap) = match scene.stabilizer {
+            None => (Work::default(), Ledger::default(), Cap::default()),
+            Some(scene::Stabilizer::Popc(popc)) => (popc.work, popc.ledger, popc.damping_cap),
+            Some(scene::Stabilizer::Lolc(lolc)) => (lolc.work, lolc.ledger, lolc.damping_cap),
         };
-        Self { work, damping_cap, from_scene: scene.stabilizer.is_some() }
+        Self { work, ledger, damping_cap, from_scene: scene.stabilizer.is_some() }
     }
 
     /// The kind of work in one word.

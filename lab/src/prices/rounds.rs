@@ -9,6 +9,7 @@ use nalgebra::SVector;
 
 use super::calls::Call;
 use super::{Difference, PricesError};
+use crate::quartiles::quartiles;
 use crate::{Assembly, Scene, Space};
 
 /// Rounds over all loops.
@@ -89,11 +90,6 @@ impl Times {
         let [_, ratio, _] = quartiles(rounds().map(|(b, a)| a / b).collect());
         Difference { ns_per_step: median, spread_ns: upper - lower, ratio }
     }
-}
-
-fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
-    values.sort_by(f64::total_cmp);
-    [1, 2, 3].map(|quarter| values[quarter * (values.len() - 1) / 4])
 }
 
 #[cfg(test)]

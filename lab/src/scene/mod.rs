@@ -76,7 +76,7 @@ pub use quantity::{
     StepsPerTick, WindowTicks,
 };
 pub use schema::{schema, schema_text};
-pub use stabilizer::{Candidate, Lolc, Popc, Stabilizer, Work};
+pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;
 
 use std::path::Path;

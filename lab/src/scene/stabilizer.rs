@@ -23,6 +23,8 @@ pub struct Lolc {
     pub work: Work,
     /// What is credited beyond the port's work; default: the paper's mass-spring-damper.
     pub candidate: Candidate,
+    /// What the energies are summed in; default: plain.
+    pub ledger: Ledger,
     /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5. A limit of 0 only
     /// observes.
     pub damping_cap: Cap,
@@ -34,6 +36,8 @@ pub struct Lolc {
 pub struct Popc {
     /// How the port's work is booked; default: held.
     pub work: Work,
+    /// What the energies are summed in; default: plain.
+    pub ledger: Ledger,
     /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5. A limit of 0 only
     /// observes.
     pub damping_cap: Cap,
@@ -48,6 +52,19 @@ pub enum Work {
     Held,
     /// (f_env(n) v(n) + alpha(n-1) v(n-1)²) T: the paper's step 4.
     Sampled,
+}
+
+/// What the observer's energies are summed in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ledger {
+    /// One number of the loop's own scalar.
+    #[default]
+    Plain,
+    /// Two of them: the sum and the rounding error it has made.
+    Compensated,
+    /// One that is wider: f64 where the loop is in f32, double-double where it is in f64.
+    Wide,
 }
 
 /// What a Lyapunov observer credits beyond the port's work.

@@ -9,7 +9,7 @@ use crate::described::{self, Described};
 use crate::equilibrium::{equilibrium, never_rests, swing};
 use crate::row::FURTHER;
 use crate::scene::{
-    Candidate, Cap, Environment, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
+    Candidate, Cap, Environment, Ledger, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
 };
 
 /// Settled means within this share of the starting swing about the equilibrium.
@@ -209,16 +209,16 @@ impl Summary {
         write_list("operator", &described::operator(scene), f)?;
         match scene.stabilizer {
             None => f.write_str("\n  stabilizer   none")?,
-            Some(Stabilizer::Popc(Popc { work, damping_cap })) => {
-                write!(f, "\n  stabilizer   POPC: {}", Booking(work, damping_cap))?;
+            Some(Stabilizer::Popc(Popc { work, ledger, damping_cap })) => {
+                write!(f, "\n  stabilizer   POPC: {}", Booking(work, ledger, damping_cap))?;
             }
-            Some(Stabilizer::Lolc(Lolc { work, candidate, damping_cap })) => {
+            Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })) => {
                 let candidate = match candidate {
                     Candidate::MassSpringDamper => "mass-spring-damper",
                     Candidate::DeviceDamping => "device-damping",
                     Candidate::Spring => "spring",
                 };
-                let booking = Booking(work, damping_cap);
+                let booking = Booking(work, ledger, damping_cap);
                 write!(f, "\n  stabilizer   LOLC: {candidate}, {booking}")?;
             }
         }
@@ -301,16 +301,21 @@ fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt:
 }
 
 /// How a stabilizer books work, and how much it may inject.
-struct Booking(Work, Cap);
+struct Booking(Work, Ledger, Cap);
 
 impl fmt::Display for Booking {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let work = if self.0 == Work::Held { "held" } else { "sampled" };
-        let cap = self.1.get();
+        let ledger = match self.1 {
+            Ledger::Plain => "",
+            Ledger::Compensated => ", compensated ledger",
+            Ledger::Wide => ", wide ledger",
+        };
+        let cap = self.2.get();
         if cap.is_infinite() {
-            write!(f, "{work} work, no damping cap")
+            write!(f, "{work} work{ledger}, no damping cap")
         } else {
-            write!(f, "{work} work, damping cap {} m / T", given(cap))
+            write!(f, "{work} work{ledger}, damping cap {} m / T", given(cap))
         }
     }
 }

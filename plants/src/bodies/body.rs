@@ -90,9 +90,10 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
 /// What position and velocity gain over `interval` per unit of deflection, velocity and effort; nothing is checked.
 pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
     let [position, velocity, _] = by_rows(|lane| {
-        let (m, t) = (parts.mass.lane(lane), interval.lane(lane));
-        let (b, k) = (parts.damping.lane(lane), parts.stiffness.lane(lane));
-        held_input(Matrix3::new(0.0, 1.0, 0.0, -k / m, -b / m, -1.0 / m, 0.0, 0.0, 0.0) * t)
+        let (m, t) = (parts.mass.real(lane), interval.real(lane));
+        let (b, k) = (parts.damping.real(lane), parts.stiffness.real(lane));
+        let (none, one) = (T::Real::of(0.0), T::Real::of(1.0));
+        held_input(Matrix3::new(none, one, none, -k / m, -b / m, -one / m, none, none, none) * t)
     });
     [position, velocity]
 }

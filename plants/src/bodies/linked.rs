@@ -83,16 +83,19 @@ fn maps<T: Scalar>(parts: TwoMass<T>, interval: T) -> Result<Maps<T>, ParameterE
 pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMass<T>, interval: T) -> [[T; 5]; 4] {
     let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
         let (device, centre) = views(parts, lane);
-        device * held_input(equations(parts, lane) * interval.lane(lane)) * centre
+        device * held_input(equations(parts, lane) * interval.real(lane)) * centre
     });
     [position, stretch, velocity, stretching]
 }
 
+/// A linear map of centre, stretch, their velocities and the held effort.
+type Map<R> = SMatrix<R, 5, 5>;
+
 /// From centre to device, and from device to centre: `x_d = X − m_o s / M`, alike for the velocities.
-fn views<T: Scalar>(parts: TwoMass<T>, lane: usize) -> (SMatrix<f64, 5, 5>, SMatrix<f64, 5, 5>) {
-    let (operator, device) = (parts.operator.mass.lane(lane), parts.device.mass.lane(lane));
+fn views<T: Scalar>(parts: TwoMass<T>, lane: usize) -> (Map<T::Real>, Map<T::Real>) {
+    let (operator, device) = (parts.operator.mass.real(lane), parts.device.mass.real(lane));
     let share = operator / (operator + device);
-    let view = |share: f64| {
+    let view = |share: T::Real| {
         let mut view = SMatrix::identity();
         (view[(0, 1)], view[(2, 3)]) = (share, share);
         view
@@ -101,8 +104,8 @@ fn views<T: Scalar>(parts: TwoMass<T>, lane: usize) -> (SMatrix<f64, 5, 5>, SMat
 }
 
 /// The time derivatives of centre, stretch, their velocities and the held effort, by the same.
-fn equations<T: Scalar>(parts: TwoMass<T>, lane: usize) -> SMatrix<f64, 5, 5> {
-    let of = |value: T| value.lane(lane);
+fn equations<T: Scalar>(parts: TwoMass<T>, lane: usize) -> Map<T::Real> {
+    let of = |value: T| value.real(lane);
     let (operator, device, link) = (parts.operator, parts.device, parts.link);
     let (mo, bo, k) = (of(operator.mass), of(operator.damping), of(operator.stiffness));
     let (md, bd) = (of(device.mass), of(device.damping));
@@ -113,12 +116,13 @@ fn equations<T: Scalar>(parts: TwoMass<T>, lane: usize) -> SMatrix<f64, 5, 5> {
     let spring = pulled / mo + kl / mo + kl / md;
     let damper = bo * to_operator / mo + bd * to_device / md + bl / mo + bl / md;
     let skew = bd * to_device - bo * to_operator;
+    let (none, one) = (T::Real::of(0.0), T::Real::of(1.0));
     let rows = [
-        [0.0, 0.0, 1.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 1.0, 0.0],
-        [-k / both, -pulled / both, -(bo + bd) / both, skew / both, -1.0 / both],
-        [-k / mo, -spring, bd / md - bo / mo, -damper, 1.0 / md],
-        [0.0; 5],
+        [none, none, one, none, none],
+        [none, none, none, one, none],
+        [-k / both, -pulled / both, -(bo + bd) / both, skew / both, -one / both],
+        [-k / mo, -spring, bd / md - bo / mo, -damper, one / md],
+        [none; 5],
     ];
     SMatrix::from_row_slice(rows.as_flattened())
 }

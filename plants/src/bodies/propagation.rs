@@ -7,37 +7,53 @@ use nalgebra::SMatrix;
 ///
 /// For `ẋ = M x + N u` with `u` held over `T`, the first rows of `exp([M N; 0 0] T) − I` are the increment
 /// form `x += (Φ − I) x + Γ u` of the exact solution. Each entry is accurate to a few units in the last place
-/// of the terms it is summed from, which is what keeps an `f32` body from gaining energy by rounding.
+/// of the terms it is summed from, which is what keeps an `f32` body from gaining energy by rounding. The entries are of the
+/// kind that construction computes in ([`Scalar::Real`]).
 ///
 /// A Taylor polynomial of a halved matrix, then doubled by `E ← 2 E + E²` (scaling and squaring; Higham,
 /// Functions of Matrices, 2008, chapter 10). An `A` that is not finite gives what is not finite.
-pub fn held_input<const N: usize>(matrix: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
-    const DEGREE: usize = 20; // 0.5^20 / 20! is far below one rounding
+pub fn held_input<R: Scalar<Mask = bool>, const N: usize>(
+    matrix: SMatrix<R, N, N>,
+) -> SMatrix<R, N, N> {
+    let half = R::of(0.5);
     let mut scaled = matrix;
     let mut halvings = 0;
-    while size(&scaled) > 0.5 && size(&scaled) < f64::INFINITY {
-        scaled *= 0.5;
+    while size(&scaled).above(half) && size(&scaled).finite() {
+        scaled *= half;
         halvings += 1;
     }
     let mut polynomial = SMatrix::identity();
-    for degree in (2..=DEGREE).rev() {
-        polynomial = SMatrix::identity() + scaled * polynomial / degree as f64;
+    for degree in (2..=degree::<R>()).rev() {
+        let share = R::of(degree.into());
+        polynomial = SMatrix::identity() + (scaled * polynomial).map(|entry| entry / share);
     }
     let mut increment = scaled * polynomial;
     for _ in 0..halvings {
-        increment = increment * 2.0 + increment * increment;
+        increment = increment * R::of(2.0) + increment * increment;
     }
     increment
 }
 
+/// The first degree `n` whose term, at most `0.5ⁿ / n!`, is far below one rounding.
+fn degree<R: Scalar<Mask = bool>>() -> u8 {
+    let far_below = R::epsilon() * R::of(4e-9);
+    let (mut degree, mut term) = (1, R::of(0.5));
+    while term.above(far_below) {
+        degree += 1;
+        term *= R::of(0.5) / R::of(degree.into());
+    }
+    degree
+}
+
 /// The largest sum of magnitudes in a row.
-fn size<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
-    matrix.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
+fn size<R: Scalar<Mask = bool>, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
+    let of_row = |row: usize| (0..N).fold(R::zero(), |sum, at| sum + matrix[(row, at)].magnitude());
+    (0..N).map(of_row).fold(R::zero(), |largest, row| row.larger(largest))
 }
 
 /// Each lane's matrix, by rows, rounded to the scalar.
 pub(super) fn by_rows<T: Scalar, const N: usize>(
-    matrix: impl Fn(usize) -> SMatrix<f64, N, N>,
+    matrix: impl Fn(usize) -> SMatrix<T::Real, N, N>,
 ) -> [[T; N]; N] {
     let mut rows = [[T::zero(); N]; N];
     for lane in 0..T::LANES {
@@ -45,12 +61,8 @@ pub(super) fn by_rows<T: Scalar, const N: usize>(
         for (row, entries) in rows.iter_mut().enumerate() {
             for (column, entry) in entries.iter_mut().enumerate() {
                 let others = *entry;
-                *entry =
-                    T::from_lanes(
-                        |at| {
-                            if at == lane { matrix[(row, column)] } else { others.lane(at) }
-                        },
-                    );
+                let here = |at| if at == lane { matrix[(row, column)] } else { others.real(at) };
+                *entry = T::from_reals(here);
             }
         }
     }

@@ -47,6 +47,7 @@ fn the_full_example_gives_every_value() {
         stabilizer: Some(Stabilizer::Lolc(Lolc {
             work: Work::Held,
             candidate: Candidate::MassSpringDamper,
+            ledger: Ledger::Plain,
             damping_cap: Cap::new(0.5).unwrap(),
         })),
         effects: Effects {
@@ -95,9 +96,11 @@ fn an_empty_stabilizer_table_takes_its_defaults() {
     let lolc = Lolc {
         work: Work::Held,
         candidate: Candidate::MassSpringDamper,
+        ledger: Ledger::Plain,
         damping_cap: Cap::new(0.5).unwrap(),
     };
-    let popc = Popc { work: Work::Held, damping_cap: Cap::new(0.5).unwrap() };
+    let popc =
+        Popc { work: Work::Held, ledger: Ledger::Plain, damping_cap: Cap::new(0.5).unwrap() };
     let stabilizer = |more| scene(&smallest_and(more)).stabilizer;
     assert_eq!(stabilizer("[stabilizer.lolc]"), Some(Stabilizer::Lolc(lolc)));
     assert_eq!(stabilizer("[stabilizer.popc]"), Some(Stabilizer::Popc(popc)));
@@ -115,6 +118,11 @@ fn every_word_is_known() {
     let candidate = |word| lolc("\"mass-spring-damper\"", word).candidate;
     assert_eq!(candidate("\"device-damping\""), Candidate::DeviceDamping);
     assert_eq!(candidate("\"spring\""), Candidate::Spring);
+    let work = "work = \"held\"";
+    let ledger = |word| lolc(work, &format!("{work}\nledger = {word}")).ledger;
+    assert_eq!(ledger("\"plain\""), Ledger::Plain);
+    assert_eq!(ledger("\"compensated\""), Ledger::Compensated);
+    assert_eq!(ledger("\"wide\""), Ledger::Wide);
 }
 
 #[test]

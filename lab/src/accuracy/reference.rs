@@ -1,0 +1,102 @@
+//! What errors are counted from.
+
+use lyapunov::{DoubleDouble, ParameterError, Scalar};
+
+use super::AccuracyError;
+use super::extrapolation::Extrapolation;
+use super::progress::Progress;
+use super::trace::trace;
+use crate::scene::{Environment, Integrator};
+use crate::{Assembly, Scene};
+
+/// How many times as far as the two references are apart an error must be to be known.
+pub(super) const SURE: f64 = 100.0;
+
+/// The second reference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Second {
+    /// Extrapolation, in double-double as the first.
+    Extrapolation,
+    /// The exact map in `f64`: part of the scene is worked out in `f64` whatever the scalar.
+    Double,
+}
+
+/// Two computations of one scene, of different make.
+#[derive(Debug)]
+pub(super) struct References {
+    /// The exact map in double-double: position and velocity at every tick.
+    pub(super) first: Vec<[DoubleDouble; 2]>,
+    pub(super) second: Second,
+    /// How far the second is off at every tick, m.
+    distances: Vec<f64>,
+}
+
+impl References {
+    pub(super) fn of(
+        scene: &Scene,
+        ticks: usize,
+        progress: Progress<'_>,
+    ) -> Result<Self, AccuracyError> {
+        let scene = exact(scene);
+        let first = trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress.part(0.0, 0.3))?;
+        let (second, progress) = (Second::on(&scene), progress.part(0.3, 1.0));
+        let other = match second {
+            Second::Extrapolation => {
+                trace::<DoubleDouble>(Assembly::moved_by(&scene, Extrapolation)?, ticks, progress)?
+            }
+            Second::Double => {
+                let run = trace::<f64>(Assembly::of(&scene)?, ticks, progress)?;
+                run.into_iter().map(|state| state.map(DoubleDouble::of)).collect()
+            }
+        };
+        let apart = |(one, other): (&[DoubleDouble; 2], &[DoubleDouble; 2])| off(one[0], other[0]);
+        let distances: Vec<f64> = first.iter().zip(&other).map(apart).collect();
+        let first = first[..distances.len()].to_vec();
+        Ok(Self { first, second, distances })
+    }
+
+    /// How far the second reference is off within `ticks`, m.
+    pub(super) fn distance(&self, ticks: usize) -> f64 {
+        self.distances[..ticks.min(self.distances.len())].iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The ticks over which the references are within `distance` m of each other.
+    pub(super) fn agree_within(&self, distance: f64) -> usize {
+        let parted = self.distances.iter().position(|&apart| apart > distance);
+        parted.unwrap_or(self.distances.len())
+    }
+
+    /// How far from where it starts the motion leads, m.
+    pub(super) fn reach(&self) -> f64 {
+        let start = self.first.first().map_or(DoubleDouble::of(0.0), |state| state[0]);
+        self.first.iter().map(|state| off(state[0], start)).fold(0.0, f64::max)
+    }
+}
+
+impl Second {
+    /// The one for `scene`. Friction's course and the power of Hunt and Crossley's law are worked out in `f64`, with
+    /// whatever the loop computes.
+    fn on(scene: &Scene) -> Self {
+        let has_power = matches!(scene.environment, Environment::HuntCrossley(_));
+        match scene.effects.friction.is_some() || has_power {
+            true => Self::Double,
+            false => Self::Extrapolation,
+        }
+    }
+}
+
+/// The magnitude of a difference, m.
+pub(super) fn off(one: DoubleDouble, other: DoubleDouble) -> f64 {
+    (one - other).magnitude().high()
+}
+
+/// `scene` with exact motion.
+pub(super) fn exact(scene: &Scene) -> Scene {
+    Scene { integrator: Integrator::Exact, ..scene.clone() }
+}
+
+impl From<ParameterError> for AccuracyError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}

@@ -1,0 +1,1 @@
+//! The study against figures that are known.
