@@ -89,7 +89,11 @@ impl Row {
     /// The error in a word.
     pub(super) fn error(&self) -> String {
         let sign = if self.is_known { "" } else { "~" };
-        self.max_error.map_or("out of range".to_owned(), |error| format!("{sign}{error:.1e} m"))
+        match self.max_error {
+            None => "out of range".to_owned(),
+            Some(0.0) => format!("{sign}0 m"),
+            Some(error) => format!("{sign}{error:.1e} m"),
+        }
     }
 }
 
@@ -106,10 +110,10 @@ impl Study {
             basis.second.name(),
             basis.distance
         )];
-        if basis.second == Second::Double {
+        if basis.second != Second::Extrapolation {
             all.push(
-                "Part of this scene (friction, or a power of the depth) is worked out in f64 in any case, so the error of \
-                 f64 itself is known to its size only."
+                "Part of this scene (friction, or a power of the depth) is worked out in f64 in any case: what \
+                 stands behind a ~ is known to its size only."
                     .to_owned(),
             );
         }
@@ -128,15 +132,15 @@ impl Study {
                 seconds(basis.agreeing)
             ));
         } else if let Some(exponent) = basis.growth.exponent {
-            let way = if exponent > 0.0 { "grow" } else { "die away" };
+            let way = if exponent > 0.0 { "grow, with the motion," } else { "die away" };
             all.push(format!(
-                "Small deviations {way} at {:.2} /s, no faster than the motion itself: its largest Lyapunov exponent.",
-                exponent
+                "Small deviations {way}: the largest Lyapunov exponent is {exponent:.2} /s."
             ));
         }
         if self.scene.effects.encoder.is_some() {
             all.push(
-                "The encoder makes whole counts of the smallest difference, so errors jump to the size of a count."
+                "The encoder may make a whole count of the smallest difference: errors are those of a count and of what \
+                 follows from it."
                     .to_owned(),
             );
         }
