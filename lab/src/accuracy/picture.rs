@@ -73,5 +73,5 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (value.min(low), value.max(high))
     });
-    if low > high { (0.0, 1.0) } else { ((low - 0.1).floor(), (high + 0.1).ceil()) }
+    if low > high { (0.0, 1.0) } else { ((low - 0.3).floor(), (high + 0.3).ceil()) }
 }
