@@ -10,7 +10,7 @@ use crate::building::Port;
 use crate::{Assembly, Scene};
 
 /// A deviation that has grown so many times is no longer the method's but the scene's.
-const GROWN: f64 = 1e3;
+pub(super) const GROWN: f64 = 1e5;
 
 /// How many times a deviation must outgrow the motion over the scene for the scene to be chaotic.
 const CHAOTIC: f64 = 1e6;
@@ -31,7 +31,7 @@ pub(super) struct Growth {
     pub(super) exponent: Option<f64>,
     /// Whether the scene is chaotic.
     pub(super) chaotic: bool,
-    /// The first tick at which a deviation of the start has grown a thousandfold.
+    /// The first tick at which a deviation of the start has grown so much that errors say nothing of the method any more.
     pub(super) grown_at: usize,
 }
 

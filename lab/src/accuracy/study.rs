@@ -86,7 +86,7 @@ impl Study {
         let references = References::of(scene, ticks, progress.part(0.0, 0.15))?;
         let growth = Growth::of(scene, &references, progress.part(0.15, 0.25))?;
         let all_ticks = references.first.len();
-        let window = if growth.chaotic { growth.grown_at } else { all_ticks };
+        let window = growth.grown_at;
         let (believed, settings) = (BELIEVED * references.reach(), Setting::all(scene));
         let distance = references.distance(window);
         let mut rows = Vec::new();

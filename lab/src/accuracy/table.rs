@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 
 use super::Study;
+use super::horizon::GROWN;
 use super::ledger::TICKS;
 use super::reference::Second;
 use super::study::Row;
@@ -120,11 +121,15 @@ impl Study {
         if basis.all_ticks < self.scene.ticks() as usize + 1 {
             all.push(format!("The study ends after {} s of the scene.", seconds(basis.all_ticks)));
         }
+        if basis.ticks < basis.all_ticks {
+            all.push(format!(
+                "By then a deviation of the start has grown {GROWN:.0}-fold: what is off later says nothing of the method."
+            ));
+        }
         if let (true, Some(exponent)) = (basis.growth.chaotic, basis.growth.exponent) {
             all.push(format!(
                 "The scene is chaotic: small deviations grow as exp(t / {:.2} s), its largest Lyapunov exponent is {:.2} \
-                 /s. So errors are taken only until a deviation of the start has grown a thousandfold. A trace is \
-                 believed until it is off by {:.1e} m, a hundredth of the motion's reach; the references can tell \
+                 /s. A trace is believed until it is off by {:.1e} m, a hundredth of the motion's reach; the references can tell \
                  up to {} s.",
                 exponent.recip(),
                 exponent,
@@ -132,7 +137,7 @@ impl Study {
                 seconds(basis.agreeing)
             ));
         } else if let Some(exponent) = basis.growth.exponent {
-            let way = if exponent > 0.0 { "grow, with the motion," } else { "die away" };
+            let way = if exponent > 0.0 { "grow" } else { "die away" };
             all.push(format!(
                 "Small deviations {way}: the largest Lyapunov exponent is {exponent:.2} /s."
             ));
