@@ -137,6 +137,7 @@ impl Second {
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Extrapolation => "extrapolation in double-double",
+            Self::Adaptive => "dop853 with located switches",
             Self::Double => "exact map in f64",
         }
     }

@@ -10,10 +10,13 @@ use crate::building::Port;
 use crate::{Assembly, Scene};
 
 /// A deviation that has grown so many times is no longer the method's but the scene's.
-const GROWN: f64 = 1e3;
+pub(super) const GROWN: f64 = 1e5;
 
-/// How many times more than the motion itself a deviation must grow over the scene for the scene to be chaotic.
+/// How many times a deviation must outgrow the motion over the scene for the scene to be chaotic.
 const CHAOTIC: f64 = 1e6;
+
+/// The share of a scene from the middle of its first quarter to that of its last.
+const WIDENED: f64 = 0.75;
 
 /// How often a deviation is brought back to its first size, at most.
 const SEGMENTS: usize = 8;
@@ -28,7 +31,7 @@ pub(super) struct Growth {
     pub(super) exponent: Option<f64>,
     /// Whether the scene is chaotic.
     pub(super) chaotic: bool,
-    /// The first tick at which a deviation of the start has grown a thousandfold.
+    /// The first tick at which a deviation of the start has grown so much that errors say nothing of the method any more.
     pub(super) grown_at: usize,
 }
 
@@ -50,14 +53,15 @@ impl Growth {
         let (reach, ticks) = (references.reach(), references.first.len());
         let sizes = match references.second {
             Second::Extrapolation => Sizes { made: 1e-20, lost: 1e-29, large: 1e-10 },
-            Second::Double => Sizes { made: 1e-9, lost: 1e-14, large: 1e-5 },
+            Second::Adaptive | Second::Double => Sizes { made: 1e-9, lost: 1e-14, large: 1e-5 },
         };
         let (mut from, mut grown_at, mut logarithm, mut time) = (0, ticks, 0.0, 0.0);
         for segment in 0..SEGMENTS {
             if !(reach > 0.0) || from + 2 >= ticks {
                 break;
             }
-            let part = progress.part(segment as f64 / 8.0, (segment + 1) as f64 / 8.0);
+            let part = progress
+                .part(segment as f64 / SEGMENTS as f64, (segment + 1) as f64 / SEGMENTS as f64);
             let force = sizes.made * reach * scene.mass() / scene.period().powi(2);
             let pushed = trace(pushed(scene, from, force)?, ticks, part)?;
             let apart = |tick: usize| -> f64 {
@@ -78,8 +82,10 @@ impl Growth {
             from = last;
         }
         let exponent = (time > 0.0).then(|| logarithm / time);
-        let whole = exponent.unwrap_or(0.0) * ticks as f64 * scene.period();
-        let chaotic = whole > CHAOTIC.ln() + widening(&references.first).max(1.0).ln();
+        let seconds = ticks as f64 * scene.period();
+        let motion = widening(&references.first).max(1.0).ln() / (WIDENED * seconds);
+        let beyond = exponent.unwrap_or(0.0) - motion;
+        let chaotic = beyond * seconds > CHAOTIC.ln();
         Ok(Self { exponent, chaotic, grown_at })
     }
 }

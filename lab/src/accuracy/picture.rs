@@ -27,11 +27,14 @@ impl Study {
                     .with_y_range(y.0, y.1);
             for (colour, propagator) in PROPAGATORS.into_iter().enumerate() {
                 let points = self.curve(number, propagator);
+                // The name stands at the line, which is easier to see than a dot.
+                let (line, dots) =
+                    if points.len() > 1 { (propagator, "") } else { ("", propagator) };
                 if points.len() > 1 {
-                    panel = panel.with_series(Series::line("", colour, points.clone()));
+                    panel = panel.with_series(Series::line(line, colour, points.clone()));
                 }
                 if !points.is_empty() {
-                    panel = panel.with_series(Series::dots(propagator, colour, points));
+                    panel = panel.with_series(Series::dots(dots, colour, points));
                 }
             }
             figure = figure.with_panel(panel);
@@ -70,5 +73,5 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (value.min(low), value.max(high))
     });
-    if low > high { (0.0, 1.0) } else { ((low - 0.1).floor(), (high + 0.1).ceil()) }
+    if low > high { (0.0, 1.0) } else { ((low - 0.3).floor(), (high + 0.3).ceil()) }
 }

@@ -6,7 +6,7 @@ use super::AccuracyError;
 use super::extrapolation::Extrapolation;
 use super::progress::Progress;
 use super::trace::trace;
-use crate::scene::{Environment, Integrator};
+use crate::scene::{Environment, Integrator, Positive};
 use crate::{Assembly, Scene};
 
 /// How many times as far as the two references are apart an error must be to be known.
@@ -17,6 +17,8 @@ pub(super) const SURE: f64 = 100.0;
 pub(super) enum Second {
     /// Extrapolation, in double-double as the first.
     Extrapolation,
+    /// An adaptive method with located switches: friction's exact course is worked out in `f64` whatever the scalar.
+    Adaptive,
     /// The exact map in `f64`: part of the scene is worked out in `f64` whatever the scalar.
     Double,
 }
@@ -44,6 +46,10 @@ impl References {
             Second::Extrapolation => {
                 trace::<DoubleDouble>(Assembly::moved_by(&scene, Extrapolation)?, ticks, progress)?
             }
+            Second::Adaptive => {
+                let scene = Scene { integrator: adaptive(), ..scene.clone() };
+                trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress)?
+            }
             Second::Double => {
                 let run = trace::<f64>(Assembly::of(&scene)?, ticks, progress)?;
                 run.into_iter().map(|state| state.map(DoubleDouble::of)).collect()
@@ -52,7 +58,13 @@ impl References {
         let apart = |(one, other): (&[DoubleDouble; 2], &[DoubleDouble; 2])| off(one[0], other[0]);
         let distances: Vec<f64> = first.iter().zip(&other).map(apart).collect();
         let first = first[..distances.len()].to_vec();
-        Ok(Self { first, second, distances })
+        let mut references = Self { first, second, distances };
+        if second != Second::Extrapolation {
+            // What both share is worked out to this, so they may agree better than they are.
+            let least = f64::EPSILON * references.reach();
+            references.distances.iter_mut().for_each(|apart| *apart = apart.max(least));
+        }
+        Ok(references)
     }
 
     /// How far the second reference is off within `ticks`, m.
@@ -78,11 +90,17 @@ impl Second {
     /// whatever the loop computes.
     fn on(scene: &Scene) -> Self {
         let has_power = matches!(scene.environment, Environment::HuntCrossley(_));
-        match scene.effects.friction.is_some() || has_power {
-            true => Self::Double,
-            false => Self::Extrapolation,
+        match (scene.effects.friction.is_some(), has_power) {
+            (false, false) => Self::Extrapolation,
+            (true, false) if scene.link.is_none() => Self::Adaptive,
+            _ => Self::Double,
         }
     }
+}
+
+/// What follows friction in a way of its own.
+fn adaptive() -> Integrator {
+    Positive::new(1e-13).map_or(Integrator::Exact, |tolerance| Integrator::Dop853 { tolerance })
 }
 
 /// The magnitude of a difference, m.

@@ -43,7 +43,7 @@ impl Study {
     }
 
     fn answer(&self, page: &mut String, metres: f64) {
-        let _ = write!(page, "<h2>For {metres:e} m</h2>\n<p>");
+        let _ = write!(page, "<h2>Within {metres:e} m</h2>\n<p>");
         let text = self.advice(metres);
         let (first, keys) = text.split_once('\n').unwrap_or((&text, ""));
         let _ = write!(page, "{}</p>\n<pre>{}</pre>\n", escape(first), escape(keys));

@@ -86,7 +86,7 @@ impl Study {
         let references = References::of(scene, ticks, progress.part(0.0, 0.15))?;
         let growth = Growth::of(scene, &references, progress.part(0.15, 0.25))?;
         let all_ticks = references.first.len();
-        let window = if growth.chaotic { growth.grown_at } else { all_ticks };
+        let window = growth.grown_at;
         let (believed, settings) = (BELIEVED * references.reach(), Setting::all(scene));
         let distance = references.distance(window);
         let mut rows = Vec::new();
@@ -139,13 +139,14 @@ impl Study {
 
     /// Which setting to take for an error of at most `metres`, in words and as the keys of a scene file.
     pub fn advice(&self, metres: f64) -> String {
-        let (row, first) = match (self.cheapest(metres), self.nearest()) {
-            (Some(row), _) => (row, "the fastest is off by"),
-            (None, Some(row)) => (row, "no setting is enough; the nearest is off by"),
+        let (row, which) = match (self.cheapest(metres), self.nearest()) {
+            (Some(row), _) => (row, format!("the fastest within {metres:e} m")),
+            (None, Some(row)) => (row, format!("no setting is within {metres:e} m; the nearest")),
             (None, None) => return "every setting leaves the range of its scalar\n".to_owned(),
         };
-        let (error, keys) = (row.error(), row.setting.keys(&self.scene));
-        format!("for {metres:e} m {first} {error}\n{keys}")
+        let (setting, error) = (row.setting, row.error());
+        let (name, number) = (setting.integrator.name(), setting.number.name());
+        format!("{which} is {name} in {number}, off by {error}:\n{}", setting.keys(&self.scene))
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 
 use super::Study;
+use super::horizon::GROWN;
 use super::ledger::TICKS;
 use super::reference::Second;
 use super::study::Row;
@@ -89,7 +90,11 @@ impl Row {
     /// The error in a word.
     pub(super) fn error(&self) -> String {
         let sign = if self.is_known { "" } else { "~" };
-        self.max_error.map_or("out of range".to_owned(), |error| format!("{sign}{error:.1e} m"))
+        match self.max_error {
+            None => "out of range".to_owned(),
+            Some(0.0) => format!("{sign}0 m"),
+            Some(error) => format!("{sign}{error:.1e} m"),
+        }
     }
 }
 
@@ -106,21 +111,25 @@ impl Study {
             basis.second.name(),
             basis.distance
         )];
-        if basis.second == Second::Double {
+        if basis.second != Second::Extrapolation {
             all.push(
-                "Part of this scene (friction, or a power of the depth) is worked out in f64 in any case, so the error of \
-                 f64 itself is known to its size only."
+                "Part of this scene (friction, or a power of the depth) is worked out in f64 in any case: what \
+                 stands behind a ~ is known to its size only."
                     .to_owned(),
             );
         }
         if basis.all_ticks < self.scene.ticks() as usize + 1 {
             all.push(format!("The study ends after {} s of the scene.", seconds(basis.all_ticks)));
         }
+        if basis.ticks < basis.all_ticks {
+            all.push(format!(
+                "By then a deviation of the start has grown {GROWN:.0}-fold: what is off later says nothing of the method."
+            ));
+        }
         if let (true, Some(exponent)) = (basis.growth.chaotic, basis.growth.exponent) {
             all.push(format!(
                 "The scene is chaotic: small deviations grow as exp(t / {:.2} s), its largest Lyapunov exponent is {:.2} \
-                 /s. So errors are taken only until a deviation of the start has grown a thousandfold. A trace is \
-                 believed until it is off by {:.1e} m, a hundredth of the motion's reach; the references can tell \
+                 /s. A trace is believed until it is off by {:.1e} m, a hundredth of the motion's reach; the references can tell \
                  up to {} s.",
                 exponent.recip(),
                 exponent,
@@ -130,13 +139,13 @@ impl Study {
         } else if let Some(exponent) = basis.growth.exponent {
             let way = if exponent > 0.0 { "grow" } else { "die away" };
             all.push(format!(
-                "Small deviations {way} at {:.2} /s, no faster than the motion itself: its largest Lyapunov exponent.",
-                exponent
+                "Small deviations {way}: the largest Lyapunov exponent is {exponent:.2} /s."
             ));
         }
         if self.scene.effects.encoder.is_some() {
             all.push(
-                "The encoder makes whole counts of the smallest difference, so errors jump to the size of a count."
+                "The encoder may make a whole count of the smallest difference: errors are those of a count and of what \
+                 follows from it."
                     .to_owned(),
             );
         }

@@ -84,6 +84,21 @@ fn an_interrupted_study_leaves_no_folder() {
     assert!(place.contents().is_empty());
 }
 
+#[test]
+fn an_interrupted_study_of_accuracy_takes_its_folder_away() {
+    let place = long();
+    let before = place.contents();
+    let command = ["accuracy", "scene.toml", "--out", "results"];
+    let child = place.command(command).start(Stdio::piped());
+    let start = Instant::now();
+    while !place.path("results").is_dir() {
+        assert!(start.elapsed() < Duration::from_secs(30), "no folder appears");
+        thread::sleep(Duration::from_millis(2));
+    }
+    interrupted(child);
+    assert_eq!(place.contents(), before);
+}
+
 /// The pipe is full and nobody reads on: the run stands still in a write that no signal ends.
 #[test]
 fn a_run_is_interrupted_while_nobody_takes_its_rows() {

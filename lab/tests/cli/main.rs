@@ -3,6 +3,7 @@
 // Devices, pipes, signals and names that are no text.
 #![cfg(unix)]
 
+mod accuracy;
 mod bad_output;
 mod bad_scene;
 mod bad_usage;

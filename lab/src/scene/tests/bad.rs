@@ -120,7 +120,7 @@ fn popc_has_no_candidate() {
     assert_eq!(fault.line(), Some(line_of("candidate = ", "candidate")));
     assert!(shown.contains("unknown key `candidate` in [stabilizer.popc]"), "{shown}");
     assert!(shown.contains("`candidate` is a key of [stabilizer.lolc]"), "{shown}");
-    assert!(shown.contains("known keys here: work, damping_cap"), "{shown}");
+    assert!(shown.contains("known keys here: work, ledger, damping_cap"), "{shown}");
 }
 
 #[test]

@@ -118,8 +118,13 @@ fn every_word_is_known() {
     let candidate = |word| lolc("\"mass-spring-damper\"", word).candidate;
     assert_eq!(candidate("\"device-damping\""), Candidate::DeviceDamping);
     assert_eq!(candidate("\"spring\""), Candidate::Spring);
-    let work = "work = \"held\"";
-    let ledger = |word| lolc(work, &format!("{work}\nledger = {word}")).ledger;
+    let ledger = |word| {
+        let text = format!("[stabilizer.popc]\nledger = {word}");
+        match scene(&smallest_and(&text)).stabilizer {
+            Some(Stabilizer::Popc(popc)) => popc.ledger,
+            other => panic!("{other:?}"),
+        }
+    };
     assert_eq!(ledger("\"plain\""), Ledger::Plain);
     assert_eq!(ledger("\"compensated\""), Ledger::Compensated);
     assert_eq!(ledger("\"wide\""), Ledger::Wide);
