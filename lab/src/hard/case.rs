@@ -99,7 +99,7 @@ pub struct Row {
 }
 
 /// Whether each kind of number kept the bound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Verdicts {
     f64: Option<bool>,
     f32: Option<bool>,

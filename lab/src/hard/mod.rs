@@ -18,7 +18,7 @@ mod watched;
 pub use case::{Case, Outcome, Row, Verdicts};
 pub use naive::Naive;
 pub use tally::Tally;
-pub use trial::{HardError, Own};
+pub use trial::{HardError, Own, watch};
 
 use std::fmt;
 use std::ops::ControlFlow;

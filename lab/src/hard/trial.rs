@@ -212,22 +212,6 @@ impl Looped {
         Ok(scene)
     }
 
-    fn terms(&self, scene: &Scene) -> Terms {
-        let limit = |cap: f64| cap * scene.mass() / scene.period();
-        let (cap, damping, beyond) = match scene.stabilizer {
-            None => (0.0, 0.0, 0.0),
-            Some(scene::Stabilizer::Popc(popc)) => (popc.damping_cap.get(), 0.0, 0.0),
-            Some(scene::Stabilizer::Lolc(lolc)) => {
-                let (damping, beyond) = credited(scene, lolc.candidate);
-                (lolc.damping_cap.get(), damping, beyond)
-            }
-        };
-        let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
-        // What a scene says is rounded once more on its way to f32.
-        let (limit, force) = (limit(cap) * (1.0 + 1e-6), force * (1.0 + 1e-6));
-        Terms { ticks: scene.ticks(), rest: self.rest, limit, damping, beyond, force }
-    }
-
     fn run<V: Space>(
         &self,
         share: f64,
@@ -235,13 +219,7 @@ impl Looped {
     ) -> Result<Vec<Tally>, HardError> {
         let scene = self.scene(share)?;
         let stabilizer = stabilizer(&scene)?;
-        let (watched, record) = Watched::new::<V::Scalar>(stabilizer, self.terms(&scene));
-        let mut assembly = Assembly::stabilized_by(&scene, AnyStabilizer::new(watched))?;
-        let mut drive = assembly.plant.start();
-        for _ in 0..=scene.ticks() {
-            assembly.tick(&mut drive);
-        }
-        Ok(record.tallies())
+        Ok(looped(&scene, self.rest, stabilizer)?)
     }
 
     fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
@@ -250,6 +228,46 @@ impl Looped {
             None => Ok(AnyStabilizer::new(super::cases::Nothing)),
         })
     }
+}
+
+/// What the loop of `scene` comes to under `stabilizer`, with swings counted from `rest`, lane by lane.
+fn looped<V: Space>(
+    scene: &Scene,
+    rest: f64,
+    stabilizer: AnyStabilizer<V>,
+) -> Result<Vec<Tally>, ParameterError> {
+    let (watched, record) = Watched::new::<V::Scalar>(stabilizer, terms(scene, rest));
+    let mut assembly = Assembly::stabilized_by(scene, AnyStabilizer::new(watched))?;
+    let mut drive = assembly.plant.start();
+    for _ in 0..=scene.ticks() {
+        assembly.tick(&mut drive);
+    }
+    Ok(record.tallies())
+}
+
+/// What the loop of `scene` comes to under the stabilizer that it names, in the scalar of `V`: with swings counted from the
+/// origin, and without a word on the account where the candidate is the paper's and the environment not a wall.
+///
+/// # Errors
+/// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
+    let named = AnyStabilizer::<V>::of(scene)?;
+    looped(scene, 0.0, named.unwrap_or_else(|| AnyStabilizer::new(super::cases::Nothing)))
+}
+
+fn terms(scene: &Scene, rest: f64) -> Terms {
+    let (cap, damping, beyond) = match scene.stabilizer {
+        None => (0.0, 0.0, 0.0),
+        Some(scene::Stabilizer::Popc(popc)) => (popc.damping_cap.get(), 0.0, 0.0),
+        Some(scene::Stabilizer::Lolc(lolc)) => {
+            let (damping, beyond) = credited(scene, lolc.candidate);
+            (lolc.damping_cap.get(), damping, beyond)
+        }
+    };
+    let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
+    // What a scene says is rounded once more on its way to f32.
+    let (limit, force) = (cap * scene.mass() / scene.period() * (1.0 + 1e-6), force * (1.0 + 1e-6));
+    Terms { ticks: scene.ticks(), rest, limit, damping, beyond, force }
 }
 
 /// The damping that a candidate credits, and the surface beyond which it does.

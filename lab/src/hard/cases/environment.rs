@@ -116,7 +116,7 @@ pub(super) fn cases() -> Vec<Case> {
         Case {
             quantity: Quantity::ACTING,
             ..case(
-                "saturation below the wall's force",
+                "saturation below the wall",
                 "the hand pushes with 5 N at a wall that may give 4 N: it cannot hold, only not add",
                 4.0,
                 0.1,

@@ -111,7 +111,7 @@ pub(super) fn cases() -> Vec<Case> {
         name,
         theme: "scale",
         hard,
-        quantity: Quantity::own("late swing scaled / usual - 1", ""),
+        quantity: Quantity::own("swing scaled / usual - 1", ""),
         bound: 1e-3,
         apart: None,
         trial: Box::new(Scaled { masses }),

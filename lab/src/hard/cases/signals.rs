@@ -39,10 +39,11 @@ impl Play for Strokes {
         stabilizer.stabilize(&Drive::starting(period, position, T::zero()), T::zero());
         let mut acted = T::zero();
         for tick in 0..TICKS {
-            // Every lane strokes with a length of its own.
+            // Every lane strokes with a length of its own, and no two ticks are alike.
             let share = T::from_lanes(|lane| {
                 let turn = tick as usize / (first + lane + 3) % 2;
-                (1.0 - 0.1 * (first + lane) as f64) * [1.0, -1.0][turn]
+                let length = 1.0 - 0.1 * (first + lane) as f64 + 0.03 * (tick % 7) as f64;
+                length * [1.0, -1.0][turn]
             });
             // Ten ticks at an ordinary speed, where there is one, and ten at the hard one.
             let ordinary = self.ordinary.filter(|_| tick / 10 % 2 == 0).map(T::of);
@@ -97,12 +98,12 @@ pub(super) fn cases() -> Vec<Case> {
             at_rest([1e-310, 1e-40]),
         ),
         case(
-            "a velocity whose square is 0",
+            "a square of 0",
             "v = 1e-170 (f64), 1e-25 (f32): v is sound and v^2 underflows",
             at_rest([1e-170, 1e-25]),
         ),
         case(
-            "a velocity whose square is subnormal",
+            "a subnormal square",
             "v^2 T is below the smallest normal number, and not 0",
             at_rest([1e-153, 1e-19]),
         ),

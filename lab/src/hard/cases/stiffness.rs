@@ -64,12 +64,12 @@ pub(super) fn cases() -> Vec<Case> {
         ),
         case("5e4 N/m at 100 Hz", "K T^2 / m = 17: the paper's stiff wall", PAPER),
         case(
-            "a hand a million times the device",
+            "a hand 1e6 times the device",
             "1 t on 1 g through a link: the damping limit is that of the gram",
             HEAVY_HAND,
         ),
         case(
-            "a device a million times the hand",
+            "a device 1e6 times the hand",
             "1 g on 1 t: what the port sees is all device; K T^2 / m = 0.01 at 10 MN/m",
             HEAVY_DEVICE,
         ),
