@@ -44,6 +44,7 @@ cases! {
     infinity_once: "infinity once",
     nan_from_then_on: "NaN from then on",
     infinity_from_then_on: "infinity from then on",
+    nan_once_with_a_credit: "NaN once, with a credit",
     nan_once_behind_a_guard: "NaN once, behind a guard",
     a_stale_sample: "a stale sample",
     a_stale_sample_work: "a stale sample: work",

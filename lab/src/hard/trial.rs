@@ -3,7 +3,9 @@
 use std::fmt;
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x8};
-use lyapunov::{DampingLimit, Lolc, ParameterError, Plant, PortEnergy, Scalar, Stabilizer};
+use lyapunov::{
+    DampingLimit, Dissipation, Lolc, ParameterError, Plant, PortEnergy, Scalar, Stabilizer,
+};
 
 use super::naive::Naive;
 use super::tally::{Tally, larger};
@@ -117,6 +119,11 @@ pub(super) trait Play: Send + Sync {
         1
     }
 
+    /// The device's damping that is credited, N·s/m.
+    fn damping(&self) -> f64 {
+        0.0
+    }
+
     /// What our stabilizer may inject.
     fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError>;
 
@@ -132,7 +139,7 @@ pub(super) trait Play: Send + Sync {
 /// As many variations as the widest lanes hold.
 const VARIATIONS: usize = 8;
 
-/// A play with our stabilizer, the passivity observer/controller, or any other.
+/// A play with our stabilizer, or any other.
 pub(super) struct Played<P>(pub(super) P);
 
 impl<P: Play> Played<P> {
@@ -145,7 +152,10 @@ impl<P: Play> Played<P> {
         let limit = self.0.limit::<T>()?.most().lane(0);
         let mut worst: Option<Vec<Tally>> = None;
         for index in 0..self.0.runs() {
-            let (watched, record) = Watched::new::<T>(stabilizer()?, self.0.terms(limit));
+            // The credit is what the scalar makes of the damping.
+            let damping = T::of(self.0.damping()).lane(0);
+            let terms = Terms { damping, ..self.0.terms(limit) };
+            let (watched, record) = Watched::new::<T>(stabilizer()?, terms);
             let value = self.0.play::<T>(index, first, watched)?;
             let mut tallies = record.tallies();
             for (lane, tally) in tallies.iter_mut().enumerate() {
@@ -160,7 +170,8 @@ impl<P: Play> Played<P> {
     }
 
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
-        self.under::<T, _>(first, || Ok(Lolc::new(PortEnergy, self.0.limit::<T>()?)))
+        let damper = Dissipation::of(T::of(self.0.damping()))?;
+        self.under::<T, _>(first, || Ok(Lolc::new((PortEnergy, damper), self.0.limit::<T>()?)))
     }
 }
 

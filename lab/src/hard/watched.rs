@@ -210,7 +210,10 @@ impl Meter {
             terms[3 * axis + 1] = if known { others.into() } else { Double::default() };
             if credits {
                 let credit = Double::product(v, v).times(sight.period).times(self.terms.damping);
-                terms[3 * axis + 2] = credit;
+                // What is not known credits nothing.
+                if credit.value().is_finite() {
+                    terms[3 * axis + 2] = credit;
+                }
             }
         }
         self.balance.book(&terms);

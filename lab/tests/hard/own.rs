@@ -35,7 +35,7 @@ fn tried(case: &str, stabilizer: &(impl Stabilizer<f64> + Clone + 'static)) -> T
 fn fails(case: &str, law: Law, spoil: fn(&Drive<f64>, f64, Action<f64>) -> Action<f64>) {
     let wrong = Wrong { popc: Lolc::new(PortEnergy, limit()), spoil };
     let (broken, _) = tried(case, &wrong).broken.expect("broken");
-    let samples = Samples::new(1e-3);
+    let samples = Samples::<f64>::new(1e-3);
     let told = laws::stabilizer(&wrong, samples)
         .and_then(|()| laws::ledger(&wrong, &PortEnergy, limit().most(), samples))
         .expect_err("broken");
@@ -46,16 +46,21 @@ fn fails(case: &str, law: Law, spoil: fn(&Drive<f64>, f64, Action<f64>) -> Actio
 #[test]
 fn a_right_one_breaks_nothing() {
     let right = Lolc::new(PortEnergy, limit());
-    for case in ["a debt at rest", "NaN once", "two walls facing each other", "5e4 N/m at 100 Hz"] {
+    for case in ["a debt at rest", "NaN once", "a stale sample"] {
         assert_eq!(tried(case, &right).broken, None, "{case}");
     }
-    laws::ledger(&right, &PortEnergy, limit().most(), Samples::new(1e-3)).expect("the account");
+    let samples = Samples::<f64>::new(1e-3);
+    laws::ledger(&right, &PortEnergy, limit().most(), samples).expect("the account");
 }
 
 #[test]
 fn a_division_by_rest_is_not_finite() {
     fails("a debt at rest", Law::Finite, |drive, effort, action| {
-        let alpha = if action.sum < 0.0 { -action.sum / drive.velocity.powi(2) } else { 0.0 };
+        let alpha = if action.sum < 0.0 {
+            -action.sum / (drive.velocity.powi(2) * drive.period)
+        } else {
+            0.0
+        };
         let accepted = effort.is_finite() && drive.finite();
         let effort = if accepted { effort + alpha * drive.velocity } else { 0.0 };
         Action { effort, alpha, accepted, ..action }

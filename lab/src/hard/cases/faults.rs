@@ -49,6 +49,8 @@ pub(super) fn reach() -> f64 {
 struct Spoilt {
     value: f64,
     forever: bool,
+    /// The device's damping that is credited, N·s/m.
+    credit: f64,
 }
 
 const FIELDS: u64 = 6;
@@ -97,6 +99,10 @@ impl Play for Spoilt {
 
     fn runs(&self) -> u64 {
         TICKS * FIELDS
+    }
+
+    fn damping(&self) -> f64 {
+        self.credit
     }
 
     fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
@@ -158,14 +164,23 @@ pub(super) fn cases() -> Vec<Case> {
         quantity: Quantity { words: "where it ends", unit: "mm", of: |tally| 1e3 * tally.value },
         bound: 1e3 * reach(),
         apart: None,
-        trial: Box::new(Played(Spoilt { value, forever })),
+        trial: Box::new(Played(Spoilt { value, forever, credit: 0.0 })),
     };
     let guarded = Case {
         name: "NaN once, behind a guard",
         hard: "as above; the guard holds the last force and hands on what the gap was",
         apart: Some("a guard stands on one value at a time, so there are no lanes"),
-        trial: Box::new(Guarded(Spoilt { value: f64::NAN, forever: false })),
+        trial: Box::new(Guarded(Spoilt { value: f64::NAN, forever: false, credit: 0.0 })),
         ..case("", "", f64::NAN, false)
+    };
+    let credited = Case {
+        trial: Box::new(Played(Spoilt { value: f64::NAN, forever: false, credit: HAND[1] })),
+        ..case(
+            "NaN once, with a credit",
+            "a credit of NaN may not take the work of its tick with it: that debt is real",
+            f64::NAN,
+            false,
+        )
     };
     vec![
         case(
@@ -182,6 +197,7 @@ pub(super) fn cases() -> Vec<Case> {
             true,
         ),
         case("infinity from then on", "likewise, -inf", f64::NEG_INFINITY, true),
+        credited,
         guarded,
     ]
 }
