@@ -277,7 +277,8 @@ fn terms(scene: &Scene, rest: f64) -> Terms {
     };
     let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
     // What a scene says is rounded once more on its way to f32.
-    let (limit, force) = (cap * scene.mass() / scene.period() * (1.0 + 1e-6), force * (1.0 + 1e-6));
+    let limit = (cap * scene.mass() / scene.period() * (1.0 + 1e-6)).min(f64::MAX);
+    let force = force * (1.0 + 1e-6);
     Terms { ticks: scene.ticks(), rest, limit, damping, beyond, force }
 }
 

@@ -199,7 +199,9 @@ impl Meter {
 
     fn book(&mut self, sight: &Sight) {
         let mut terms = [Double::default(); 3 * AXES];
-        let credits = self.terms.damping > 0.0 && sight.position.values[0] > self.terms.beyond;
+        let beyond = self.terms.beyond;
+        let touches = beyond == f64::NEG_INFINITY || sight.position.values[0] > beyond;
+        let credits = self.terms.damping > 0.0 && touches;
         for axis in 0..sight.velocity.count {
             let work = Double::product(sight.acted.values[axis], sight.displacement.values[axis]);
             let v = sight.velocity.values[axis];

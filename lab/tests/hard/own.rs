@@ -56,11 +56,9 @@ fn a_right_one_breaks_nothing() {
 #[test]
 fn a_division_by_rest_is_not_finite() {
     fails("a debt at rest", Law::Finite, |drive, effort, action| {
-        let alpha = if action.sum < 0.0 {
-            -action.sum / (drive.velocity.powi(2) * drive.period)
-        } else {
-            0.0
-        };
+        let square = drive.velocity.powi(2) * drive.period;
+        let most = if square > 0.0 { limit().most() } else { f64::INFINITY };
+        let alpha = if action.sum < 0.0 { (-action.sum / square).min(most) } else { 0.0 };
         let accepted = effort.is_finite() && drive.finite();
         let effort = if accepted { effort + alpha * drive.velocity } else { 0.0 };
         Action { effort, alpha, accepted, ..action }
