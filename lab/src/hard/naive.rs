@@ -74,7 +74,7 @@ mod tests {
     /// By hand: −1 N at 0.5 m/s gives L = −0.5 W, α = 2 N·s/m, f₁ = 0; then f₂ = 0, L = −0.5 + 0.5 = 0.
     #[test]
     fn two_ticks_by_hand() {
-        let mut naive = Naive::default();
+        let mut naive = Naive::<f64>::default();
         let drive = Drive::new(1e-3, 0.0, 0.5, 5e-4, 0.0);
         let action = naive.stabilize(&drive, -1.0);
         assert_eq!((action.effort, action.alpha, action.sum), (0.0, 2.0, -0.5e-3));
@@ -85,7 +85,7 @@ mod tests {
     /// A debt, and then no motion: divided by v² = 0, times v = 0.
     #[test]
     fn a_debt_at_rest_is_divided_by_nothing() {
-        let mut naive = Naive::default();
+        let mut naive = Naive::<f64>::default();
         naive.stabilize(&Drive::new(1e-3, 0.0, 1e-3, 1e-6, 0.0), -1.0);
         naive.square = 0.0;
         assert!(naive.stabilize(&Drive::starting(1e-3, 0.0, 0.0), -1.0).effort.is_nan());

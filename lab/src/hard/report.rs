@@ -56,12 +56,12 @@ fn one(row: &Row, page: &mut String) {
     };
     let _ = writeln!(
         page,
-        "<tr><td><strong>{name}</strong><br>{}{notes}</td><td>{} \u{2264} {}</td>\
+        "<tr><td><strong>{name}</strong><br>{}{notes}</td><td>{} \u{2264}\u{a0}{}</td>\
          <td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
          <td class=\"number\">{}</td><td class=\"{class}\">{verdict}</td></tr>",
         escaped(row.hard),
         row.quantity,
-        with_unit(row.bound, row.unit),
+        with_unit(row.bound, row.unit).replace(' ', "\u{a0}"),
         number(row.measured),
         other(&row.naive),
         other(&row.without),

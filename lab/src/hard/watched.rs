@@ -62,6 +62,7 @@ impl<S> Watched<S> {
             balance: Balance::new(T::epsilon().lane(0) / 2.0, T::tiny().lane(0)),
             epsilon: T::epsilon().lane(0),
             tiny: T::tiny().lane(0),
+            largest: T::largest().lane(0),
             tally: Tally::default(),
         };
         let record = Record(Rc::new(RefCell::new(vec![meter; T::LANES])));
@@ -186,6 +187,7 @@ struct Meter {
     balance: Balance,
     epsilon: f64,
     tiny: f64,
+    largest: f64,
     tally: Tally,
 }
 
@@ -229,7 +231,9 @@ impl Meter {
         let finite = sight.out.finite() && (sight.sum + sight.alpha + sight.shortfall).is_finite();
         require(if sound { Law::Finite } else { Law::Rejects }, finite);
         require(Law::Rejects, sight.effort.finite() || !sight.accepted);
-        require(Law::Recovers, !(sound && self.shaken) || sight.accepted);
+        // Energies that leave the range of the scalar are rejected for good.
+        let fits = sight.square().max(self.balance.supplied().abs()) < self.largest / 4.0;
+        require(Law::Recovers, !(sound && fits && self.shaken) || sight.accepted);
         require(Law::NoNegativeDamping, sight.alpha >= 0.0 && sight.shortfall >= 0.0);
         if sight.accepted {
             for axis in 0..sight.velocity.count {

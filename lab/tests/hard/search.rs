@@ -28,8 +28,8 @@ fn rarely<S: Strategy>(some: S) -> impl Strategy<Value = Option<S::Value>> {
     prop::option::weighted(0.25, some)
 }
 
-/// The wall and the hand by what they come to in a tick, so that most scenes are neither dull nor hopeless.
-fn loops() -> impl Strategy<Value = String> {
+/// The period, s, and the scene: the wall and the hand by what they come to in a tick, so that most scenes are neither dull nor hopeless.
+fn loops() -> impl Strategy<Value = (f64, String)> {
     let sizes = (decades(-2.0, 4.5), decades(-4.0, 4.0), decades(-7.0, 1.0));
     let wall = (decades(-4.0, 1.5), prop::option::weighted(0.5, decades(-4.0, 0.3)), -1.0..1.0);
     let hand = (decades(-9.0, -2.0), decades(-7.0, -1.0), 0.0..1.0);
@@ -74,7 +74,8 @@ fn loops() -> impl Strategy<Value = String> {
                 let _ = writeln!(text, "candidate = \"{candidate}\"");
             }
             // The velocity is a key of the whole scene.
-            if exact { format!("velocity = \"exact\"\n{text}") } else { text }
+            let text = if exact { format!("velocity = \"exact\"\n{text}") } else { text };
+            (1.0 / rate, text)
         },
     )
 }
@@ -89,7 +90,7 @@ fn scenes() -> impl Strategy<Value = String> {
         rarely((decades(-4.0, -0.5), any::<u32>())),
         rarely((decades(-9.0, -4.0), any::<u32>())),
     );
-    (loops(), effects).prop_map(|(mut text, effects)| {
+    (loops(), effects).prop_map(|((period, mut text), effects)| {
         let (encoder, delay, saturation, dropout, jitter, noise) = effects;
         let mut put = |key: &str, value: String| {
             let _ = writeln!(text, "[effects.{key}]\n{value}");
@@ -111,7 +112,7 @@ fn scenes() -> impl Strategy<Value = String> {
             );
         }
         if let Some((deviation, seed)) = jitter {
-            put("jitter", format!("deviation = {deviation:e}\nseed = {seed}"));
+            put("jitter", format!("deviation = {:e}\nseed = {seed}", deviation * period));
         }
         if let Some((deviation, seed)) = noise {
             put("noise", format!("deviation = {deviation:e}\nseed = {seed}"));

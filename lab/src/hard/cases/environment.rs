@@ -98,7 +98,7 @@ pub(super) fn cases() -> Vec<Case> {
             quantity: Quantity::GIVEN,
             ..case(
                 "the same credit, taken",
-                "ours with the paper's candidate: the loop runs away, and the account still closes",
+                "ours with the paper's candidate: the loop grows unseen, and the account still closes",
                 0.0,
                 0.0,
                 20.0,

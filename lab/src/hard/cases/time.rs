@@ -86,7 +86,7 @@ struct ToAndFro;
 
 impl<T: Scalar> Course<T> for ToAndFro {
     fn at(&self, tick: u64) -> T {
-        T::of(if tick / 5000 % 2 == 0 { 0.008 } else { -0.008 })
+        T::of(if (tick / 5000).is_multiple_of(2) { 0.008 } else { -0.008 })
     }
 }
 
@@ -262,7 +262,7 @@ pub(super) fn cases() -> Vec<Case> {
             "an hour at 10 kHz in f32",
             "3.6e7 ticks, 3600 contacts with a wall at 1 kHz: steps of 1e-7 m, works of nanojoules",
             Quantity::LATE_SWING,
-            // 8 mm to either side, and as much beyond it where nothing brakes the hand.
+            // Let go at rest at -8 mm towards +8 mm, a hand that nothing brakes swings to 24 mm.
             24.0,
             long,
             Box::new(Hour),
