@@ -18,4 +18,4 @@ pub use lyapunov_plants::{
     Sine, Solid, Source, Sphere, Spring, Step, Stepped, Stribeck, Switching, Tethered, Transition,
     Transitions, TwoMass, VaryingSpring, Wall, Walled, WalledOscillator, held_input, tick_of,
 };
-pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
+pub use lyapunov_stabilizers::{DampingLimit, Lolc, PerAxis, Popc};

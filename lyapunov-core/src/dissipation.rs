@@ -40,6 +40,9 @@ impl<T: Scalar> Gate<T> for Beyond<T> {
 /// physically burns; then a positive sum does not mean a stable loop. Open always and given the
 /// device's own viscous damping it is sound: over one tick `b ∫ v² dt ≥ b Δx² / T`, so with
 /// backward-difference velocity and no encoder the credit is a lower bound of what really burnt.
+///
+/// A velocity that is not finite credits nothing. The work of that tick did happen and is booked without it; a credit
+/// of NaN would take a debt with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dissipation<T, G = Always> {
     damping: T,
@@ -72,6 +75,6 @@ impl<V: Signal, G: Gate<V>> LyapunovCandidate<V> for Dissipation<V::Scalar, G> {
     #[inline]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         let burnt = self.damping * (drive.velocity.pair(drive.velocity) * drive.period);
-        V::Scalar::choose(self.gate.open(drive), burnt, Scalar::of(0.0))
+        V::Scalar::choose(self.gate.open(drive) & burnt.finite(), burnt, Scalar::of(0.0))
     }
 }

@@ -8,6 +8,7 @@ mod bad_output;
 mod bad_scene;
 mod bad_usage;
 mod effects;
+mod hard;
 mod interrupt;
 mod json;
 mod paper;

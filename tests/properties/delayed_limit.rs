@@ -1,0 +1,76 @@
+//! How much damping a mass stands that is braked late.
+
+use std::f64::consts::PI;
+
+use lyapunov::{
+    Adapt, Body, DampingLimit, Drive, Impedance, OnePort, ParameterError, Plant, Signal,
+};
+
+const MASS: f64 = 0.2;
+const PERIOD: f64 = 1e-3;
+
+/// A damper that is always there, N·s/m.
+struct Damper(f64);
+
+impl OnePort<f64> for Damper {
+    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
+        self.0 * drive.velocity
+    }
+}
+
+/// How a free mass swings after a long time under a damper of `share` of m / T that is `ticks` late, against a
+/// shorter one.
+fn growth(share: f64, ticks: usize, differenced: bool) -> f64 {
+    let parts = Impedance { mass: MASS, damping: 0.0, stiffness: 0.0 };
+    let mut plant = Body::new(parts, PERIOD).expect("a body").starting(0.0, 0.1);
+    let damper = Damper(share * MASS / PERIOD);
+    let run = |port: &mut dyn OnePort<f64>, plant: &mut Body<f64>| {
+        let mut drive = plant.start();
+        let mut peaks = [0.0_f64; 2];
+        for tick in 0..8000 {
+            drive = plant.advance(port.respond(&drive));
+            let part = usize::from(tick >= 4000);
+            peaks[part] = peaks[part].max(drive.velocity.abs());
+        }
+        peaks[1] / peaks[0]
+    };
+    let port = damper.delayed::<8>(ticks).expect("a delay");
+    if differenced {
+        run(&mut port.differenced(), &mut plant)
+    } else {
+        let mut port = port;
+        run(&mut port, &mut plant)
+    }
+}
+
+/// The published limit of `v(n+1) = v(n) − a v(n−d)` and that of the backward difference, from below and from above.
+#[test]
+fn the_damper_that_grows_is_where_the_formulas_say() {
+    for ticks in 0..=5 {
+        let late = ticks as f64;
+        let told = 2.0 * (PI / (2.0 * (2.0 * late + 1.0))).sin();
+        let differenced = 2.0 * (PI / (4.0 * (late + 1.0))).tan();
+        for (share, of_difference) in [(told, false), (differenced, true)] {
+            assert!(growth(0.99 * share, ticks, of_difference) < 1.0, "{ticks} {of_difference}");
+            assert!(growth(1.02 * share, ticks, of_difference) > 10.0, "{ticks} {of_difference}");
+        }
+        assert!(differenced <= told * (1.0 + 1e-12));
+    }
+}
+
+#[test]
+fn the_limit_is_a_quarter_of_what_grows() -> Result<(), ParameterError> {
+    let half = DampingLimit::of_mass(0.5, MASS, PERIOD)?;
+    assert_eq!(half.delayed(0), half);
+    for ticks in 0..=5_u32 {
+        let share = half.delayed(ticks).most() * PERIOD / MASS;
+        let grows = 2.0 * (PI / (4.0 * (f64::from(ticks) + 1.0))).tan();
+        assert!((share - grows / 4.0).abs() < 1e-15);
+        assert!(growth(share, ticks as usize, true) < 1e-3);
+    }
+    // A limit that is none stays finite; none at all stays none.
+    let endless: DampingLimit<f32> = DampingLimit::at(f32::INFINITY)?;
+    assert!(endless.delayed(3).most().finite() && endless.delayed(u32::MAX).most() >= 0.0);
+    assert_eq!(DampingLimit::at(0.0_f64)?.delayed(3).most(), 0.0);
+    Ok(())
+}

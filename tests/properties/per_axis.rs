@@ -1,0 +1,100 @@
+//! A sum for each axis: what it tells, and that every axis does what it would do alone.
+
+use lyapunov::lanes::{AutoF32x8, AutoF64x4};
+use lyapunov::laws::{self, Samples};
+use lyapunov::{DampingLimit, Drive, Lolc, Mask, PerAxis, PortEnergy, Scalar, Signal, Stabilizer};
+use nalgebra::SVector;
+
+type Popc<T> = Lolc<T, PortEnergy>;
+
+fn popc<T: Scalar>(cap: f64) -> Popc<T> {
+    let limit = DampingLimit::of_mass(T::of(cap), T::of(0.2), T::of(1e-3)).expect("a limit");
+    Lolc::new(PortEnergy, limit)
+}
+
+fn samples<V: Signal>(seed: u64) -> Samples<V> {
+    Samples::new(V::Scalar::of(1e-3)).seeded(seed)
+}
+
+fn keeps_the_laws<T: Scalar, const N: usize>(cap: f64) {
+    for seed in 0..10 {
+        let each = PerAxis::of([popc::<T>(cap); N]);
+        laws::stabilizer(&each, samples::<SVector<T, N>>(seed)).expect("lawful");
+    }
+}
+
+#[test]
+fn it_is_a_lawful_stabilizer() {
+    for cap in [0.0, 0.5, f64::INFINITY] {
+        keeps_the_laws::<f64, 1>(cap);
+        keeps_the_laws::<f64, 3>(cap);
+        keeps_the_laws::<f32, 6>(cap);
+        keeps_the_laws::<AutoF64x4, 3>(cap);
+        keeps_the_laws::<AutoF32x8, 2>(cap);
+    }
+}
+
+fn alone(drive: &Drive<SVector<f64, 3>>, axis: usize) -> Drive<f64> {
+    Drive {
+        period: drive.period,
+        position: drive.position[axis],
+        velocity: drive.velocity[axis],
+        displacement: drive.displacement[axis],
+        acted: drive.acted[axis],
+        work: drive.work[axis],
+    }
+}
+
+#[test]
+fn every_axis_does_what_it_would_do_alone() {
+    let mut each = PerAxis::of([popc::<f64>(0.5); 3]);
+    let mut single = [popc::<f64>(0.5); 3];
+    let mut active = 0;
+    for (drive, effort) in samples::<SVector<f64, 3>>(7) {
+        let action = each.stabilize(&drive, effort);
+        let told: Vec<_> =
+            (0..3).map(|axis| single[axis].stabilize(&alone(&drive, axis), effort[axis])).collect();
+        for axis in 0..3 {
+            assert_eq!(action.effort[axis].to_bits(), told[axis].effort.to_bits());
+        }
+        let least = told.iter().map(|it| it.sum).fold(f64::INFINITY, f64::min);
+        let most = told.iter().map(|it| it.alpha).fold(0.0, f64::max);
+        let owed: f64 = told.iter().map(|it| it.shortfall).sum();
+        assert_eq!((action.sum, action.shortfall), (least, owed));
+        // What it is said to burn is what the axes burn, no less, and more by a rounding at most.
+        let burns = |v: f64, alpha: f64| alpha * v * v;
+        let burnt: f64 = (0..3).map(|axis| burns(drive.velocity[axis], told[axis].alpha)).sum();
+        let said = action.alpha * drive.velocity.norm_squared();
+        assert!(said <= burnt * (1.0 + 1e-14) && action.alpha <= most, "{said} {burnt}");
+        assert!(said >= burnt * (1.0 - 1e-14) || action.alpha == most, "{said} {burnt}");
+        active += usize::from(action.alpha > 0.0);
+    }
+    assert!(active > 100);
+}
+
+/// +1 mJ on x, −0.9 mJ on y.
+#[test]
+fn one_sum_is_silent_where_a_sum_for_each_acts() {
+    let axes = |x, y| SVector::from([x, y]);
+    let drive =
+        Drive::new(1e-3, axes(0.0, 0.0), axes(0.1, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
+    let effort = axes(0.5, 0.5);
+    let one = popc::<f64>(0.5).stabilize(&drive, effort);
+    assert!((one.sum - 1e-4).abs() < 1e-18 && one.alpha == 0.0 && one.effort == effort);
+    let each = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&drive, effort);
+    assert!((each.sum + 9e-4).abs() < 1e-18);
+    // Half of m / T is 100 N·s/m; 0.9 mJ would take 90 at 0.1 m/s.
+    assert!(each.effort.x == 0.5 && (each.effort.y - 9.5).abs() < 1e-9);
+    assert!((each.alpha - 45.0).abs() < 1e-9 && each.shortfall == 0.0);
+}
+
+#[test]
+fn a_bad_axis_does_not_stop_the_others() {
+    let axes = |x, y| SVector::from([x, y]);
+    let drive =
+        Drive::new(1e-3, axes(0.0, 0.0), axes(f64::NAN, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
+    let action = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&drive, axes(0.5, 0.5));
+    assert!(!action.accepted.all());
+    assert!(action.effort.x == 0.0 && (action.effort.y - 9.5).abs() < 1e-9);
+    assert!(action.alpha.is_finite() && action.sum.is_finite());
+}
