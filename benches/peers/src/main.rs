@@ -1,22 +1,88 @@
-//! dev
-mod crates; mod hand; mod ours; mod reference; mod row; mod scene;
-use row::*;
-fn main() {
-    let reference = reference::Reference::new();
-    const S: &[u32] = &[1,2,5,10,20,50,100];
-    let mut rows = vec![Compiled{origin:Origin::Ours,method:"exact",setting:Setting::None,run:Box::new(|p|ours::exact(p).unwrap())}];
-    rows.extend(stepped(Origin::Ours,"rk4 gen",S,|p,n|ours::runge_kutta_4(p,n).unwrap()));
-    rows.extend(stepped(Origin::Hand,"rk4 hand",S,hand::runge_kutta_4));
-    rows.extend(adaptive(Origin::Hand,"dp5 hand",hand::dormand_prince));
+//! What exact propagation is worth: accuracy and time on the paper's 8 kN/m scene, next to integrators written by
+//! hand, crates and Python packages. `docs/peers.md` has the story.
+//!
+//! All rows take turns in one run, so that what slows the machine down slows all of them.
+
+mod contest;
+mod crates;
+mod hand;
+mod marks;
+mod ours;
+mod reference;
+mod report;
+mod row;
+mod scene;
+mod scripts;
+
+use std::error::Error;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use contest::Contest;
+use report::Report;
+use row::{Origin, Row, Setting};
+use scripts::Offers;
+
+/// Compare exact propagation with other integrators, by largest error and time.
+///
+/// The table has of each peer's method the fastest setting below 1e-3, 1e-6, 1e-9 and 1e-11 m; --json has all.
+/// The Python packages are those of benches/peers/python/install.sh; without them their rows are SKIPPED.
+#[derive(Parser)]
+struct Arguments {
+    /// Write every row as JSON to FILE.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Times that each row is measured.
+    #[arg(long, value_name = "COUNT", default_value_t = 21, value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::parse();
+    let rounds = usize::from(arguments.rounds);
+    let style = "{msg} {bar:40} {percent:>3} %, {eta} left";
+    let bar = ProgressBar::new(0).with_style(ProgressStyle::with_template(style)?);
+    bar.set_message("peers");
+
+    let Offers { rows: python, versions, skipped } = Offers::gathered();
+    let mut rows = own_rows();
     rows.extend(crates::rows());
-    let mut base=0.0;
-    for r in rows {
-        let mut p=[0.0;201];
-        (r.run)(&mut p);
-        let e=reference.error(&p);
-        let mut best=f64::INFINITY;
-        for _ in 0..15 { let t=std::time::Instant::now(); let mut n=0; while t.elapsed().as_micros()<1500 {(r.run)(std::hint::black_box(&mut p));n+=1;} best=best.min(t.elapsed().as_nanos() as f64/(2*n) as f64);}
-        if base==0.0 {base=best}
-        println!("{:40} {:10} {:9.1e} {:10.0} {:8.1}", r.method, r.setting.to_string(), e, best, best/base);
+    rows.extend(python);
+    let report = Report::new(Contest::held(rows, rounds, &bar)?, rounds, versions, skipped);
+
+    if let Some(path) = &arguments.json {
+        write_whole(path, &report.document()?)?;
     }
+    io::stdout().lock().write_all(report.to_string().as_bytes())?;
+    Ok(())
+}
+
+/// This library, and what is written by hand. The exact row is the first.
+fn own_rows() -> Vec<Row> {
+    const STEPS: &[u32] = &[1, 2, 5, 10, 20, 50, 100];
+    let valid = "the scene is valid";
+    let mut rows = vec![Row::compiled(Origin::Ours, "exact", Setting::None, move |at| {
+        ours::exact(at).expect(valid);
+    })];
+    rows.extend(Row::stepped(Origin::Ours, "RK4 generic", STEPS, move |at, steps| {
+        ours::runge_kutta_4(at, steps).expect(valid);
+    }));
+    rows.extend(Row::stepped(Origin::Hand, "RK4 by hand", STEPS, hand::runge_kutta_4));
+    let pair = "Dormand-Prince by hand";
+    rows.extend(Row::adaptive(Origin::Hand, pair, hand::dormand_prince));
+    rows
+}
+
+/// The file appears when it is complete.
+fn write_whole(path: &Path, text: &str) -> io::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
+    let mut file = tempfile::NamedTempFile::new_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    let file = file.into_temp_path();
+    fs::rename(&file, path)
 }

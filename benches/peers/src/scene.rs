@@ -25,10 +25,11 @@ pub(crate) type Positions = [f64; PERIODS + 1];
 /// Position, m, and velocity, m/s.
 pub(crate) type State = [f64; 2];
 
-/// The equation of motion under the held `force`: what position and velocity change by per second.
+/// The equation of motion under the held `force`: what position and velocity change by per second, without a division.
 #[inline(always)]
 pub(crate) fn rate([position, velocity]: State, force: f64) -> State {
-    [velocity, (-STIFFNESS * position - DAMPING * velocity - force) * (1.0 / MASS)]
+    const OF: [f64; 3] = [-STIFFNESS / MASS, -DAMPING / MASS, -1.0 / MASS];
+    [velocity, OF[0] * position + OF[1] * velocity + OF[2] * force]
 }
 
 /// The sampled loop around `advance`, which is given a state and the held force and answers with the state a period

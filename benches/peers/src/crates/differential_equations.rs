@@ -5,14 +5,14 @@ use ::differential_equations::ode::{ODE, OrdinaryNumericalMethod, solve_ode};
 use ::differential_equations::prelude::{ControlFlag, Interpolation, Solout, Solution};
 
 use super::STEPS;
-use crate::row::{Compiled, Origin, adaptive, stepped};
+use crate::row::{Origin, Row};
 use crate::scene::{PERIOD, Positions, State, rate, rollout};
 
-pub(super) fn rows() -> Vec<Compiled> {
+pub(super) fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     macro_rules! pairs {
         ($($pair:ident),+) => {$(
-            rows.extend(adaptive(
+            rows.extend(Row::adaptive(
                 Origin::Crate,
                 concat!("differential-equations ", stringify!($pair)),
                 |positions, tolerance| {
@@ -23,7 +23,7 @@ pub(super) fn rows() -> Vec<Compiled> {
         )+};
     }
     pairs!(dop853, dopri5, rkv655e, rkv766e, rkv877e, rkv988e);
-    rows.extend(stepped(
+    rows.extend(Row::stepped(
         Origin::Crate,
         "differential-equations rk4",
         STEPS,

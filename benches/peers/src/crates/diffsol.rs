@@ -5,11 +5,11 @@ use std::rc::Rc;
 
 use ::diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason, Vector};
 
-use crate::row::{Compiled, Origin, adaptive};
+use crate::row::{Origin, Row};
 use crate::scene::{PERIOD, Positions, START, rate, rollout};
 
-pub(super) fn rows() -> Vec<Compiled> {
-    adaptive(Origin::Crate, "diffsol tsit45", tsit45).collect()
+pub(super) fn rows() -> Vec<Row> {
+    Row::adaptive(Origin::Crate, "diffsol tsit45", tsit45).collect()
 }
 
 /// One solver for the whole run: at each period it is told that the slope has changed, and goes on with its state.

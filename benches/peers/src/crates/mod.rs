@@ -8,10 +8,10 @@ mod diffsol;
 mod ode_solvers;
 mod russell_ode;
 
-use crate::row::Compiled;
+use crate::row::Row;
 
 /// All of them.
-pub(crate) fn rows() -> Vec<Compiled> {
+pub(crate) fn rows() -> Vec<Row> {
     let mut rows = ode_solvers::rows();
     rows.extend(differential_equations::rows());
     rows.extend(diffsol::rows());

@@ -3,13 +3,13 @@
 use ::ode_solvers::{Dop853, Dopri5, OutputType, Rk4, System, Vector2};
 
 use super::STEPS;
-use crate::row::{Compiled, Origin, adaptive, stepped};
+use crate::row::{Origin, Row};
 use crate::scene::{PERIOD, Positions, State, rate, rollout};
 
-pub(super) fn rows() -> Vec<Compiled> {
-    let mut rows: Vec<_> = adaptive(Origin::Crate, "ode_solvers Dop853", dop853).collect();
-    rows.extend(adaptive(Origin::Crate, "ode_solvers Dopri5", dopri5));
-    rows.extend(stepped(Origin::Crate, "ode_solvers Rk4", STEPS, runge_kutta_4));
+pub(super) fn rows() -> Vec<Row> {
+    let mut rows: Vec<_> = Row::adaptive(Origin::Crate, "ode_solvers Dop853", dop853).collect();
+    rows.extend(Row::adaptive(Origin::Crate, "ode_solvers Dopri5", dopri5));
+    rows.extend(Row::stepped(Origin::Crate, "ode_solvers Rk4", STEPS, runge_kutta_4));
     rows
 }
 

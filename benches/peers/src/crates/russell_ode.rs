@@ -5,26 +5,31 @@ use ::russell_lab::Vector;
 use ::russell_ode::{Method, OdeSolver, Params, System};
 
 use super::STEPS;
-use crate::row::{Compiled, Origin, adaptive, stepped};
+use crate::row::{Origin, Row};
 use crate::scene::{PERIOD, Positions, START, rate, rollout};
 
-pub(super) fn rows() -> Vec<Compiled> {
+pub(super) fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     macro_rules! pairs {
         ($($pair:ident),+) => {$(
             let name = concat!("russell_ode ", stringify!($pair));
-            rows.extend(adaptive(Origin::Crate, name, |positions, tolerance| {
+            rows.extend(Row::adaptive(Origin::Crate, name, |positions, tolerance| {
                 run(positions, Method::$pair, Some(tolerance), None);
             }));
         )+};
     }
     pairs!(DoPri8, DoPri5, Verner6, Fehlberg7);
-    rows.extend(stepped(Origin::Crate, "russell_ode Rk4", STEPS, |positions, steps| {
+    rows.extend(Row::stepped(Origin::Crate, "russell_ode Rk4", STEPS, |positions, steps| {
         run(positions, Method::Rk4, None, Some(PERIOD / f64::from(steps)));
     }));
-    rows.extend(stepped(Origin::Crate, "russell_ode DoPri8, equal", &[1, 2], |positions, steps| {
-        run(positions, Method::DoPri8, None, Some(PERIOD / f64::from(steps)));
-    }));
+    rows.extend(Row::stepped(
+        Origin::Crate,
+        "russell_ode DoPri8 equal",
+        &[1, 2],
+        |positions, steps| {
+            run(positions, Method::DoPri8, None, Some(PERIOD / f64::from(steps)));
+        },
+    ));
     rows
 }
 

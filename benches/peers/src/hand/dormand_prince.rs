@@ -73,7 +73,8 @@ impl Tried {
             -1.0 / 40.0,
         ];
         let [position, velocity] = [0, 1].map(|part| {
-            let weighed = WEIGHTS.iter().zip(&self.slopes).map(|(weight, slope)| weight * slope[part]);
+            let weighed =
+                WEIGHTS.iter().zip(&self.slopes).map(|(weight, slope)| weight * slope[part]);
             let size = from[part].abs().max(self.state[part].abs());
             step * weighed.sum::<f64>() / (tolerance * (1.0 + size))
         });
