@@ -13,14 +13,17 @@ mod report;
 mod row;
 mod scene;
 mod scripts;
+#[cfg(test)]
+mod tests;
 
 use std::error::Error;
-use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::process::ExitCode;
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
+use lyapunov_lab::Output;
 
 use contest::Contest;
 use report::Report;
@@ -41,12 +44,24 @@ struct Arguments {
     rounds: u16,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let arguments = Arguments::parse();
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if let Some(path) = &arguments.json {
+        // A place that cannot be written to is told before minutes are spent.
+        drop(Output::create(path)?);
+    }
     let rounds = usize::from(arguments.rounds);
-    let style = "{msg} {bar:40} {percent:>3} %, {eta} left";
-    let bar = ProgressBar::new(0).with_style(ProgressStyle::with_template(style)?);
-    bar.set_message("peers");
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left")?;
+    let bar = ProgressBar::new(0).with_style(style);
 
     let Offers { rows: python, versions, skipped } = Offers::gathered();
     let mut rows = own_rows();
@@ -54,10 +69,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     rows.extend(python);
     let report = Report::new(Contest::held(rows, rounds, &bar)?, rounds, versions, skipped);
 
-    if let Some(path) = &arguments.json {
-        write_whole(path, &report.document()?)?;
-    }
     io::stdout().lock().write_all(report.to_string().as_bytes())?;
+    if let Some(path) = &arguments.json {
+        let mut output = Output::create(path)?;
+        let written = output.write_all(report.document()?.as_bytes());
+        written.map_err(|error| output.blame(error))?;
+        output.keep()?;
+    }
     Ok(())
 }
 
@@ -75,14 +93,4 @@ fn own_rows() -> Vec<Row> {
     let pair = "Dormand-Prince by hand";
     rows.extend(Row::adaptive(Origin::Hand, pair, hand::dormand_prince));
     rows
-}
-
-/// The file appears when it is complete.
-fn write_whole(path: &Path, text: &str) -> io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let folder = folder.unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    let file = file.into_temp_path();
-    fs::rename(&file, path)
 }

@@ -1,0 +1,81 @@
+//! That the rows compute what they say.
+
+use std::path::Path;
+
+use lyapunov_lab::{Rollout, Scene};
+
+use crate::reference::Reference;
+use crate::row::{NOWHERE, Row, Setting};
+use crate::scene::Positions;
+use crate::{crates, hand, ours};
+
+fn scene() -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/paper-8k-none.toml");
+    Scene::load(&path).expect("a shipped scene")
+}
+
+fn moved(run: impl FnOnce(&mut Positions)) -> Positions {
+    let mut positions = NOWHERE;
+    run(&mut positions);
+    positions
+}
+
+fn error(row: &mut Row) -> f64 {
+    let mut positions = NOWHERE;
+    (row.run)(&mut positions).expect("a row that runs");
+    Reference::new().error(&positions)
+}
+
+#[test]
+fn the_loop_is_the_shipped_scene() {
+    let rows = Rollout::<f64>::of(&scene()).expect("a shipped scene");
+    let shipped: Vec<f64> = rows.map(|row| row.x).take(NOWHERE.len()).collect();
+    assert_eq!(moved(|at| ours::exact(at).unwrap())[..], shipped);
+}
+
+#[test]
+fn a_position_that_is_no_number_is_no_small_error() {
+    assert!(Reference::new().error(&NOWHERE).is_nan());
+}
+
+#[test]
+fn runge_kutta_by_hand_is_of_order_4() {
+    let error = |steps| Reference::new().error(&moved(|at| hand::runge_kutta_4(at, steps)));
+    let order = (error(10) / error(20)).log2();
+    assert!((order - 4.0).abs() < 0.1, "order {order}");
+}
+
+#[test]
+fn the_pair_by_hand_is_of_order_5() {
+    // A hundredfold tolerance makes the error of a step, of order 5 by its estimate, a hundredfold as well.
+    let error =
+        |tolerance| Reference::new().error(&moved(|at| hand::dormand_prince(at, tolerance)));
+    let (loose, tight) = (error(1e-10), error(1e-12));
+    assert!(loose < 1e-7 && tight < 1e-9, "{loose}, {tight}");
+}
+
+/// A step too many or too few, or an end that is not the period's, would be told by the error.
+#[test]
+fn crates_of_equal_steps_agree_with_the_method_by_hand() {
+    let mut compared = 0;
+    for mut row in crates::rows() {
+        let Setting::Steps(steps) = row.setting else { continue };
+        if row.method.to_lowercase().ends_with("rk4") {
+            let by_hand = Reference::new().error(&moved(|at| hand::runge_kutta_4(at, steps)));
+            let ratio = error(&mut row) / by_hand;
+            assert!((ratio - 1.0).abs() < 0.05, "{} {}: {ratio}", row.method, row.setting);
+            compared += 1;
+        }
+    }
+    assert!(compared > 40);
+}
+
+#[test]
+fn adaptive_crates_reach_their_best() {
+    for mut row in crates::rows() {
+        if row.setting == Setting::Tolerance(1e-12) {
+            let error = error(&mut row);
+            assert!(error < 1e-9, "{}: {error}", row.method);
+        }
+    }
+}
