@@ -90,6 +90,7 @@ fn own_rows() -> Vec<Row> {
         ours::runge_kutta_4(at, steps).expect(valid);
     }));
     rows.extend(Row::stepped(Origin::Hand, "RK4 by hand", STEPS, hand::runge_kutta_4));
+    rows.push(Row::compiled(Origin::Hand, "exact by hand", Setting::None, hand::exact));
     let pair = "Dormand-Prince by hand";
     rows.extend(Row::adaptive(Origin::Hand, pair, hand::dormand_prince));
     rows

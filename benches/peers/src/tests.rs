@@ -39,6 +39,13 @@ fn a_position_that_is_no_number_is_no_small_error() {
 }
 
 #[test]
+fn both_exact_rows_are() {
+    let errors = [moved(|at| ours::exact(at).unwrap()), moved(hand::exact)];
+    let errors = errors.map(|positions| Reference::new().error(&positions));
+    assert!(errors.iter().all(|error| *error < 1e-12), "{errors:?}");
+}
+
+#[test]
 fn runge_kutta_by_hand_is_of_order_4() {
     let error = |steps| Reference::new().error(&moved(|at| hand::runge_kutta_4(at, steps)));
     let order = (error(10) / error(20)).log2();
@@ -46,8 +53,7 @@ fn runge_kutta_by_hand_is_of_order_4() {
 }
 
 #[test]
-fn the_pair_by_hand_is_of_order_5() {
-    // A hundredfold tolerance makes the error of a step, of order 5 by its estimate, a hundredfold as well.
+fn the_pair_by_hand_follows_its_tolerance() {
     let error =
         |tolerance| Reference::new().error(&moved(|at| hand::dormand_prince(at, tolerance)));
     let (loose, tight) = (error(1e-10), error(1e-12));
