@@ -76,12 +76,13 @@ fn crates_of_equal_steps_agree_with_the_method_by_hand() {
     assert!(compared > 40);
 }
 
+/// An end that is not the period's would be told by an error of 1e-5 m and more.
 #[test]
-fn adaptive_crates_reach_their_best() {
+fn adaptive_crates_follow_their_tolerance() {
     for mut row in crates::rows() {
         if row.setting == Setting::Tolerance(1e-12) {
             let error = error(&mut row);
-            assert!(error < 1e-9, "{}: {error}", row.method);
+            assert!(error < 1e-8, "{}: {error}", row.method);
         }
     }
 }
