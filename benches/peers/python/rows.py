@@ -58,9 +58,10 @@ def serve(package, load):
     for line in sys.stdin:
         try:
             run = rows[int(line)]["run"]
-            start = time.perf_counter_ns()
+            # A row takes many slices of the scheduler; the processor's time does not count what others do in between.
+            start = time.process_time_ns()
             positions = run()
-            elapsed = time.perf_counter_ns() - start
+            elapsed = time.process_time_ns() - start
             tell(ns=elapsed / (PERIODS * PERIOD), positions=[float(position) for position in positions])
         except Exception as error:
             tell(failed=repr(error))
