@@ -2,7 +2,7 @@
 
 use super::numbers::{
     DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING, OPERATOR_MASS,
-    OPERATOR_STIFFNESS, PERIOD, START, STIFFNESS,
+    OPERATOR_STIFFNESS, PERIOD, START, STEPS, STIFFNESS,
 };
 
 macro_rules! hand {
@@ -245,6 +245,85 @@ macro_rules! hand {
             impl Plain {
                 pub(crate) fn new() -> Self {
                     Self { mass: Mass::new(), wall: Wall::new() }
+                }
+
+                #[inline(never)]
+                pub(crate) fn run(&mut self, positions: &mut [$real]) {
+                    let Self { mass, wall } = self;
+                    let mut moved = 0.0;
+                    for position in positions {
+                        moved = mass.advance(wall.force(mass.position, moved / mass.period));
+                        *position = mass.position;
+                    }
+                }
+            }
+
+            /// The same mass, moved by the classical Runge-Kutta method.
+            #[derive(Clone, Copy, Debug)]
+            struct Numeric {
+                #[expect(dead_code, reason = "what it is made of, for who would change it")]
+                parts: [$real; 3],
+                rates: [$real; 3],
+                period: $real,
+                interval: $real,
+                steps: u32,
+                rest: $real,
+                position: $real,
+                velocity: $real,
+            }
+
+            impl Numeric {
+                fn new() -> Self {
+                    let mass = OPERATOR_MASS as $real + DEVICE_MASS as $real;
+                    let damping = OPERATOR_DAMPING as $real + DEVICE_DAMPING as $real;
+                    let stiffness = OPERATOR_STIFFNESS as $real;
+                    Self {
+                        parts: [mass, damping, stiffness],
+                        rates: [-stiffness / mass, -damping / mass, -1.0 / mass],
+                        period: PERIOD as $real,
+                        interval: PERIOD as $real / STEPS as $real,
+                        steps: STEPS,
+                        rest: 0.0,
+                        position: START as $real,
+                        velocity: 0.0,
+                    }
+                }
+
+                /// How far it moves in a period under `effort`.
+                #[inline(always)]
+                fn advance(&mut self, effort: $real) -> $real {
+                    let before = self.position;
+                    let [k, b, f] = self.rates;
+                    let acceleration = |x: $real, v: $real| x * k + v * b + effort * f;
+                    let (step, half) = (self.interval, self.interval * 0.5);
+                    let sixth = step * (1.0 / 6.0);
+                    for _ in 0..self.steps {
+                        let (x, v) = (self.position - self.rest, self.velocity);
+                        let a1 = acceleration(x, v);
+                        let v2 = v + a1 * half;
+                        let a2 = acceleration(x + v * half, v2);
+                        let v3 = v + a2 * half;
+                        let a3 = acceleration(x + v2 * half, v3);
+                        let v4 = v + a3 * step;
+                        let a4 = acceleration(x + v3 * step, v4);
+                        let inner = a2 + a3;
+                        self.position += (v + (a1 + inner) * sixth) * step;
+                        self.velocity += (a1 + inner + inner + a4) * sixth;
+                    }
+                    self.position - before
+                }
+            }
+
+            /// A wall alone, against a mass that is integrated.
+            #[derive(Clone, Copy, Debug)]
+            pub(crate) struct Integrated {
+                mass: Numeric,
+                wall: Wall,
+            }
+
+            impl Integrated {
+                pub(crate) fn new() -> Self {
+                    Self { mass: Numeric::new(), wall: Wall::new() }
                 }
 
                 #[inline(never)]

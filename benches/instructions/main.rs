@@ -45,11 +45,12 @@ macro_rules! contest {
     };
 }
 
-/// With and without a stabilizer, on a state that is kept; and with one, on a state that ends with the run.
+/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; and without,
+/// with a body that is integrated by steps.
 macro_rules! contests {
     ($real:ident) => {{
-        use hand::$real::{Plain, Stabilized};
-        use typed::{plain, stabilized};
+        use hand::$real::{Integrated, Plain, Stabilized};
+        use typed::{integrated, plain, stabilized};
         [
             contest!(
                 concat!("stabilized/", stringify!($real)),
@@ -71,6 +72,13 @@ macro_rules! contests {
                 run,
                 Plain::new(),
                 plain::<$real>()
+            ),
+            contest!(
+                concat!("runge-kutta-4/", stringify!($real)),
+                $real,
+                run,
+                Integrated::new(),
+                integrated::<$real>()
             ),
         ]
     }};
@@ -106,12 +114,12 @@ fn main() -> ExitCode {
 fn same(contest: &Contest) -> bool {
     let alike = (contest.hand)(TICKS[0]) == (contest.typed)(TICKS[0]);
     let [hand, typed] = contest.bytes;
-    println!("{:<16} {typed} bytes, by hand {hand}", contest.name);
+    println!("{:<18} {typed} bytes, by hand {hand}", contest.name);
     if !alike {
-        println!("{:<16} FAILED: the two forms move differently", contest.name);
+        println!("{:<18} FAILED: the two forms move differently", contest.name);
     }
     if hand != typed {
-        println!("{:<16} FAILED: the bytes differ", contest.name);
+        println!("{:<18} FAILED: the bytes differ", contest.name);
     }
     alike && hand == typed
 }
@@ -120,9 +128,9 @@ fn same(contest: &Contest) -> bool {
 fn counted(contest: &Contest) -> bool {
     let [hand, typed] = ["hand", "typed"].map(|side| per_tick(contest.name, side));
     let ratio = typed / hand;
-    println!("{:<16} {typed:.2} instructions a tick, by hand {hand:.2}: {ratio:.3}", contest.name);
+    println!("{:<18} {typed:.2} instructions a tick, by hand {hand:.2}: {ratio:.3}", contest.name);
     if ratio > MARK {
-        println!("{:<16} FAILED: more than {MARK} times those by hand", contest.name);
+        println!("{:<18} FAILED: more than {MARK} times those by hand", contest.name);
     }
     ratio <= MARK
 }

@@ -11,5 +11,8 @@ pub(crate) const STIFFNESS: f64 = 8000.0;
 pub(crate) const DAMPING: f64 = 2.0;
 pub(crate) const HOLD: u32 = 10;
 
+/// Steps of an integrator per period.
+pub(crate) const STEPS: u32 = 4;
+
 /// The largest damping that may be injected, N·s/m.
 pub(crate) const MOST: f64 = 150.0;

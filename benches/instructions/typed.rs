@@ -1,13 +1,13 @@
 //! The loops composed by type.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Difference, Hold, Impedance, OnePort, ParameterError, Plant, Popc,
-    PortEnergy, Scalar, Stabilized, Wall,
+    Adapt, Body, DampingLimit, Difference, Hold, Impedance, OnePort, Oscillator, ParameterError,
+    Plant, Popc, PortEnergy, RungeKutta4, Scalar, Stabilized, Stepped, Wall,
 };
 
 use super::numbers::{
     DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING, OPERATOR_MASS,
-    OPERATOR_STIFFNESS, PERIOD, START, STIFFNESS,
+    OPERATOR_STIFFNESS, PERIOD, START, STEPS, STIFFNESS,
 };
 
 /// A held wall behind the stabilizer.
@@ -16,28 +16,37 @@ pub(crate) type Corrected<T> = Difference<Stabilized<Hold<Wall<T>, T>, Popc<T>, 
 /// A wall alone.
 pub(crate) type Plain<T> = Difference<Wall<T>>;
 
+/// A mass moved by the classical Runge-Kutta method.
+pub(crate) type Integrated<T> = Stepped<T, Oscillator<T>, RungeKutta4>;
+
 /// What moves, and what answers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Loop<T: Scalar, P> {
-    pub(crate) plant: Body<T>,
+pub(crate) struct Loop<B, P> {
+    pub(crate) plant: B,
     pub(crate) port: P,
 }
 
-impl<T: Scalar, P: OnePort<T>> Loop<T, P> {
+impl<B, P> Loop<B, P> {
     #[inline(never)]
-    pub(crate) fn run(&mut self, positions: &mut [T]) {
+    pub(crate) fn run<T: Scalar>(&mut self, positions: &mut [T])
+    where
+        B: Plant<T>,
+        P: OnePort<T>,
+    {
         let mut drive = self.plant.start();
         for position in positions {
             drive = self.plant.advance(self.port.respond(&drive));
             *position = drive.position;
         }
     }
-}
 
-impl<T: Scalar, P: OnePort<T> + Copy> Loop<T, P> {
     /// The same on copies that end with it.
     #[inline(never)]
-    pub(crate) fn roll(&self, positions: &mut [T]) {
+    pub(crate) fn roll<T: Scalar>(&self, positions: &mut [T])
+    where
+        B: Plant<T> + Copy,
+        P: OnePort<T> + Copy,
+    {
         let Self { mut plant, mut port } = *self;
         let mut drive = plant.start();
         for position in positions {
@@ -47,7 +56,7 @@ impl<T: Scalar, P: OnePort<T> + Copy> Loop<T, P> {
     }
 }
 
-fn plant<T: Scalar>() -> Result<Body<T>, ParameterError> {
+fn hand<T: Scalar>() -> Impedance<T> {
     let of = T::of;
     let operator = Impedance {
         mass: of(OPERATOR_MASS),
@@ -56,16 +65,28 @@ fn plant<T: Scalar>() -> Result<Body<T>, ParameterError> {
     };
     let device =
         Impedance { mass: of(DEVICE_MASS), damping: of(DEVICE_DAMPING), stiffness: of(0.0) };
-    Ok(Body::new(operator + device, of(PERIOD))?.starting(of(START), of(0.0)))
+    operator + device
 }
 
-pub(crate) fn stabilized<T: Scalar>() -> Result<Loop<T, Corrected<T>>, ParameterError> {
-    let wall = Wall::new(T::of(STIFFNESS), T::of(DAMPING))?;
+fn exact<T: Scalar>() -> Result<Body<T>, ParameterError> {
+    Ok(Body::new(hand(), T::of(PERIOD))?.starting(T::of(START), T::of(0.0)))
+}
+
+fn wall<T: Scalar>() -> Result<Wall<T>, ParameterError> {
+    Wall::new(T::of(STIFFNESS), T::of(DAMPING))
+}
+
+pub(crate) fn stabilized<T: Scalar>() -> Result<Loop<Body<T>, Corrected<T>>, ParameterError> {
     let popc = Popc::new(PortEnergy, DampingLimit::at(T::of(MOST))?);
-    Ok(Loop { plant: plant()?, port: wall.held(HOLD)?.stabilized(popc).differenced() })
+    Ok(Loop { plant: exact()?, port: wall()?.held(HOLD)?.stabilized(popc).differenced() })
 }
 
-pub(crate) fn plain<T: Scalar>() -> Result<Loop<T, Plain<T>>, ParameterError> {
-    let wall = Wall::new(T::of(STIFFNESS), T::of(DAMPING))?;
-    Ok(Loop { plant: plant()?, port: wall.differenced() })
+pub(crate) fn plain<T: Scalar>() -> Result<Loop<Body<T>, Plain<T>>, ParameterError> {
+    Ok(Loop { plant: exact()?, port: wall()?.differenced() })
+}
+
+/// The plain loop with a body that is integrated.
+pub(crate) fn integrated<T: Scalar>() -> Result<Loop<Integrated<T>, Plain<T>>, ParameterError> {
+    let plant = Stepped::new(Oscillator::new(hand())?, RungeKutta4, T::of(PERIOD), STEPS)?;
+    Ok(Loop { plant: plant.starting(T::of(START), T::of(0.0)), port: wall()?.differenced() })
 }

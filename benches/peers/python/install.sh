@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Sets up target/peers-python with the packages of requirements.txt. One that cannot be had is told and left out;
+# its rows are then SKIPPED.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+environment=$here/../../../target/peers-python
+python3 -m venv "$environment"
+while read -r package; do
+    "$environment/bin/pip" install --quiet "$package" || echo "SKIPPED: $package cannot be installed here" >&2
+done < "$here/requirements.txt"
+"$environment/bin/pip" list

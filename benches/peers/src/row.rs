@@ -1,0 +1,108 @@
+//! One line of the table.
+
+use std::fmt::{self, Display, Formatter};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use crate::scene::{DURATION, PERIODS, Positions};
+
+/// What a method is turned by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Setting {
+    /// Nothing.
+    None,
+    /// Steps of equal length per period.
+    Steps(u32),
+    /// The absolute (m, m/s) and the relative tolerance.
+    Tolerance(f64),
+}
+
+impl Display for Setting {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => formatter.pad("-"),
+            Self::Steps(1) => formatter.pad("1 step"),
+            Self::Steps(steps) => formatter.pad(&format!("{steps} steps")),
+            Self::Tolerance(tolerance) => formatter.pad(&format!("{tolerance:.0e}")),
+        }
+    }
+}
+
+/// Whose a method is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// This library's.
+    Ours,
+    /// Written by hand for this comparison.
+    Hand,
+    /// A crate's.
+    Crate,
+    /// A Python package's.
+    Python,
+}
+
+/// A method at a setting.
+pub(crate) struct Row {
+    pub(crate) origin: Origin,
+    pub(crate) method: String,
+    pub(crate) setting: Setting,
+    pub(crate) run: Run,
+}
+
+/// Moves the mass through the positions, and tells the ns that it took per simulated second, or why it could not.
+pub(crate) type Run = Box<dyn FnMut(&mut Positions) -> Result<f64, String>>;
+
+impl Row {
+    /// A row that is compiled into this program.
+    pub(crate) fn compiled(
+        origin: Origin,
+        method: &str,
+        setting: Setting,
+        run: impl Fn(&mut Positions) + 'static,
+    ) -> Self {
+        Self { origin, method: method.into(), setting, run: repeated(run) }
+    }
+
+    /// Rows of a method at equal steps.
+    pub(crate) fn stepped(
+        origin: Origin,
+        method: &str,
+        counts: &[u32],
+        run: impl Fn(&mut Positions, u32) + Copy + 'static,
+    ) -> impl Iterator<Item = Self> {
+        counts.iter().map(move |&steps| {
+            Self::compiled(origin, method, Setting::Steps(steps), move |at| run(at, steps))
+        })
+    }
+
+    /// Rows of a method that chooses its steps by a tolerance: 0.1, and tighter as far as `f64` reaches.
+    pub(crate) fn adaptive(
+        origin: Origin,
+        method: &str,
+        run: impl Fn(&mut Positions, f64) + Copy + 'static,
+    ) -> impl Iterator<Item = Self> {
+        (1..=13).map(move |digits| {
+            let tolerance = 10.0_f64.powi(-digits);
+            let setting = Setting::Tolerance(tolerance);
+            Self::compiled(origin, method, setting, move |at| run(at, tolerance))
+        })
+    }
+}
+
+/// Runs often enough that the clock is read rarely; the first call only runs once, to see how often that is.
+fn repeated(run: impl Fn(&mut Positions) + 'static) -> Run {
+    const BLOCK: Duration = Duration::from_millis(1);
+    let mut times = 1;
+    Box::new(move |positions| {
+        let start = Instant::now();
+        for _ in 0..times {
+            run(black_box(positions));
+        }
+        let once = start.elapsed().as_secs_f64() / f64::from(times);
+        times = (BLOCK.as_secs_f64() / once).ceil().clamp(1.0, 1e4) as u32;
+        Ok(once * 1e9 / DURATION)
+    })
+}
+
+/// Positions before anything has moved.
+pub(crate) const NOWHERE: Positions = [f64::NAN; PERIODS + 1];
