@@ -1,4 +1,4 @@
-"""What the scripts of this folder have in common: the loop of scenes/paper-8k-none.toml over 2 s, and how rows are asked for.
+"""What the scripts of this folder have in common: the loop of scenes/paper-8k-none.toml over 2 s with the plant's own velocity, and how rows are asked for.
 
 A script prints one line of JSON that tells its rows, or why there are none:
 
@@ -28,12 +28,10 @@ def rate(position, velocity, force):
 
 def rollout(advance):
     """The sampled loop: `advance` answers a state and the held force with the state a period later."""
-    position, velocity, before = START, 0.0, START
+    position, velocity = START, 0.0
     positions = [position]
     for _ in range(PERIODS):
-        measured = (position - before) / PERIOD
-        force = max(0.0, WALL_STIFFNESS * position + WALL_DAMPING * measured) if position > 0.0 else 0.0
-        before = position
+        force = max(0.0, WALL_STIFFNESS * position + WALL_DAMPING * velocity) if position > 0.0 else 0.0
         position, velocity = advance(position, velocity, force)
         positions.append(position)
     return positions

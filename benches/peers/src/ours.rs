@@ -1,7 +1,7 @@
 //! This library: plants and ports composed by type.
 
 use lyapunov::{
-    Adapt, Body, Impedance, OnePort, Oscillator, ParameterError, Plant, RungeKutta4, Stepped, Wall,
+    Body, Impedance, OnePort, Oscillator, ParameterError, Plant, RungeKutta4, Stepped, Wall,
 };
 
 use crate::scene::{
@@ -12,7 +12,7 @@ const HAND: Impedance<f64> = Impedance { mass: MASS, damping: DAMPING, stiffness
 
 #[inline(always)]
 fn rollout(positions: &mut Positions, mut plant: impl Plant<f64>) -> Result<(), ParameterError> {
-    let mut port = Wall::new(WALL_STIFFNESS, WALL_DAMPING)?.differenced();
+    let mut port = Wall::new(WALL_STIFFNESS, WALL_DAMPING)?;
     let mut drive = plant.start();
     positions[0] = drive.position;
     for at in &mut positions[1..] {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use lyapunov_lab::scene::Velocity;
 use lyapunov_lab::{Rollout, Scene};
 
 use crate::reference::Reference;
@@ -11,7 +12,9 @@ use crate::{crates, hand, ours};
 
 fn scene() -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/paper-8k-none.toml");
-    Scene::load(&path).expect("a shipped scene")
+    let mut scene = Scene::load(&path).expect("a shipped scene");
+    scene.velocity = Velocity::Exact;
+    scene
 }
 
 fn moved(run: impl FnOnce(&mut Positions)) -> Positions {
