@@ -115,20 +115,21 @@ where
 
 #[test]
 fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
-    let period = 1e-2;
-    let pair = Adaptive::new(DormandPrince8, 1e-13).expect("a tolerance");
+    let period = 1e-3;
     let rubbing = RubbingOscillator::new(block(), law()).expect("parts");
-    let mut plant =
-        moved::<f64, _, _>(rubbing, Located::new(pair), period, 1).starting(0.02_f64, 0.0);
+    let mut plant = moved::<f64, _, _>(rubbing, Located::new(DormandPrince8), period, 8)
+        .starting(0.02_f64, 0.0);
     let body = Body::new(block(), period).expect("a body").starting(0.02, 0.0);
     let mut exact = Friction::new(body, block(), law()).expect("friction");
     let (mut stuck, mut slipped, mut reversed) = (0, 0, 0);
     let mut before = State { position: 0.02_f64, velocity: 0.0_f64 };
-    for tick in 0..2000_u32 {
-        let effort = 1.5 * (f64::from(tick) * 0.05).sin() + 0.7 * (f64::from(tick) * 0.23).sin();
+    for tick in 0..20_000_u32 {
+        let effort = 1.5 * (f64::from(tick) * 0.005).sin() + 0.7 * (f64::from(tick) * 0.023).sin();
+        // Each tick from the same state: friction that falls with speed is a negative damper, and lets what differs grow.
+        plant = plant.starting_from(before);
         let (one, other) = (plant.advance(effort), exact.advance(effort));
-        assert!((one.position - other.position).abs() < 1e-9, "{tick}");
-        assert!((one.velocity - other.velocity).abs() < 1e-8, "{tick}");
+        assert!((one.position - other.position).abs() < 1e-12, "{tick}");
+        assert!((one.velocity - other.velocity).abs() < 1e-11, "{tick}");
         let all: Vec<_> = exact.transitions().last(0).collect();
         for &(instant, transition) in all.iter().take(1) {
             match transition {
@@ -138,7 +139,7 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
                 }
                 Transition::Stick | Transition::Reverse => {
                     let sense = before.velocity.signum();
-                    let found = first(Located::new(pair), before, effort, period, sense);
+                    let found = first(Located::new(DormandPrince8), before, effort, period, sense);
                     assert!((found - instant).abs() < 1e-9, "{tick}: {found} for {instant}");
                     let sticks = transition == Transition::Stick;
                     (stuck, reversed) = (stuck + u32::from(sticks), reversed + u32::from(!sticks));
@@ -147,7 +148,6 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
                 Transition::Cut => panic!("{tick}"),
             }
         }
-        // Instants from the same state: of two that differ by a rounding they differ by that over a small deceleration.
         before = State { position: other.position, velocity: other.velocity };
     }
     assert!(stuck > 10 && slipped > 10, "{stuck} {slipped} {reversed}");

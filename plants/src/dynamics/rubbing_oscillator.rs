@@ -105,7 +105,7 @@ impl<T: Scalar> ImplicitDynamics<T> for Rubbing<T> {
             let missed = acceleration - under(self.law.force(reached));
             let slope = one + self.sense * mobility * beta * self.law.slope(reached);
             // Where friction falls faster than the step resolves, half a slope keeps it on the way.
-            acceleration = acceleration - missed / slope.larger(T::of(0.5));
+            acceleration -= missed / slope.larger(T::of(0.5));
         }
         self.unless_stuck(acceleration)
     }

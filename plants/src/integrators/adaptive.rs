@@ -128,7 +128,7 @@ where
         let complete = sound & !passed.below(interval);
         // What has been given up says nothing of the next interval either.
         self.step = choose(complete, self.step, V::Scalar::largest());
-        chosen(complete, gained, all(zero / zero))
+        chosen(complete, gained, all(V::Scalar::of(f64::NAN)))
     }
 }
 
