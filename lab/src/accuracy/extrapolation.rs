@@ -61,13 +61,13 @@ fn extrapolated<Q: Signal>(
     for index in 0..COLUMNS {
         let mut above = midpoint(rates, from, interval, 2 * (index as u32 + 1));
         let mut last = zero();
-        for column in 0..index {
+        for (column, before) in row.iter_mut().enumerate() {
             // 1 / ((n_j / n_(j-k))² - 1), from whole numbers.
             let (whole, part) = (index + 1, index - column);
             let share = Q::Scalar::of((part * part) as f64)
                 / Q::Scalar::of((whole * whole - part * part) as f64);
-            let next = combined(above, combined(above, row[column], -one::<Q>()), share);
-            row[column] = above;
+            let next = combined(above, combined(above, *before, -one::<Q>()), share);
+            *before = above;
             last = above;
             above = next;
         }

@@ -57,7 +57,7 @@ impl Growth {
         };
         let (mut from, mut grown_at, mut logarithm, mut time) = (0, ticks, 0.0, 0.0);
         for segment in 0..SEGMENTS {
-            if !(reach > 0.0) || from + 2 >= ticks {
+            if reach <= 0.0 || from + 2 >= ticks {
                 break;
             }
             let part = progress

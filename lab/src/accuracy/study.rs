@@ -95,15 +95,9 @@ impl Study {
             let part = progress.part(0.25, 0.45).part(part, part);
             let errors = errors(scene, setting, &references, part)?;
             let max_error = largest(&errors, window);
-            let left = errors.iter().position(|error| !(*error <= believed));
-            rows.push(Row {
-                setting,
-                max_error,
-                is_known: max_error.is_some_and(|error| error >= SURE * distance),
-                horizon: left.map(|tick| tick as f64 * scene.period()),
-                time: Time { median: 0.0, spread: 0.0 },
-                is_on_front: false,
-            });
+            let left = errors.iter().position(|error| error.is_nan() || *error > believed);
+            let horizon = left.map(|tick| tick as f64 * scene.period());
+            rows.push(Row::untimed(setting, max_error, SURE * distance, horizon));
         }
         let (times, rounds) = timing::times(scene, &settings, ticks, progress.part(0.45, 0.85))?;
         let ledger = ledger::rows(progress.part(0.85, 1.0))?;
@@ -147,6 +141,19 @@ impl Study {
         let (setting, error) = (row.setting, row.error());
         let (name, number) = (setting.integrator.name(), setting.number.name());
         format!("{which} is {name} in {number}, off by {error}:\n{}", setting.keys(&self.scene))
+    }
+}
+
+impl Row {
+    fn untimed(
+        setting: Setting,
+        max_error: Option<f64>,
+        least_known: f64,
+        horizon: Option<f64>,
+    ) -> Self {
+        let is_known = max_error.is_some_and(|error| error >= least_known);
+        let time = Time { median: 0.0, spread: 0.0 };
+        Self { setting, max_error, is_known, horizon, time, is_on_front: false }
     }
 }
 
