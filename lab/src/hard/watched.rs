@@ -228,7 +228,8 @@ impl Meter {
         let sound = sight.sound();
         let mut correction = 0.0;
         // Energies near the end of the scalar's range are turned away, and the account is no longer whole.
-        let energy = sight.square().max(self.balance.size());
+        let told = if sound { sight.square() } else { 0.0 };
+        let energy = told.max(self.balance.size());
         if energy > self.largest / 64.0 && self.tally.out_of_range.is_none() {
             self.tally.out_of_range = Some(tick);
         }
@@ -252,7 +253,7 @@ impl Meter {
             }
             let served = sight.sum + sight.alpha * sight.square() + sight.shortfall;
             let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
-            require(Law::Served, served >= -rounding);
+            require(Law::Served, served >= -rounding || !in_range);
         }
         require(Law::WithinLimit, sight.acted.largest() <= self.terms.force || !sound);
         let dissipated = match sight.accepted {
