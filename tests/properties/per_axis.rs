@@ -54,8 +54,8 @@ fn every_axis_does_what_it_would_do_alone() {
         let action = each.stabilize(&drive, effort);
         let told: Vec<_> =
             (0..3).map(|axis| single[axis].stabilize(&alone(&drive, axis), effort[axis])).collect();
-        for axis in 0..3 {
-            assert_eq!(action.effort[axis].to_bits(), told[axis].effort.to_bits());
+        for (axis, told) in told.iter().enumerate() {
+            assert_eq!(action.effort[axis].to_bits(), told.effort.to_bits());
         }
         let least = told.iter().map(|it| it.sum).fold(f64::INFINITY, f64::min);
         let most = told.iter().map(|it| it.alpha).fold(0.0, f64::max);

@@ -37,6 +37,11 @@ impl Balance {
         self.supplied.value()
     }
 
+    /// The sum of the magnitudes of all that was booked, J.
+    pub(super) fn size(&self) -> f64 {
+        self.absolute
+    }
+
     /// Books the works and credits of a tick if they are finite, which is when a ledger books them.
     pub(super) fn book(&mut self, terms: &[Double]) {
         let sum = terms.iter().fold(Double::default(), |sum, term| sum.plus(*term));

@@ -108,9 +108,9 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    fn agree(&self) -> bool {
-        let mut kept = [self.f64, self.f32, self.f64_lanes, self.f32_lanes].into_iter().flatten();
-        kept.next().is_none_or(|first| kept.all(|other| other == first))
+    /// Whether all that take part kept the bound, and so agree.
+    fn kept(&self) -> bool {
+        [self.f64, self.f32, self.f64_lanes, self.f32_lanes].into_iter().flatten().all(|kept| kept)
     }
 }
 
@@ -164,7 +164,8 @@ impl Case {
 
     fn outcome(&self, tally: &Tally) -> Outcome {
         let measured = (self.quantity.of)(tally);
-        let kept = tally.not_finite.is_none() && measured <= self.bound;
+        let in_range = tally.not_finite.is_none() && tally.out_of_range.is_none();
+        let kept = in_range && measured <= self.bound;
         Outcome { measured, not_finite_from: tally.not_finite, kept }
     }
 
@@ -191,7 +192,7 @@ impl Case {
             unit: self.quantity.unit,
             bound: self.bound,
             measured,
-            passed: measured <= self.bound && broken.is_none() && verdict.agree() && lanes_equal,
+            passed: verdict.kept() && broken.is_none() && lanes_equal,
             naive,
             without,
             broken: broken.map(|(law, tick)| format!("tick {tick}: {law}")),

@@ -9,6 +9,8 @@ pub struct Tally {
     pub broken: Option<(Law, u64)>,
     /// The first tick on which an effort was not finite.
     pub not_finite: Option<u64>,
+    /// The first tick on which energies came near the end of the scalar's range; from there the account is not judged.
+    pub out_of_range: Option<u64>,
     /// How far from the rest the port was in the last quarter, m.
     pub late_swing: f64,
     /// How far from the rest the port was at all, m.
@@ -34,6 +36,7 @@ impl Default for Tally {
         Self {
             broken: None,
             not_finite: None,
+            out_of_range: None,
             late_swing: 0.0,
             swing: 0.0,
             given: 0.0,
@@ -60,6 +63,7 @@ impl Tally {
         Self {
             broken: self.broken.or(other.broken),
             not_finite: self.not_finite.or(other.not_finite),
+            out_of_range: self.out_of_range.or(other.out_of_range),
             late_swing: larger(self.late_swing, other.late_swing),
             swing: larger(self.swing, other.swing),
             given: larger(self.given, other.given),

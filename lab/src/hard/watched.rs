@@ -227,13 +227,18 @@ impl Meter {
         let (tick, epsilon) = (self.tick, self.epsilon);
         let sound = sight.sound();
         let mut correction = 0.0;
+        // Energies near the end of the scalar's range are turned away, and the account is no longer whole.
+        let told = if sound { sight.square() } else { 0.0 };
+        let energy = told.max(self.balance.size());
+        if energy > self.largest / 64.0 && self.tally.out_of_range.is_none() {
+            self.tally.out_of_range = Some(tick);
+        }
+        let in_range = self.tally.out_of_range.is_none();
         let mut require = |law, kept| self.tally.require(law, kept, tick);
         let finite = sight.out.finite() && (sight.sum + sight.alpha + sight.shortfall).is_finite();
         require(if sound { Law::Finite } else { Law::Rejects }, finite);
         require(Law::Rejects, sight.effort.finite() || !sight.accepted);
-        // Energies that leave the range of the scalar are rejected for good.
-        let fits = sight.square().max(self.balance.supplied().abs()) < self.largest / 4.0;
-        require(Law::Recovers, !(sound && fits && self.shaken) || sight.accepted);
+        require(Law::Recovers, !(sound && self.shaken && in_range) || sight.accepted);
         require(Law::NoNegativeDamping, sight.alpha >= 0.0 && sight.shortfall >= 0.0);
         if sight.accepted {
             for axis in 0..sight.velocity.count {
@@ -248,7 +253,7 @@ impl Meter {
             }
             let served = sight.sum + sight.alpha * sight.square() + sight.shortfall;
             let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
-            require(Law::Served, served >= -rounding);
+            require(Law::Served, served >= -rounding || !in_range);
         }
         require(Law::WithinLimit, sight.acted.largest() <= self.terms.force || !sound);
         let dissipated = match sight.accepted {
@@ -257,8 +262,10 @@ impl Meter {
         };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
         let off = self.balance.off(told);
-        self.tally.off = larger(self.tally.off, off);
-        self.tally.require(Law::Balances, off <= 1.0, tick);
+        if in_range {
+            self.tally.off = larger(self.tally.off, off);
+            self.tally.require(Law::Balances, off <= 1.0, tick);
+        }
         self.tally.correction = larger(self.tally.correction, correction);
         self.shaken = !sound;
     }
