@@ -96,6 +96,8 @@ mod check {
                     let off = (found[column] - exact[column]).abs();
                     // The velocity's gain per velocity is read off a velocity of one, which has been rounded.
                     let read = if (row, column) == (1, 1) { T::unit() } else { 0.0 };
+                    // The first entry takes up what they all lose: of the size three units, and half of one when that is rounded.
+                    let bound = if (row, column) == (0, 0) { 2.0 * bound } else { bound };
                     let allowed = bound * sizes[column] + read;
                     prop_assert!(off <= allowed, "{} is not {}", found[column], exact[column]);
                 }
@@ -156,14 +158,14 @@ fn undamped_f32_keeps_its_amplitude() {
     }
 }
 
-/// Over ten million steps of 1 ms on 50 N/m the rounded increments take 6.6e-5 of the amplitude, and what each step rounds
-/// wanders as far, to where depends on the start: within a ten-thousandth at the median start, and within two at any.
+/// Over ten million steps of 1 ms on 50 N/m what each step rounds wanders, to where depends on the start: within a
+/// ten-thousandth at every one.
 #[test]
 fn undamped_f32_keeps_its_amplitude_for_hours() {
-    let starts = [1.0, 0.7, 0.1, 0.0123, 0.01, 0.004, 0.003];
-    let mut drifts = starts.map(|start| drift(start, 50.0, 1000.0, 10_000_000));
-    drifts.sort_by(f64::total_cmp);
-    assert!(drifts[starts.len() / 2] <= 1e-4 && drifts[starts.len() - 1] <= 2e-4, "{drifts:?}");
+    for start in [1.0, 0.7, 0.1, 0.0123, 0.01, 0.004, 0.003] {
+        let drift = drift(start, 50.0, 1000.0, 10_000_000);
+        assert!(drift <= 1e-4, "{drift:e} from {start} m");
+    }
 }
 
 /// With few steps to an oscillation it is the rounding of the increments themselves that counts, each by half a unit:

@@ -93,9 +93,30 @@ pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) 
         let (m, t) = (parts.mass.real(lane), interval.real(lane));
         let (b, k) = (parts.damping.real(lane), parts.stiffness.real(lane));
         let (none, one) = (T::Real::of(0.0), T::Real::of(1.0));
-        held_input(Matrix3::new(none, one, none, -k / m, -b / m, -one / m, none, none, none) * t)
+        let rate = Matrix3::new(none, one, none, -k / m, -b / m, -one / m, none, none, none);
+        keeping_area::<T>(held_input(rate * t))
     });
     [position, velocity]
+}
+
+/// `increments` with the first entry moved by the last digits of the scalar, so that what the others lose in rounding does
+/// not change the determinant of the map.
+///
+/// The determinant is what the map makes of an area of positions and velocities. Without damping it is 1, and each unit
+/// that rounding adds or takes is an amplitude that grows or falls by half of it on every step.
+fn keeping_area<T: Scalar>(mut increments: Matrix3<T::Real>) -> Matrix3<T::Real> {
+    let one = T::Real::of(1.0);
+    let rounded = increments.map(|entry| T::from_reals(|_| entry).real(0));
+    let area = |e: &Matrix3<T::Real>| {
+        e[(0, 0)] + e[(1, 1)] + (e[(0, 0)] * e[(1, 1)] - e[(0, 1)] * e[(1, 0)])
+    };
+    let lost = (area(&increments) - area(&rounded)) / (one + rounded[(1, 1)]);
+    // Without damping no more than this is lost; with much of it the last digits of the entry are worth more than the area.
+    let most = rounded[(0, 0)].magnitude() * T::epsilon().real(0) * T::Real::of(3.0);
+    if lost.magnitude().below(most) {
+        increments[(0, 0)] = rounded[(0, 0)] + lost;
+    }
+    increments
 }
 
 impl<V: Signal> Plant<V> for Body<V> {
