@@ -4,7 +4,8 @@
 //! [`Wall`] of its evaluation; [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`], which swing
 //! with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly, and so is
 //! [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as [`RungeKutta4`]. What follows
-//! time by itself, a hand or a load, is a [`Course`]. Effects are adaptors that own the port, chained by [`Adapt`], or
+//! time by itself, a hand or a load, is a [`Course`]. Any other plant that is affine in its input is a
+//! [`ControlAffine`], seen through a Lyapunov function's port by [`AffinePlant`]. Effects are adaptors that own the port, chained by [`Adapt`], or
 //! the body, chained by [`Perturb`], they act on; one that is not written costs nothing.
 //!
 //! ```
@@ -21,14 +22,20 @@
 //! ```
 #![no_std]
 
+mod affine;
 mod bodies;
 mod courses;
 mod dynamics;
 mod effects;
 mod environments;
 mod integrators;
+mod models;
 mod random;
 
+pub use affine::{
+    AffinePlant, ControlAffine, Decay, FirstOrder, Measured, QuadraticForm, StateFeedback,
+    WithState, decrease_of,
+};
 pub use bodies::{
     Body, DampedMass, Friction, Grip, Impedance, Jitter, Linear, Link, Linked, Motion, Perturb,
     Push, Stepped, Stribeck, Tethered, Transition, Transitions, TwoMass, held_input,
@@ -47,4 +54,8 @@ pub use environments::{
     Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
 };
 pub use integrators::{Exact, ImplicitMidpoint, RungeKutta4, SemiImplicitEuler};
+pub use models::{
+    ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, Limb, MotorEnergy, MotorParts,
+    ProstheticLeg, TwoLinkArm, UprightEnergy, VanDerPol,
+};
 pub use random::{Random, Source};

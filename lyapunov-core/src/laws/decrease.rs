@@ -32,8 +32,7 @@ pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
         told += candidate.decrease(&drive);
         now.finite(Law::Finite, told)?;
         travelled += (here - last).magnitude();
-        rounding += (told.magnitude() + here.magnitude() + last.magnitude())
-            * V::Scalar::epsilon();
+        rounding += (told.magnitude() + here.magnitude() + last.magnitude()) * V::Scalar::epsilon();
         last = here;
         let apart = told - (start - here);
         let allowed = share * travelled + rounding;
