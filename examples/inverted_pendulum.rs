@@ -6,8 +6,8 @@
 //! ```
 //!
 //! On time the controller is a spring and a damper, and V falls. Late, its spring pushes V up more than its damper
-//! takes. The stabilizer asks that V decay by a half in each second or so; it needs the pendulum's V and its own sensor,
-//! and nothing of line or controller but `k`.
+//! takes. The stabilizer asks that V decay. It needs the pendulum's V and its own sensor, and nothing of line or
+//! controller but `k`.
 
 use lyapunov::{
     Adapt, AffinePlant, DampingLimit, Decay, InvertedPendulum, Lolc, OnePort, ParameterError,
@@ -30,7 +30,7 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
     let mut port =
         StateFeedback::new(|x: Vector2<f64>| Vector1::new(-stiffness * x[0] - damping * x[1]))
             .delayed::<LATE>(LATE)?
-            .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 0.7)?), limit));
+            .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 4.0)?), limit));
 
     let mut drive = plant.start();
     let mut leans = [0.0_f64; 8];
