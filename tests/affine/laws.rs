@@ -53,7 +53,7 @@ enum Wrong {
     Sign,
     /// A term that is missing in the gradient.
     Cross,
-    /// The gradient one per cent too large.
+    /// The gradient five per cent too large.
     Factor,
     /// Not finite far out.
     Overflow,
@@ -85,7 +85,7 @@ impl<T: Scalar> LyapunovFunction<SVector<T, 2>> for Wrong {
             Self::Flat => SVector::from([of(2.0) * x, of(0.0)]),
             Self::Sign => SVector::from([right[0], of(0.0) - right[1]]),
             Self::Cross => SVector::from([of(4.0) * x + cubic, right[1]]),
-            Self::Factor => right * of(1.01),
+            Self::Factor => right * of(1.05),
             Self::Tilted => right + SVector::from([of(0.02), of(0.0)]),
             _ => right,
         }

@@ -117,7 +117,7 @@ fn a_rate_adds_up_as_well_as_it_is_integrated() {
     let energy = UprightEnergy::new(pendulum(), STIFFNESS).expect("an energy");
     let mut plant = AffinePlant::new(pendulum(), energy, RungeKutta4, 1e-3, 1)
         .expect("a plant")
-        .starting(Vector2::new(0.3, 0.0));
+        .starting(Vector2::new(0.3, 1.0));
     let mut drives = vec![plant.start()];
     for _ in 0..2000 {
         let at = plant.state();
