@@ -77,12 +77,12 @@ fn checked() -> Result<(), Violation> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     checked()?;
-    println!("most predators in each stretch of 20, by their balance");
+    println!("most predators in each stretch of 20, by their balance; 0: died out");
     let without = run(0.0)?;
     println!("without stabilizer  {without:6.2?}");
     let with = run(0.5)?;
     println!("with                {with:6.2?}");
-    assert!(without.iter().any(|&most| most > 2.0), "swings grow");
+    assert!(without[0] > 2.0 && without[5] == 0.0, "swings grow until they die out");
     assert!(with[0] < 1.4 && with[5] < 1.05, "swings die out");
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! A leg on a test stand, put down on the ground by a controller that is 20 ms late.
+//! A leg on a test stand, put down on padded ground by a controller that is 20 ms late.
 //!
 //! ```text
 //! hip and knee:  u = holding − K δ − D q̇ towards a posture in which the foot just touches, 20 ms late
@@ -19,7 +19,7 @@ const START: Vector4<f64> = Vector4::new(0.3, -0.4, 0.0, 0.0); // lifted, rad; a
 
 /// The leg's energy at the end of each half second, J, and how deep the foot ever was, mm.
 fn run(damping_cap: f64) -> Result<([f64; 6], f64), ParameterError> {
-    let ground = Ground { stiffness: 5e4, damping: 0.5, drag: 0.2 }; // N/m, s/m, s/m
+    let ground = Ground { stiffness: 2e4, damping: 0.5, drag: 0.2 }; // N/m, s/m, s/m
     let (thigh, shank) = (Limb::rod(4.0, 0.4), Limb::rod(2.5, 0.45)); // kg, m
     let leg = ProstheticLeg::new(thigh, shank, [0.3, -0.6], ground)?;
     let (stiffness, damping) = ([300.0, 150.0], [4.0, 2.0]); // N·m/rad, N·m·s/rad

@@ -12,7 +12,9 @@ use crate::WithState;
 ///
 /// The sum of both is `L(n) = V(0) − V(n) − c Σ V T`. While `L ≥ 0`, `V` is not above `V(0)`, and the integral of `V`
 /// not above `V(0) / c` however long the loop runs: so `V` goes to 0. Where something holds the plant away from rest
-/// for good, a load say, no damping can serve this debt and it grows; leave the term out there.
+/// for good, a load say, no damping can serve this debt and it grows; leave the term out there. And more damping is not
+/// always faster: far above critical damping a plant creeps, `V` falls more slowly than is asked, and the debt that
+/// grows keeps the damping where it is. Beside this term a limit near critical damping is the better one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decay<F, T> {
     function: F,
