@@ -21,14 +21,20 @@
 //! ```
 #![no_std]
 
+mod affine;
 mod bodies;
 mod courses;
 mod dynamics;
 mod effects;
 mod environments;
 mod integrators;
+mod models;
 mod random;
 
+pub use affine::{
+    AffinePlant, ControlAffine, Decay, FirstOrder, Measured, QuadraticForm, StateFeedback,
+    WithState, decrease_of,
+};
 pub use bodies::{
     Body, DampedMass, Friction, Grip, Impedance, Jitter, Linear, Link, Linked, Motion, Perturb,
     Push, Stepped, Stribeck, Tethered, Transition, Transitions, TwoMass, held_input,
@@ -49,5 +55,9 @@ pub use environments::{
 pub use integrators::{
     Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, ImplicitMidpoint, Located,
     RungeKutta4, SemiImplicitEuler,
+};
+pub use models::{
+    ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, Limb, MotorEnergy, MotorParts,
+    ProstheticLeg, TwoLinkArm, UprightEnergy, VanDerPol,
 };
 pub use random::{Random, Source};

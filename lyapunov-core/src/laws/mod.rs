@@ -20,16 +20,20 @@
 //! ```
 
 mod candidate;
+mod decrease;
 mod integrator;
 mod ledger;
+mod lyapunov_function;
 mod one_port;
 mod plant;
 mod samples;
 mod stabilizer;
 
 pub use candidate::candidate;
+pub use decrease::decrease;
 pub use integrator::integrator;
 pub use ledger::ledger;
+pub use lyapunov_function::lyapunov_function;
 pub use one_port::one_port;
 pub use plant::plant;
 pub use samples::Samples;
@@ -70,6 +74,14 @@ pub enum Law {
     LaneByLane,
     /// The error falls with the step as the order says, towards the solution of the equation of motion.
     Converges,
+    /// `V(0) = 0`.
+    ZeroAtRest,
+    /// `V(x) > 0` away from rest.
+    Positive,
+    /// The gradient is the slope of `V`.
+    Slope,
+    /// The decreases told sum to the difference of `V`.
+    AddsUp,
 }
 
 impl fmt::Display for Law {
@@ -88,6 +100,10 @@ impl fmt::Display for Law {
             Self::TellsTheTruth => "the drive must tell what moved and what acted",
             Self::LaneByLane => "a lane must not depend on the others",
             Self::Converges => "the error must fall with the step as the order says",
+            Self::ZeroAtRest => "V must be 0 at rest",
+            Self::Positive => "V must be above 0 away from rest",
+            Self::Slope => "the gradient must be the slope of V",
+            Self::AddsUp => "the decreases must sum to the difference of V",
         })
     }
 }

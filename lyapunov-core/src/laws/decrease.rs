@@ -1,0 +1,42 @@
+//! The law that a candidate loses what its function loses.
+
+use crate::laws::{Law, Tick, Violation};
+use crate::{Drive, LyapunovCandidate, Scalar, Signal};
+
+/// Checks that the decreases that `candidate` tells over `drives` keep the law [`AddsUp`](Law::AddsUp): from the first
+/// drive on they sum to `V(start) − V(n)`, where `value` tells `V` at a drive.
+///
+/// They may be apart by `share` of all the ups and downs of `V` so far, and by rounding. A candidate by differences
+/// keeps the law with a share of 0; one by rates, `−V̇ T`, with as much as its quadrature errs, which is of the order of
+/// the period.
+///
+/// # Errors
+/// [`Finite`](Law::Finite), or [`AddsUp`](Law::AddsUp) with what the sum is off by.
+pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
+    candidate: &C,
+    value: impl Fn(&Drive<V>) -> V::Scalar,
+    drives: impl IntoIterator<Item = Drive<V>>,
+    share: V::Scalar,
+) -> Result<(), Violation> {
+    let mut candidate = candidate.clone();
+    let mut drives = drives.into_iter();
+    let Some(first) = drives.next() else { return Ok(()) };
+    candidate.decrease(&first);
+    let start = value(&first);
+    let zero = V::Scalar::of(0.0);
+    let (mut last, mut told, mut travelled, mut rounding) = (start, zero, zero, zero);
+    for (index, drive) in drives.enumerate() {
+        let now = Tick(index + 1);
+        let here = value(&drive);
+        now.finite(Law::Finite, here)?;
+        told += candidate.decrease(&drive);
+        now.finite(Law::Finite, told)?;
+        travelled += (here - last).magnitude();
+        rounding += (told.magnitude() + here.magnitude() + last.magnitude()) * V::Scalar::epsilon();
+        last = here;
+        let apart = told - (start - here);
+        let allowed = share * travelled + rounding;
+        now.require(Law::AddsUp, !apart.magnitude().above(allowed), apart)?;
+    }
+    Ok(())
+}

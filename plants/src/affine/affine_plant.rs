@@ -1,0 +1,121 @@
+//! A control-affine plant behind its port.
+
+use lyapunov_core::{
+    Drive, Integrator, LyapunovFunction, ParameterError, Plant, Requirement, Scalar, State,
+};
+use nalgebra::SVector;
+use num_traits::Zero;
+
+use crate::{ControlAffine, FirstOrder, WithState};
+
+/// A [`ControlAffine`] plant, seen from the port at which its input feeds a [`LyapunovFunction`].
+///
+/// ```text
+/// ẋ = f(x) − g(x) e        e the effort, held over the period: the input is u = −e
+/// y = L_g V(x)             the flow
+/// V̇ = L_f V − e · y        so e · ∫ y dt is what V loses to the effort, on each input exactly
+/// ```
+///
+/// The drive tells `y`, `∫ y dt` over the period and the state ([`WithState`]). Summed over
+/// [`PortEnergy`](lyapunov_core::PortEnergy) that is what the input took from `V`, the drift left out; over
+/// [`decrease_of`](crate::decrease_of) it is all that `V` lost.
+///
+/// ```
+/// use lyapunov_core::{OnePort, ParameterError, Plant};
+/// use lyapunov_plants::{AffinePlant, QuadraticForm, RungeKutta4, StateFeedback, VanDerPol};
+/// use nalgebra::{Vector1, Vector2};
+/// let circle = QuadraticForm::sum_of_squares();
+/// let start = Vector2::new(0.5, 0.0);
+/// let mut plant =
+///     AffinePlant::new(VanDerPol::new(1.0)?, circle, RungeKutta4, 0.01, 1)?.starting(start);
+/// let mut port = StateFeedback::new(|x: Vector2<f64>| Vector1::new(-2.0 * x[1]));
+/// let mut drive = plant.start();
+/// for _ in 0..1000 {
+///     drive = plant.advance(port.respond(&drive));
+/// }
+/// assert!(plant.state().norm() < 0.01); // more damping than the oscillator's own feeds
+/// # Ok::<(), ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct AffinePlant<P, F, I, T, const N: usize, const M: usize> {
+    dynamics: FirstOrder<P, F>,
+    integrator: I,
+    period: T,
+    interval: T,
+    steps: u32,
+    at: WithState<T, N, M>,
+}
+
+impl<P, F, I, T, const N: usize, const M: usize> AffinePlant<P, F, I, T, N, M>
+where
+    T: Scalar,
+    P: ControlAffine<T, N, M>,
+    F: LyapunovFunction<SVector<T, N>>,
+    I: Integrator<WithState<T, N, M>, FirstOrder<P, F>>,
+{
+    /// `plant` at rest, moved by `period` s at a time in `steps` steps.
+    ///
+    /// # Errors
+    /// `period` not above 0 and finite; `steps` 0.
+    pub fn new(
+        plant: P,
+        function: F,
+        integrator: I,
+        period: T,
+        steps: u32,
+    ) -> Result<Self, ParameterError> {
+        let period = Requirement::Positive.check("period", period)?;
+        Requirement::AtLeast(1.0).check("steps", f64::from(steps))?;
+        let interval = period / T::of(f64::from(steps));
+        let dynamics = FirstOrder { plant, function };
+        Ok(Self { dynamics, integrator, period, interval, steps, at: WithState::zero() })
+    }
+
+    /// The same plant in `state`.
+    pub fn starting(self, state: SVector<T, N>) -> Self {
+        Self { at: WithState { input: SVector::zeros(), state }, ..self }
+    }
+
+    /// `x`.
+    #[inline]
+    pub fn state(&self) -> SVector<T, N> {
+        self.at.state
+    }
+
+    /// `V(x)`.
+    #[inline]
+    pub fn value(&self) -> T {
+        self.dynamics.function.value(self.at.state)
+    }
+
+    #[inline]
+    fn flow(&self) -> WithState<T, N, M> {
+        let FirstOrder { plant, function } = &self.dynamics;
+        WithState::of_input(plant.flow(function, self.at.state))
+    }
+}
+
+impl<P, F, I, T, const N: usize, const M: usize> Plant<WithState<T, N, M>>
+    for AffinePlant<P, F, I, T, N, M>
+where
+    T: Scalar,
+    P: ControlAffine<T, N, M>,
+    F: LyapunovFunction<SVector<T, N>>,
+    I: Integrator<WithState<T, N, M>, FirstOrder<P, F>>,
+{
+    #[inline]
+    fn start(&self) -> Drive<WithState<T, N, M>> {
+        Drive::starting(self.period, self.at, self.flow())
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: WithState<T, N, M>) -> Drive<WithState<T, N, M>> {
+        let before = self.at;
+        for _ in 0..self.steps {
+            let from = State { position: WithState::zero(), velocity: self.at };
+            let gain = self.integrator.step(&self.dynamics, from, effort, self.interval);
+            self.at = self.at + gain.velocity;
+        }
+        Drive::new(self.period, self.at, self.flow(), self.at - before, effort)
+    }
+}

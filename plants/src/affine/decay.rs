@@ -1,0 +1,43 @@
+//! What makes boundedness convergence, as a term of a candidate.
+
+use lyapunov_core::{
+    Drive, LyapunovCandidate, LyapunovFunction, ParameterError, Requirement, Scalar,
+};
+use nalgebra::SVector;
+
+use crate::WithState;
+
+/// The debit `c V(x) T`: beside [`decrease_of`](crate::decrease_of) it asks that `V` not only stay below where it
+/// began but decay at the rate `c`, 1/s.
+///
+/// The sum of both is `L(n) = V(0) − V(n) − c Σ V T`. While `L ≥ 0`, `V` is not above `V(0)`, and the integral of `V`
+/// not above `V(0) / c` however long the loop runs: so `V` goes to 0. Where something holds the plant away from rest
+/// for good, a load say, no damping can serve this debt and it grows; leave the term out there. And more damping is not
+/// always faster: far above critical damping a plant creeps, `V` falls more slowly than is asked, and the debt that
+/// grows keeps the damping where it is. Beside this term a limit near critical damping is the better one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decay<F, T> {
+    function: F,
+    rate: T,
+}
+
+impl<F, T: Scalar> Decay<F, T> {
+    /// The decay of `function` at `rate`, 1/s.
+    ///
+    /// # Errors
+    /// `rate` below 0, infinite or NaN.
+    pub fn new(function: F, rate: T) -> Result<Self, ParameterError> {
+        Ok(Self { function, rate: Requirement::NonNegative.check("rate", rate)? })
+    }
+}
+
+impl<T, F, const N: usize, const M: usize> LyapunovCandidate<WithState<T, N, M>> for Decay<F, T>
+where
+    T: Scalar,
+    F: LyapunovFunction<SVector<T, N>>,
+{
+    #[inline]
+    fn decrease(&mut self, drive: &Drive<WithState<T, N, M>>) -> T {
+        -(self.rate * self.function.value(drive.position.state) * drive.period)
+    }
+}

@@ -1,0 +1,21 @@
+//! Plants that are affine in their input, seen from the port at which a Lyapunov function is pushed.
+
+mod affine_plant;
+mod control_affine;
+mod decay;
+mod decrease_of;
+mod first_order;
+mod measured;
+mod quadratic_form;
+mod state_feedback;
+mod with_state;
+
+pub use affine_plant::AffinePlant;
+pub use control_affine::ControlAffine;
+pub use decay::Decay;
+pub use decrease_of::decrease_of;
+pub use first_order::FirstOrder;
+pub use measured::Measured;
+pub use quadratic_form::QuadraticForm;
+pub use state_feedback::StateFeedback;
+pub use with_state::WithState;

@@ -1,0 +1,69 @@
+//! The commonest Lyapunov function.
+
+use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar, Signal};
+use nalgebra::SVector;
+
+/// `V = ½ xᵀ P x`, `∇V = P x`.
+///
+/// For a linear plant `P` solves the Lyapunov equation `AᵀP + P A = −Q` of a loop that is stable, or is what linear
+/// quadratic design gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadraticForm<T, const N: usize> {
+    rows: [SVector<T, N>; N],
+}
+
+impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
+    /// The form of the symmetric matrix with these `rows`.
+    ///
+    /// # Errors
+    /// An entry of `P` that is not finite, or that differs from the one across the diagonal; a `P` that is not
+    /// positive definite: a pivot of its Cholesky factor (of an `f64` copy, lane by lane) not above 0.
+    pub fn new(rows: [SVector<T, N>; N]) -> Result<Self, ParameterError> {
+        for (i, row) in rows.iter().enumerate() {
+            for (j, &entry) in row.iter().enumerate() {
+                Requirement::Finite.check("P", entry)?;
+                let across = (entry - rows[j][i]).magnitude();
+                Requirement::AtMost(0.0).check("P less its transpose", across)?;
+            }
+        }
+        for lane in 0..T::LANES {
+            positive_definite::<N>(core::array::from_fn(|i| {
+                core::array::from_fn(|j| rows[i][j].lane(lane))
+            }))?;
+        }
+        Ok(Self { rows })
+    }
+
+    /// `V = ½ |x|²`.
+    pub fn sum_of_squares() -> Self {
+        let one = |i, j| if i == j { T::of(1.0) } else { T::of(0.0) };
+        Self { rows: core::array::from_fn(|i| SVector::from_fn(|j, _| one(i, j))) }
+    }
+}
+
+/// Gauss's elimination without exchange: the pivots are the squares of the Cholesky factor's diagonal.
+fn positive_definite<const N: usize>(mut rows: [[f64; N]; N]) -> Result<(), ParameterError> {
+    for i in 0..N {
+        let row = rows[i];
+        let pivot = Requirement::Positive.check("pivot of P", row[i])?;
+        for below in &mut rows[i + 1..] {
+            let factor = below[i] / pivot;
+            for (entry, above) in below.iter_mut().zip(row) {
+                *entry -= factor * above;
+            }
+        }
+    }
+    Ok(())
+}
+
+impl<T: Scalar, const N: usize> LyapunovFunction<SVector<T, N>> for QuadraticForm<T, N> {
+    #[inline]
+    fn value(&self, state: SVector<T, N>) -> T {
+        T::of(0.5) * state.pair(self.gradient(state))
+    }
+
+    #[inline]
+    fn gradient(&self, state: SVector<T, N>) -> SVector<T, N> {
+        SVector::from(self.rows.map(|row| row.pair(state)))
+    }
+}

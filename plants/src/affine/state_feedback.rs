@@ -1,0 +1,36 @@
+//! The nominal controller.
+
+use lyapunov_core::{Drive, OnePort, Scalar};
+use nalgebra::SVector;
+
+use crate::WithState;
+
+/// A state feedback `u = k(x)` as what stands at the port: it answers with the effort `e = −k(x)`.
+///
+/// Any `Fn(SVector<T, N>) -> SVector<T, M>` will do. What acts on a port acts on it: held, delayed, saturated,
+/// stabilized.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateFeedback<K> {
+    law: K,
+}
+
+impl<K> StateFeedback<K> {
+    /// The feedback `u = law(x)`.
+    pub fn new<T: Scalar, const N: usize, const M: usize>(law: K) -> Self
+    where
+        K: Fn(SVector<T, N>) -> SVector<T, M>,
+    {
+        Self { law }
+    }
+}
+
+impl<T, K, const N: usize, const M: usize> OnePort<WithState<T, N, M>> for StateFeedback<K>
+where
+    T: Scalar,
+    K: Fn(SVector<T, N>) -> SVector<T, M>,
+{
+    #[inline]
+    fn respond(&mut self, drive: &Drive<WithState<T, N, M>>) -> WithState<T, N, M> {
+        WithState::of_input(-(self.law)(drive.position.state))
+    }
+}

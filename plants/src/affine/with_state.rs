@@ -1,0 +1,96 @@
+//! The signal at the port of a plant with a state.
+
+use core::ops::{Add, Sub};
+
+use lyapunov_core::{Scalar, Signal};
+use nalgebra::SVector;
+use num_traits::Zero;
+
+/// `M` inputs, and beside them the `N` states, which travel with them but are pushed by nothing.
+///
+/// It makes the port of a control-affine plant a port like any other, to be held, delayed, saturated, guarded and
+/// stabilized, while controllers and candidates see the whole state:
+///
+/// | of a drive or effort | `input` | `state` |
+/// |---|---|---|
+/// | `position` | `∫ y dt` since the start | `x` |
+/// | `velocity` | `y = L_g V` | 0 |
+/// | `displacement` | `∫ y dt` over the period | `Δx` |
+/// | effort, `acted` | `e = −u` | 0 |
+/// | `work` | `eᵢ ∫ yᵢ dt` | 0 |
+///
+/// As the state has no velocity, a damper `α` acts on the inputs alone and `v²` is `y²`. So velocities must not be
+/// taken from displacements here ([`differenced`](crate::Adapt::differenced) and its kin): the flow is computed from
+/// the state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WithState<T, const N: usize, const M: usize> {
+    /// What is paired at the port.
+    pub input: SVector<T, M>,
+    /// What is only seen there.
+    pub state: SVector<T, N>,
+}
+
+impl<T: Scalar, const N: usize, const M: usize> WithState<T, N, M> {
+    /// `input` on the inputs, nothing on the state.
+    #[inline]
+    pub fn of_input(input: SVector<T, M>) -> Self {
+        Self { input, state: SVector::zeros() }
+    }
+}
+
+impl<T: Scalar, const N: usize, const M: usize> Add for WithState<T, N, M> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self { input: self.input + other.input, state: self.state + other.state }
+    }
+}
+
+impl<T: Scalar, const N: usize, const M: usize> Sub for WithState<T, N, M> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self { input: self.input - other.input, state: self.state - other.state }
+    }
+}
+
+impl<T: Scalar, const N: usize, const M: usize> Zero for WithState<T, N, M> {
+    #[inline]
+    fn zero() -> Self {
+        Self::of_input(SVector::zeros())
+    }
+
+    #[inline]
+    fn is_zero(&self) -> bool {
+        self.input.is_zero() && self.state.is_zero()
+    }
+}
+
+impl<T: Scalar, const N: usize, const M: usize> Signal for WithState<T, N, M> {
+    type Scalar = T;
+
+    #[inline]
+    fn splat(value: T) -> Self {
+        Self { input: Signal::splat(value), state: Signal::splat(value) }
+    }
+
+    #[inline]
+    fn zip(self, other: Self, mut f: impl FnMut(T, T) -> T) -> Self {
+        Self { input: self.input.zip(other.input, &mut f), state: self.state.zip(other.state, f) }
+    }
+
+    #[inline]
+    fn sum(self) -> T {
+        Signal::sum(self.input) + Signal::sum(self.state)
+    }
+
+    #[inline]
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            input: Signal::choose(mask, yes.input, no.input),
+            state: Signal::choose(mask, yes.state, no.state),
+        }
+    }
+}

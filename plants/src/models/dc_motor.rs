@@ -1,0 +1,78 @@
+//! A motor whose current takes time.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar};
+use nalgebra::SVector;
+
+use crate::ControlAffine;
+
+/// What a DC motor is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotorParts<T> {
+    /// `J`, of the rotor and what it turns, kg·m².
+    pub inertia: T,
+    /// `b`, viscous, N·m·s/rad.
+    pub friction: T,
+    /// `K`, N·m/A, and of the back voltage, V·s/rad.
+    pub torque_constant: T,
+    /// `R`, Ω.
+    pub resistance: T,
+    /// `L`, H.
+    pub inductance: T,
+}
+
+/// A DC motor under a voltage: `θ̇ = ω`, `J ω̇ = K i − b ω`, `L di/dt = u − R i − K ω`.
+///
+/// The state is `(θ, ω, i)` in rad, rad/s and A, `u` in V (Franklin, Powell and Emami-Naeini, Feedback Control of
+/// Dynamic Systems, section 2.3). A position loop `u = −k θ` is stable, by Routh's criterion, if
+/// `k K J L < (b L + J R) (b R + K²)`: the current comes late, and a gain too high runs away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DcMotor<T> {
+    parts: MotorParts<T>,
+}
+
+impl<T: Scalar> DcMotor<T> {
+    /// The motor made of `parts`.
+    ///
+    /// # Errors
+    /// `inertia`, `torque_constant`, `resistance` or `inductance` not above 0 and finite; `friction` below 0,
+    /// infinite or NaN.
+    pub fn new(parts: MotorParts<T>) -> Result<Self, ParameterError> {
+        Requirement::Positive.check("inertia", parts.inertia)?;
+        Requirement::NonNegative.check("friction", parts.friction)?;
+        Requirement::Positive.check("torque_constant", parts.torque_constant)?;
+        Requirement::Positive.check("resistance", parts.resistance)?;
+        Requirement::Positive.check("inductance", parts.inductance)?;
+        Ok(Self { parts })
+    }
+
+    /// What it is made of.
+    pub fn parts(&self) -> MotorParts<T> {
+        self.parts
+    }
+
+    /// The gain of a position loop, V/rad, from which on it is unstable, without a sampling period or delay.
+    pub fn critical_gain(&self) -> T {
+        let MotorParts { inertia, friction, torque_constant, resistance, inductance } = self.parts;
+        let slow = friction * inductance + inertia * resistance;
+        let braking = friction * resistance + torque_constant * torque_constant;
+        slow * braking / (torque_constant * inertia * inductance)
+    }
+}
+
+impl<T: Scalar> ControlAffine<T, 3, 1> for DcMotor<T> {
+    #[inline]
+    fn drift(&self, state: SVector<T, 3>) -> SVector<T, 3> {
+        let [_, rate, current] = state.data.0[0];
+        let MotorParts { inertia, friction, torque_constant, resistance, inductance } = self.parts;
+        SVector::from([
+            rate,
+            (torque_constant * current - friction * rate) / inertia,
+            -(resistance * current + torque_constant * rate) / inductance,
+        ])
+    }
+
+    #[inline]
+    fn input_fields(&self, _state: SVector<T, 3>) -> [SVector<T, 3>; 1] {
+        [SVector::from([T::of(0.0), T::of(0.0), T::of(1.0) / self.parts.inductance])]
+    }
+}

@@ -1,0 +1,59 @@
+//! What falls over.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar};
+use nalgebra::SVector;
+
+use super::GRAVITY;
+use super::trigonometry::sin;
+use crate::ControlAffine;
+
+/// A pendulum on a motor, seen from upright: `m l² θ̈ = m g l sin θ − b θ̇ + u`.
+///
+/// The state is `(θ, θ̇)` in rad and rad/s, `u` a torque in N·m; a point mass `m` at `l` from a joint with viscous
+/// friction `b` (Khalil, Nonlinear Systems, 3rd edition, 2002, section 1.2.1, turned over). A feedback
+/// `u = −k θ − d θ̇` holds it if `k > m g l` and nothing comes late.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InvertedPendulum<T> {
+    inertia: T,
+    weight: T,
+    damping: T,
+}
+
+impl<T: Scalar> InvertedPendulum<T> {
+    /// A pendulum of `mass` kg and `length` m, with a joint's `damping` in N·m·s/rad.
+    ///
+    /// # Errors
+    /// `mass` or `length` not above 0 and finite; `damping` below 0, infinite or NaN; an inertia `m l²` that is out of
+    /// the scalar's range.
+    pub fn new(mass: T, length: T, damping: T) -> Result<Self, ParameterError> {
+        let mass = Requirement::Positive.check("mass", mass)?;
+        let length = Requirement::Positive.check("length", length)?;
+        let damping = Requirement::NonNegative.check("damping", damping)?;
+        let inertia = Requirement::Positive.check("inertia", mass * length * length)?;
+        let weight = Requirement::InRange.check("weight", mass * T::of(GRAVITY) * length)?;
+        Ok(Self { inertia, weight, damping })
+    }
+
+    /// `m l²`, kg·m²: what a torque turns.
+    pub fn inertia(&self) -> T {
+        self.inertia
+    }
+
+    /// `m g l`, N·m/rad: the least stiffness that holds it upright.
+    pub fn weight(&self) -> T {
+        self.weight
+    }
+}
+
+impl<T: Scalar> ControlAffine<T, 2, 1> for InvertedPendulum<T> {
+    #[inline]
+    fn drift(&self, state: SVector<T, 2>) -> SVector<T, 2> {
+        let [angle, rate] = state.data.0[0];
+        SVector::from([rate, (self.weight * sin(angle) - self.damping * rate) / self.inertia])
+    }
+
+    #[inline]
+    fn input_fields(&self, _state: SVector<T, 2>) -> [SVector<T, 2>; 1] {
+        [SVector::from([T::of(0.0), T::of(1.0) / self.inertia])]
+    }
+}

@@ -1,0 +1,183 @@
+//! Two links in a plane.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar};
+use nalgebra::SVector;
+
+use super::GRAVITY;
+use super::trigonometry::{cos, sin};
+use crate::ControlAffine;
+
+/// A rigid link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limb<T> {
+    /// kg.
+    pub mass: T,
+    /// From joint to joint, or to the tip, m.
+    pub length: T,
+    /// From the joint to the centre of mass, m.
+    pub centre: T,
+    /// About the centre of mass, kg·m².
+    pub inertia: T,
+}
+
+impl<T: Scalar> Limb<T> {
+    /// A uniform rod of `mass` kg and `length` m.
+    pub fn rod(mass: T, length: T) -> Self {
+        let inertia = mass * length * length / T::of(12.0);
+        Self { mass, length, centre: length * T::of(0.5), inertia }
+    }
+
+    /// A rod without mass, of `length` m, with a point of `mass` kg at its end.
+    pub fn point(mass: T, length: T) -> Self {
+        Self { mass, length, centre: length, inertia: T::of(0.0) }
+    }
+
+    pub(super) fn checked(self) -> Result<Self, ParameterError> {
+        Requirement::Positive.check("mass", self.mass)?;
+        Requirement::Positive.check("length", self.length)?;
+        Requirement::Positive.check("centre", self.centre)?;
+        Requirement::NonNegative.check("inertia", self.inertia)?;
+        Ok(self)
+    }
+}
+
+/// A planar arm of two links that hangs, without friction: `M(q) q̈ + c(q, q̇) + G(q) = u`.
+///
+/// ```text
+/// M₁₁ = a + 2 b cos q₂     M₁₂ = d + b cos q₂     M₂₂ = d
+/// c   = b sin q₂ (−2 q̇₁ q̇₂ − q̇₂², q̇₁²)
+/// G   = (w₁ sin q₁ + w₂ sin(q₁ + q₂), w₂ sin(q₁ + q₂))
+/// a = I₁ + m₁ c₁² + I₂ + m₂ (l₁² + c₂²),  b = m₂ l₁ c₂,  d = I₂ + m₂ c₂²
+/// w₁ = (m₁ c₁ + m₂ l₁) g,  w₂ = m₂ c₂ g
+/// ```
+///
+/// The state is `(q₁, q₂, q̇₁, q̇₂)` in rad and rad/s: `q₁` of the upper link from straight down, `q₂` of the lower link
+/// from the upper one. `u` are the torques in the two joints, N·m (Spong, Hutchinson and Vidyasagar, Robot Modeling and
+/// Control, 2006, section 7.3; Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, 1994,
+/// section 4.2.3). [`horizontal`](Self::horizontal) leaves gravity out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TwoLinkArm<T> {
+    /// `a`, `b`, `d`, kg·m².
+    pub(super) inertias: [T; 3],
+    /// `w₁`, `w₂`, N·m.
+    pub(super) weights: [T; 2],
+}
+
+impl<T: Scalar> TwoLinkArm<T> {
+    /// The arm of an `upper` and a `lower` link.
+    ///
+    /// # Errors
+    /// `mass`, `length` or `centre` of a limb not above 0 and finite; its `inertia` below 0, infinite or NaN; limbs so
+    /// large or small that the arm's inertia is out of the scalar's range.
+    pub fn new(upper: Limb<T>, lower: Limb<T>) -> Result<Self, ParameterError> {
+        let (one, two) = (upper.checked()?, lower.checked()?);
+        let coupling = two.mass * one.length * two.centre;
+        let second = two.inertia + two.mass * two.centre * two.centre;
+        let first = one.inertia + one.mass * one.centre * one.centre;
+        let both = first + two.mass * one.length * one.length + second;
+        let gravity = T::of(GRAVITY);
+        let weights = [
+            (one.mass * one.centre + two.mass * one.length) * gravity,
+            two.mass * two.centre * gravity,
+        ];
+        let arm = Self { inertias: [both, coupling, second], weights };
+        Requirement::Positive.check("least inertia", arm.least_inertia())?;
+        Requirement::InRange.check("weight", weights[0] + weights[1])?;
+        Ok(arm)
+    }
+
+    /// The same arm in a horizontal plane, where nothing pulls at it.
+    pub fn horizontal(self) -> Self {
+        Self { weights: [T::of(0.0); 2], ..self }
+    }
+
+    /// The least eigenvalue of `M(q)` over all postures, kg·m²: that of the stretched arm, where the trace is largest
+    /// and the determinant smallest. It is the mass to give to a damping limit for both joints.
+    pub fn least_inertia(&self) -> T {
+        let [m11, m12, m22] = self.inertia(T::of(1.0));
+        let trace = m11 + m22;
+        let difference = m11 - m22;
+        let apart = (difference * difference + T::of(4.0) * m12 * m12).sqrt();
+        T::of(2.0) * (m11 * m22 - m12 * m12) / (trace + apart)
+    }
+
+    /// `M₁₁`, `M₁₂` and `M₂₂` at the cosine of the elbow's angle.
+    #[inline]
+    pub(super) fn inertia(&self, cosine: T) -> [T; 3] {
+        let [both, coupling, second] = self.inertias;
+        let turned = coupling * cosine;
+        [both + turned + turned, second + turned, second]
+    }
+
+    /// `½ q̇ᵀ M q̇`, J.
+    #[inline]
+    pub(super) fn kinetic(&self, elbow: T, rates: [T; 2]) -> T {
+        let [first, second] = self.momenta(elbow, rates);
+        T::of(0.5) * (first * rates[0] + second * rates[1])
+    }
+
+    /// `M q̇`, N·m·s.
+    #[inline]
+    pub(super) fn momenta(&self, elbow: T, rates: [T; 2]) -> [T; 2] {
+        let [m11, m12, m22] = self.inertia(cos(elbow));
+        [m11 * rates[0] + m12 * rates[1], m12 * rates[0] + m22 * rates[1]]
+    }
+
+    /// How the kinetic energy changes with the elbow's angle, N·m.
+    #[inline]
+    pub(super) fn kinetic_by_elbow(&self, elbow: T, rates: [T; 2]) -> T {
+        -(self.inertias[1] * sin(elbow)) * (rates[0] * (rates[0] + rates[1]))
+    }
+
+    /// `G(q)`, N·m.
+    #[inline]
+    pub(super) fn gravity(&self, angles: [T; 2]) -> [T; 2] {
+        let lower = self.weights[1] * sin(angles[0] + angles[1]);
+        [self.weights[0] * sin(angles[0]) + lower, lower]
+    }
+
+    /// `q̈` under `torques` in the joints, N·m.
+    #[inline]
+    pub(super) fn acceleration(&self, angles: [T; 2], rates: [T; 2], torques: [T; 2]) -> [T; 2] {
+        let swing = self.inertias[1] * sin(angles[1]);
+        let [first, second] = rates;
+        let gravity = self.gravity(angles);
+        let driven = [
+            torques[0] - gravity[0] + swing * (second * (first + first + second)),
+            torques[1] - gravity[1] - swing * (first * first),
+        ];
+        let [[i11, i12], [_, i22]] = self.inverse(angles[1]);
+        [i11 * driven[0] + i12 * driven[1], i12 * driven[0] + i22 * driven[1]]
+    }
+
+    /// `M⁻¹`.
+    #[inline]
+    pub(super) fn inverse(&self, elbow: T) -> [[T; 2]; 2] {
+        let [m11, m12, m22] = self.inertia(cos(elbow));
+        let determinant = m11 * m22 - m12 * m12;
+        let across = -m12 / determinant;
+        [[m22 / determinant, across], [across, m11 / determinant]]
+    }
+
+    /// The columns of `g(x) = (0, M⁻¹)`.
+    #[inline]
+    pub(super) fn fields(&self, elbow: T) -> [SVector<T, 4>; 2] {
+        let zero = T::of(0.0);
+        self.inverse(elbow).map(|[first, second]| SVector::from([zero, zero, first, second]))
+    }
+}
+
+impl<T: Scalar> ControlAffine<T, 4, 2> for TwoLinkArm<T> {
+    #[inline]
+    fn drift(&self, state: SVector<T, 4>) -> SVector<T, 4> {
+        let [shoulder, elbow, first, second] = state.data.0[0];
+        let none = [T::of(0.0); 2];
+        let [a, b] = self.acceleration([shoulder, elbow], [first, second], none);
+        SVector::from([first, second, a, b])
+    }
+
+    #[inline]
+    fn input_fields(&self, state: SVector<T, 4>) -> [SVector<T, 4>; 2] {
+        self.fields(state[1])
+    }
+}

@@ -1,0 +1,48 @@
+//! The energy of a pendulum that a spring holds upright.
+
+use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar};
+use nalgebra::SVector;
+
+use super::trigonometry::{sin, versine};
+use crate::InvertedPendulum;
+
+/// `V = ½ m l² θ̇² + ½ k θ² − m g l (1 − cos θ)`: the energy of a pendulum and of the spring `k` that a controller
+/// makes to hold it upright, J.
+///
+/// Positive everywhere but at rest if `k >= m g l`. The flow is `θ̇`, the apparent mass `m l²`. Under
+/// `u = −k θ − d θ̇`, on time, `V̇ = −(b + d) θ̇²`; under any torque beside that spring's it falls by what the torque
+/// takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UprightEnergy<T> {
+    pendulum: InvertedPendulum<T>,
+    stiffness: T,
+}
+
+impl<T: Scalar> UprightEnergy<T> {
+    /// The energy of `pendulum` on a spring of `stiffness`, N·m/rad.
+    ///
+    /// # Errors
+    /// `stiffness` below `m g l` (in any lane, of all), infinite or NaN.
+    pub fn new(pendulum: InvertedPendulum<T>, stiffness: T) -> Result<Self, ParameterError> {
+        let least = (0..T::LANES).map(|lane| pendulum.weight().lane(lane)).fold(0.0, f64::max);
+        Requirement::AtLeast(least).check("stiffness", stiffness)?;
+        Ok(Self { pendulum, stiffness })
+    }
+}
+
+impl<T: Scalar> LyapunovFunction<SVector<T, 2>> for UprightEnergy<T> {
+    #[inline]
+    fn value(&self, state: SVector<T, 2>) -> T {
+        let [angle, rate] = state.data.0[0];
+        let moving = self.pendulum.inertia() * rate * rate;
+        let held = self.stiffness * angle * angle;
+        T::of(0.5) * (moving + held) - self.pendulum.weight() * versine(angle)
+    }
+
+    #[inline]
+    fn gradient(&self, state: SVector<T, 2>) -> SVector<T, 2> {
+        let [angle, rate] = state.data.0[0];
+        let torque = self.stiffness * angle - self.pendulum.weight() * sin(angle);
+        SVector::from([torque, self.pendulum.inertia() * rate])
+    }
+}
