@@ -17,4 +17,4 @@ pub use lyapunov_plants::{
     Spring, Step, Stepped, Stribeck, Tethered, Transition, Transitions, TwoMass, VaryingSpring,
     Wall, held_input, tick_of,
 };
-pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
+pub use lyapunov_stabilizers::{DampingLimit, Lolc, PerAxis, Popc};

@@ -1,12 +1,15 @@
 //! How much damping a stabilizer may inject.
 
+use core::f64::consts::FRAC_PI_4;
+
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
 /// The most damping a stabilizer may inject, N·s/m.
 ///
 /// A held damper `α` on a mass `m` multiplies the velocity by about `1 − α T / m` on each tick: it removes at
 /// most `m v² / 2`, at `α = m / T`, and adds energy above `2 m / T`. Hence the limit is a share of `m / T`:
-/// 0.5 by default in the scenes, less where the force is delayed, 0 for a pure observer.
+/// 0.5 by default in the scenes, less where the force is delayed ([`delayed`](Self::delayed)), 0 for a pure
+/// observer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampingLimit<T> {
     most: T,
@@ -31,6 +34,35 @@ impl<T: Scalar> DampingLimit<T> {
     /// `damping` below 0 or NaN.
     pub fn at(damping: T) -> Result<Self, ParameterError> {
         Ok(Self::finite(Requirement::Limit.check("damping_limit", damping)?))
+    }
+
+    /// The limit for a force that acts `ticks` periods late: the same share of the largest damper that a mass stands.
+    ///
+    /// A held damper that is told the backward difference and acts `d` ticks late leaves
+    /// `v(n+1) = v(n) − a (v(n−d) + v(n−d−1)) / 2` with `a = α T / m`, `v` the velocity at the instants. Its swing
+    /// grows from `a = 2 tan(π / (4 (d+1)))` on, where `z − 1 = −(a/2) z^(−d−1) (z + 1)` has a root on the unit
+    /// circle: 2, 0.828, 0.536, 0.398 for 0 to 3 ticks. (Told the velocity itself, from `2 sin(π / (2 (2d+1)))` on: 2, 1,
+    /// 0.618; the backward difference is half a tick late by itself, so its limit serves both.) Hence the factor
+    /// `tan(π / (4 (d+1)))`: of half of `m / T`, a quarter of what would grow, it leaves a quarter again.
+    ///
+    /// That no longer swings up by itself is all it promises: a wall that is as late as the damper gives out more, the
+    /// later it is, and the smaller damper burns less.
+    ///
+    /// ```
+    /// use lyapunov_stabilizers::DampingLimit;
+    /// let prompt = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // 100 N·s/m
+    /// assert_eq!(prompt.delayed(0), prompt);
+    /// assert!((prompt.delayed(1).most() - 41.42).abs() < 0.01);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn delayed(self, ticks: u32) -> Self {
+        match ticks {
+            0 => self,
+            ticks => {
+                let share = libm::tan(FRAC_PI_4 / (f64::from(ticks) + 1.0));
+                Self { most: self.most * T::of(share) }
+            }
+        }
     }
 
     /// The most damping, N·s/m: always finite.

@@ -21,6 +21,7 @@
 
 mod candidate;
 mod integrator;
+mod ledger;
 mod one_port;
 mod plant;
 mod samples;
@@ -28,6 +29,7 @@ mod stabilizer;
 
 pub use candidate::candidate;
 pub use integrator::integrator;
+pub use ledger::ledger;
 pub use one_port::one_port;
 pub use plant::plant;
 pub use samples::Samples;
@@ -51,6 +53,10 @@ pub enum Law {
     Opposes,
     /// `L + α v² T + shortfall >= 0` up to rounding.
     Served,
+    /// The correction is no more than the limit times the velocity.
+    WithinLimit,
+    /// What was supplied is what is stored, dissipated and owed.
+    Balances,
     /// A sample that is not finite gives a finite effort and is told as not accepted.
     Rejects,
     /// After a sample that was not finite, what follows is finite again.
@@ -74,6 +80,8 @@ impl fmt::Display for Law {
             Self::NoNegativeDamping => "damping and shortfall must not be below 0",
             Self::Opposes => "the correction must not feed power into the motion",
             Self::Served => "sum, correction and shortfall together must not be below 0",
+            Self::WithinLimit => "the correction must stay within its limit",
+            Self::Balances => "supplied must be stored, dissipated and shortfall together",
             Self::Rejects => "a sample that is not finite must be rejected with a finite effort",
             Self::Recovers => "after a sample that is not finite, the next must be finite again",
             Self::NothingForNothing => "where nothing happens, nothing must be credited",

@@ -1,0 +1,95 @@
+//! A sum for each axis.
+
+use lyapunov_core::{Action, Drive, Mask, Scalar, Stabilizer};
+use nalgebra::SVector;
+
+/// A stabilizer for each axis of a port, each with a sum and a damping of its own.
+///
+/// One stabilizer on several axes has one sum: what one axis absorbs pays for what another gives away, and
+/// `+1 mJ` on x hides `−0.9 mJ` on y. That is sound for the port as a whole, whose energy is the sum, and it
+/// injects the least. An axis that runs away under it stays unseen until the others' store is spent. Here no axis pays
+/// for another, which is right where the axes are motors of their own and their energies cannot pass from one
+/// to the other; where they can, through a surface that is not along an axis, it may act without need.
+///
+/// The action of a tick is that of all axes. `effort` is theirs, axis by axis. `sum` is the least of the sums, so
+/// that it is below 0 where any axis is in debt. `shortfall` adds theirs up. `alpha` is the damping that would burn
+/// on the whole motion what theirs burn, `Σ αᵢ vᵢ² / Σ vᵢ²`, and never more than the largest of them.
+/// `accepted` is true where every axis accepted; an axis whose sample is not sound gives no effort, the others do.
+/// [`axes`](Self::axes) lends the single ones.
+///
+/// ```
+/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, PerAxis, Popc};
+/// use nalgebra::Vector2;
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let (velocity, displacement) = (Vector2::new(0.1, 0.1), Vector2::new(1e-4, 1e-4));
+/// let acted = Vector2::new(10.0, -9.0); // +1 mJ on x, −0.9 mJ on y
+/// let drive = Drive::new(1e-3, Vector2::zeros(), velocity, displacement, acted);
+/// let effort = Vector2::new(0.5, 0.5);
+/// let mut one_sum = popc;
+/// assert_eq!(one_sum.stabilize(&drive, effort).alpha, 0.0);
+/// let action = PerAxis::of([popc; 2]).stabilize(&drive, effort);
+/// assert!(action.sum < 0.0 && action.effort.x == 0.5 && action.effort.y > 0.5);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PerAxis<S, const N: usize> {
+    axes: [S; N],
+}
+
+impl<S, const N: usize> PerAxis<S, N> {
+    /// The stabilizers of the axes, in their order.
+    pub fn of(axes: [S; N]) -> Self {
+        Self { axes }
+    }
+
+    /// The stabilizers of the axes.
+    pub fn axes(&self) -> &[S; N] {
+        &self.axes
+    }
+}
+
+impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for PerAxis<S, N> {
+    #[inline]
+    fn stabilize(
+        &mut self,
+        drive: &Drive<SVector<T, N>>,
+        effort: SVector<T, N>,
+    ) -> Action<SVector<T, N>> {
+        let mut out = SVector::zeros();
+        let (mut burnt, mut square) = (T::zero(), T::zero());
+        let (mut sum, mut most) = (T::largest(), T::zero());
+        let (mut shortfall, mut accepted) = (T::zero(), Mask::of(true));
+        for (axis, stabilizer) in self.axes.iter_mut().enumerate() {
+            let drive = Drive {
+                period: drive.period,
+                position: drive.position[axis],
+                velocity: drive.velocity[axis],
+                displacement: drive.displacement[axis],
+                acted: drive.acted[axis],
+                work: drive.work[axis],
+            };
+            let action = stabilizer.stabilize(&drive, effort[axis]);
+            out[axis] = action.effort;
+            // Where a sample is not accepted nothing is burnt, and its velocity may be anything.
+            let moving = T::choose(action.accepted, drive.velocity, T::zero());
+            let own = moving * moving * drive.period;
+            square += T::choose(action.accepted, own, T::zero());
+            burnt += T::choose(action.accepted, action.alpha * own, T::zero());
+            (sum, most) = (sum.smaller(action.sum), most.larger(action.alpha));
+            shortfall += action.shortfall;
+            accepted = accepted & action.accepted;
+        }
+        let alpha = mean(burnt, square, most);
+        Action { effort: out, sum, alpha, shortfall, accepted }
+    }
+}
+
+/// `burnt / square`, rounded up as the axes' dampings are, and no more than the `most` of them.
+#[inline]
+fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
+    let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
+    let mean = burnt / (square * margin).larger(T::tiny());
+    let moving = square.above(T::tiny());
+    T::choose(moving & mean.finite(), mean, T::zero()).smaller(most)
+}
