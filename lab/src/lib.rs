@@ -27,6 +27,7 @@ pub mod compare;
 mod csv;
 mod described;
 mod equilibrium;
+pub mod hard;
 pub mod observe;
 mod output;
 pub mod paper;

@@ -40,6 +40,17 @@ impl<V: Space> Assembly<V> {
         Self::put_together(scene, Some(seen), stabilizer)
     }
 
+    /// The loop of `scene` with `stabilizer` in the place of the scene's own.
+    ///
+    /// # Errors
+    /// As [`Assembly::of`].
+    pub fn stabilized_by(
+        scene: &Scene,
+        stabilizer: AnyStabilizer<V>,
+    ) -> Result<Self, ParameterError> {
+        Self::put_together(scene, None, Some(stabilizer))
+    }
+
     /// One tick: the effort that acts until the next.
     #[inline]
     pub fn tick(&mut self, drive: &mut Drive<V>) -> V {

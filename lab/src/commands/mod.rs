@@ -3,6 +3,7 @@
 mod compare;
 mod effects;
 mod folder;
+mod hard;
 mod observe;
 mod paper;
 mod run;
@@ -28,12 +29,13 @@ use lyapunov_lab::OutputError;
     name = "lyapunov",
     version,
     max_term_width = 100,
-    after_help = "Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted."
+    after_help = "Exit status: 0 done, 1 internal error or a hard case that failed, 2 bad input, 130 interrupted."
 )]
 pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
     Paper(paper::Paper),
+    Hard(hard::Hard),
     Observe(observe::Observe),
     Effects(effects::Effects),
     Scenes(scenes::Scenes),
@@ -46,6 +48,7 @@ impl Command {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
             Self::Paper(paper) => paper.run(),
+            Self::Hard(hard) => hard.run(),
             Self::Observe(observe) => observe.run(),
             Self::Effects(effects) => effects.run(),
             Self::Scenes(scenes) => scenes.run(),
@@ -102,6 +105,8 @@ pub(crate) enum End {
     Enough,
     /// What was asked for is not right; the message says what would be.
     Input(String),
+    /// Something that is promised does not hold.
+    Failed(String),
     /// Something here is not right.
     Internal(String),
     Interrupted,
@@ -132,6 +137,10 @@ impl End {
             Self::Input(message) => {
                 say(format_args!("error: {message}"));
                 2
+            }
+            Self::Failed(message) => {
+                say(message);
+                1
             }
             Self::Internal(message) => {
                 say(format_args!("internal error: {message}"));

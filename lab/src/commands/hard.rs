@@ -1,0 +1,88 @@
+//! `lyapunov hard`.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::ProgressBar;
+use lyapunov_lab::hard::{Catalogue, HardError};
+use lyapunov_lab::{Output, OutputError};
+
+use super::folder::Folder;
+use super::{BAR, End, heed_interrupts, shown, standard_output};
+
+/// The file that `--json` prints.
+const RESULTS: &str = "hard.json";
+
+/// Run the catalogue of hard cases: what a naive implementation does there, and what this one does.
+///
+/// Prints for each case what makes it hard, the bound that is promised, what was measured with our stabilizer (the worst
+/// over f64, f32 and lanes) and with the paper's steps as printed, and pass or FAIL. docs/hard.md says what passing
+/// takes.
+///
+/// Exit status: 0 every case passed, 1 one failed, or an internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Hard {
+    /// Write hard.json and report.html into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print hard.json instead of the table.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Hard {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let bar = self.progress();
+        let watch = || {
+            bar.inc(1);
+            match End::if_interrupted() {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        };
+        let catalogue = Catalogue::run(&watch).map_err(|error| match error {
+            HardError::Stopped => End::Interrupted,
+            error => End::internal(error),
+        })?;
+        bar.finish_and_clear();
+        let text = catalogue.document().map_err(End::internal)?;
+        if let Some(folder) = folder {
+            fill(&folder, &catalogue, &text)?;
+        }
+        if !self.quiet {
+            let shown = if self.json { text } else { catalogue.to_string() };
+            io::stdout().lock().write_all(shown.as_bytes()).map_err(standard_output)?;
+        }
+        let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
+        if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }
+    }
+
+    fn progress(&self) -> ProgressBar {
+        if self.quiet {
+            return ProgressBar::hidden();
+        }
+        shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR)
+    }
+}
+
+/// Writes everything, and only then lets it appear.
+fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str) -> Result<(), End> {
+    let page = catalogue.report(&format!("lyapunov hard --out {}", folder.path().display()));
+    let put = |name: &str, bytes: &[u8]| -> Result<Output, OutputError> {
+        let mut output = Output::create(&folder.path().join(name))?;
+        output.write_all(bytes).map_err(|error| output.blame(error))?;
+        Ok(output)
+    };
+    let report = put("report.html", page.as_bytes()).map_err(End::input)?;
+    let results = put(RESULTS, text.as_bytes()).map_err(End::input)?;
+    End::if_interrupted()?;
+    folder.keep();
+    [report, results].into_iter().try_for_each(Output::keep).map_err(End::input)
+}

@@ -1,0 +1,146 @@
+//! Several axes: what one sum hides.
+
+use lyapunov::lanes::{AutoF32x8, AutoF64x8};
+use lyapunov::{
+    Body, DampingLimit, Drive, Impedance, Lolc, OnePort, ParameterError, PerAxis, Plant,
+    PortEnergy, Scalar, Stabilizer,
+};
+use nalgebra::SVector;
+
+use super::Nothing;
+use crate::hard::case::{Case, Quantity};
+use crate::hard::naive::Naive;
+use crate::hard::tally::Tally;
+use crate::hard::trial::{HardError, Own, Runs, Trial};
+use crate::hard::watched::{Record, Terms, Watched};
+
+const PERIOD: f64 = 1e-3;
+const MASS: f64 = 0.2;
+const TICKS: u64 = 4000;
+
+type Plane<T> = SVector<T, 2>;
+
+/// A port that absorbs along x and gives away along y.
+struct Masking {
+    per_axis: bool,
+}
+
+/// A damper along x, a driver along y.
+struct Dampers;
+
+impl<T: Scalar> OnePort<Plane<T>> for Dampers {
+    fn respond(&mut self, drive: &Drive<Plane<T>>) -> Plane<T> {
+        SVector::from([drive.velocity[0] * T::of(2.0), drive.velocity[1] * T::of(-0.9)])
+    }
+}
+
+fn limit<T: Scalar>() -> Result<DampingLimit<T>, ParameterError> {
+    DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
+}
+
+/// A hand that is thrown along x and let go along y; answers with how far it is off along y in the last quarter, in
+/// shares of the start.
+fn close<T: Scalar>(
+    first: usize,
+    stabilizer: impl Stabilizer<Plane<T>>,
+) -> Result<T, ParameterError> {
+    let [mass, damping, stiffness] = [MASS, 0.05, 200.0].map(T::of);
+    let start = T::from_lanes(|lane| 0.01 - 0.0003 * (first + lane) as f64);
+    let speed = SVector::from([T::of(1.0), T::zero()]);
+    let body = Body::new(Impedance { mass, damping, stiffness }, T::of(PERIOD))?;
+    let mut plant = body.starting(SVector::from([T::zero(), start]), speed);
+    let mut port = Dampers.stabilized(stabilizer);
+    let mut drive = plant.start();
+    let mut most = T::zero();
+    for tick in 0..TICKS {
+        drive = plant.advance(port.respond(&drive));
+        if tick > 3 * TICKS / 4 {
+            most = most.larger(drive.position[1].magnitude() / start);
+        }
+    }
+    Ok(most)
+}
+
+impl Masking {
+    fn told<T: Scalar>(record: &[Record], value: T) -> Vec<Tally> {
+        let mut tallies = record.iter().map(Record::tallies);
+        let first = tallies.next().unwrap_or_default();
+        let all = tallies
+            .fold(first, |all, next| all.into_iter().zip(next).map(|(a, b)| a.worse(b)).collect());
+        let told = |(lane, tally): (usize, Tally)| Tally { value: value.lane(lane), ..tally };
+        all.into_iter().enumerate().map(told).collect()
+    }
+
+    fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
+        let popc = Lolc::new(PortEnergy, limit::<T>()?);
+        let terms = || Terms::of(TICKS, popc_limit::<T>());
+        if self.per_axis {
+            let (x, of_x) = Watched::new::<T>(popc, terms());
+            let (y, of_y) = Watched::new::<T>(popc, terms());
+            let value = close::<T>(first, PerAxis::of([x, y]))?;
+            return Ok(Self::told(&[of_x, of_y], value));
+        }
+        let (watched, record) = Watched::new::<T>(popc, terms());
+        let value = close::<T>(first, watched)?;
+        Ok(Self::told(&[record], value))
+    }
+
+    fn under(&self, stabilizer: impl Stabilizer<Plane<f64>>) -> Result<Option<Tally>, HardError> {
+        let terms = Terms::of(TICKS, f64::INFINITY);
+        let (watched, record) = Watched::new::<f64>(stabilizer, terms);
+        let value = close::<f64>(0, watched)?;
+        Ok(Self::told(&[record], value).pop())
+    }
+}
+
+fn popc_limit<T: Scalar>() -> f64 {
+    limit::<T>().map_or(f64::INFINITY, |limit| limit.most().lane(0))
+}
+
+impl Trial for Masking {
+    fn ours(&self) -> Result<Runs, HardError> {
+        let mut runs = Runs::default();
+        for first in 0..8 {
+            runs.double.append(&mut self.ours_in::<f64>(first)?);
+            runs.single.append(&mut self.ours_in::<f32>(first)?);
+        }
+        runs.double_lanes = self.ours_in::<AutoF64x8>(0)?;
+        runs.single_lanes = self.ours_in::<AutoF32x8>(0)?;
+        Ok(runs)
+    }
+
+    fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
+        self.under(Nothing)
+    }
+
+    fn naive(&self) -> Result<Option<Tally>, HardError> {
+        self.under(Naive::<f64>::default())
+    }
+}
+
+pub(super) fn cases() -> Vec<Case> {
+    let case = |name, hard, bound, per_axis| Case {
+        name,
+        theme: "axes",
+        hard,
+        quantity: Quantity::own("late swing of y / start", ""),
+        bound,
+        apart: None,
+        trial: Box::new(Masking { per_axis }),
+    };
+    vec![
+        case(
+            "masking: a sum for each axis",
+            "x burns 100 mJ of its own, y gives energy away: y may not live on what x burnt",
+            1.0,
+            true,
+        ),
+        case(
+            "masking: one sum",
+            "the same port: both together give nothing away, and y grows on what x burnt",
+            // All of the energy at the start, 100 mJ of x and 10 mJ of y, in y.
+            11_f64.sqrt(),
+            false,
+        ),
+    ]
+}

@@ -1,0 +1,93 @@
+//! The paper's steps, written as the paper prints them: what the hard cases are hard for.
+//!
+//! Steps 1 to 6 of example 1, and with a `damping` those of example 2, in plain `f64` or `f32`:
+//!
+//! ```text
+//! 3, 4  L(n) = L(n−1) + f₂(n) v₂(n) + α(n−1) v₂(n−1)² (+ b v₂(n)²)
+//! 5     α(n) = −L(n) / v₂(n)² if L(n) < 0, else 0
+//! 6     f₁(n) = f₂(n) + α(n) v₂(n)
+//! ```
+//!
+//! Nothing is added: no period in the sum (it cancels in α), no limit, no look at what is divided by, at what was
+//! measured, or at what acted.
+
+use lyapunov::{Action, Drive, Stabilizer};
+use nalgebra::SVector;
+
+/// The observer/controller of the paper's examples, as printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Naive<T> {
+    /// The environment's damping as example 2 credits it, N·s/m; 0 is example 1.
+    pub damping: T,
+    sum: T,
+    alpha: T,
+    square: T,
+}
+
+macro_rules! naive {
+    ($($real:ident),*) => {$(
+        impl Naive<$real> {
+            /// Example 2 with this damping.
+            pub fn crediting(damping: $real) -> Self {
+                Self { damping, sum: 0.0, alpha: 0.0, square: 0.0 }
+            }
+
+            /// Steps 3 to 5: the damping of this tick, from the power `f₂ v₂` and the square `v₂²`.
+            fn alpha(&mut self, power: $real, square: $real) -> $real {
+                self.sum += power + self.alpha * self.square + self.damping * square;
+                self.alpha = if self.sum < 0.0 { -self.sum / square } else { 0.0 };
+                self.square = square;
+                self.alpha
+            }
+        }
+
+        impl Stabilizer<$real> for Naive<$real> {
+            fn stabilize(&mut self, drive: &Drive<$real>, f: $real) -> Action<$real> {
+                let v = drive.velocity;
+                let alpha = self.alpha(f * v, v * v);
+                let sum = self.sum * drive.period;
+                Action { sum, alpha, ..Action::none(f + alpha * v) }
+            }
+        }
+
+        impl<const N: usize> Stabilizer<SVector<$real, N>> for Naive<$real> {
+            fn stabilize(
+                &mut self,
+                drive: &Drive<SVector<$real, N>>,
+                f: SVector<$real, N>,
+            ) -> Action<SVector<$real, N>> {
+                let v = drive.velocity;
+                let alpha = self.alpha(f.dot(&v), v.dot(&v));
+                let sum = self.sum * drive.period;
+                Action { sum, alpha, ..Action::none(f + v * alpha) }
+            }
+        }
+    )*};
+}
+
+naive!(f64, f32);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: −1 N at 0.5 m/s gives L = −0.5 W, α = 2 N·s/m, f₁ = 0; then f₂ = 0, L = −0.5 + 0.5 = 0.
+    #[test]
+    fn two_ticks_by_hand() {
+        let mut naive = Naive::default();
+        let drive = Drive::new(1e-3, 0.0, 0.5, 5e-4, 0.0);
+        let action = naive.stabilize(&drive, -1.0);
+        assert_eq!((action.effort, action.alpha, action.sum), (0.0, 2.0, -0.5e-3));
+        let action = naive.stabilize(&drive, 0.0);
+        assert_eq!((action.effort, action.alpha, action.sum), (0.0, 0.0, 0.0));
+    }
+
+    /// A debt, and then no motion: divided by v² = 0, times v = 0.
+    #[test]
+    fn a_debt_at_rest_is_divided_by_nothing() {
+        let mut naive = Naive::default();
+        naive.stabilize(&Drive::new(1e-3, 0.0, 1e-3, 1e-6, 0.0), -1.0);
+        naive.square = 0.0;
+        assert!(naive.stabilize(&Drive::starting(1e-3, 0.0, 0.0), -1.0).effort.is_nan());
+    }
+}

@@ -1,0 +1,7 @@
+//! The report page.
+
+use super::Catalogue;
+
+pub(super) fn page(_catalogue: &Catalogue, command: &str) -> String {
+    command.to_owned()
+}
