@@ -8,8 +8,8 @@
 //! `f64`, [`lanes`] of either) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
 //! an allocator, and does not panic. [`laws`] checks parts of one's own.
 //!
-//! Only impedance causality is here: motion in, effort out. The names leave room for the other: what is said of
-//! a `Drive` and an effort would be said of a load and a flow.
+//! The names are those of impedance causality: motion in, effort out. The other, effort in and motion out, is the same
+//! arithmetic with effort and flow exchanged; a [`Load`] is a `Drive` under its names.
 //!
 //! Not here: scheduling, clocks, threads, names of signals at run time, graphs of blocks. The caller calls.
 #![no_std]
@@ -24,6 +24,7 @@ mod integrator;
 pub mod lanes;
 pub mod laws;
 mod ledger;
+mod load;
 mod observer;
 mod one_port;
 mod parameter;
@@ -40,6 +41,7 @@ pub use drive::Drive;
 pub use dynamics::{Dynamics, State};
 pub use integrator::Integrator;
 pub use ledger::{Held, Ledger, Sampled, Work};
+pub use load::Load;
 pub use observer::Observer;
 pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
