@@ -45,11 +45,12 @@ macro_rules! contest {
     };
 }
 
-/// With and without a stabilizer, on a state that is kept; and with one, on a state that ends with the run.
+/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; and with two
+/// that limit.
 macro_rules! contests {
     ($real:ident) => {{
-        use hand::$real::{Plain, Stabilized};
-        use typed::{plain, stabilized};
+        use hand::$real::{Limited, Plain, Stabilized, Tanked};
+        use typed::{limited, plain, stabilized, tanked};
         [
             contest!(
                 concat!("stabilized/", stringify!($real)),
@@ -71,6 +72,20 @@ macro_rules! contests {
                 run,
                 Plain::new(),
                 plain::<$real>()
+            ),
+            contest!(
+                concat!("force-bound/", stringify!($real)),
+                $real,
+                run,
+                Limited::new(),
+                limited::<$real>()
+            ),
+            contest!(
+                concat!("tank/", stringify!($real)),
+                $real,
+                run,
+                Tanked::new(),
+                tanked::<$real>()
             ),
         ]
     }};

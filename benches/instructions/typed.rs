@@ -1,13 +1,13 @@
 //! The loops composed by type.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Difference, Hold, Impedance, OnePort, ParameterError, Plant, Popc,
-    PortEnergy, Scalar, Stabilized, Wall,
+    Adapt, Body, DampingLimit, Difference, ForceBound, Hold, Impedance, OnePort, ParameterError,
+    Plant, Popc, PortEnergy, Scalar, Stabilized, Store, Tank, Wall,
 };
 
 use super::numbers::{
-    DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING, OPERATOR_MASS,
-    OPERATOR_STIFFNESS, PERIOD, START, STIFFNESS,
+    BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING,
+    OPERATOR_MASS, OPERATOR_STIFFNESS, PERIOD, POWER, ROOM, START, STIFFNESS,
 };
 
 /// A held wall behind the stabilizer.
@@ -68,4 +68,23 @@ pub(crate) fn stabilized<T: Scalar>() -> Result<Loop<T, Corrected<T>>, Parameter
 pub(crate) fn plain<T: Scalar>() -> Result<Loop<T, Plain<T>>, ParameterError> {
     let wall = Wall::new(T::of(STIFFNESS), T::of(DAMPING))?;
     Ok(Loop { plant: plant()?, port: wall.differenced() })
+}
+
+/// A wall behind a force bound.
+pub(crate) type Limited<T> = Difference<Stabilized<Wall<T>, ForceBound<T>, T>>;
+
+pub(crate) fn limited<T: Scalar>() -> Result<Loop<T, Limited<T>>, ParameterError> {
+    let wall = Wall::new(T::of(STIFFNESS), T::of(DAMPING))?;
+    let bound = ForceBound::new(T::of(BOUND_DAMPING))?.budgeted(T::of(BUDGET))?;
+    Ok(Loop { plant: plant()?, port: wall.stabilized(bound).differenced() })
+}
+
+/// A wall behind a tank.
+pub(crate) type Tanked<T> = Difference<Stabilized<Wall<T>, Tank<T, PortEnergy>, T>>;
+
+pub(crate) fn tanked<T: Scalar>() -> Result<Loop<T, Tanked<T>>, ParameterError> {
+    let wall = Wall::new(T::of(STIFFNESS), T::of(DAMPING))?;
+    let [start, floor, ceiling, power] = [BUDGET, 0.0, ROOM, POWER].map(T::of);
+    let tank = Tank::new(PortEnergy, Store { start, floor, ceiling, power })?;
+    Ok(Loop { plant: plant()?, port: wall.stabilized(tank).differenced() })
 }
