@@ -1,8 +1,8 @@
 //! The loops as straight code on concrete types, without a call into the library.
 
 use super::numbers::{
-    DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING, OPERATOR_MASS,
-    OPERATOR_STIFFNESS, PERIOD, START, STEPS, STIFFNESS,
+    BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING,
+    OPERATOR_MASS, OPERATOR_STIFFNESS, PERIOD, POWER, ROOM, START, STEPS, STIFFNESS,
 };
 
 macro_rules! hand {
@@ -229,6 +229,133 @@ macro_rules! hand {
                         let velocity = moved / mass.period;
                         let force = wall.force(mass.position, velocity);
                         acted = passivity.effort(mass.period, velocity, acted * moved, force);
+                        moved = mass.advance(acted);
+                        *position = mass.position;
+                    }
+                }
+            }
+
+            /// A force bound, and what it tells of its last tick.
+            #[derive(Clone, Copy, Debug)]
+            struct Bound {
+                damping: $real,
+                energy: $real,
+                told: Told,
+            }
+
+            impl Bound {
+                #[inline(always)]
+                fn effort(
+                    &mut self,
+                    period: $real,
+                    moved: $real,
+                    work: $real,
+                    force: $real,
+                ) -> $real {
+                    let change = work + self.damping * (moved * moved / period);
+                    let booked = (self.energy + change).is_finite();
+                    self.energy += if booked { change } else { 0.0 };
+                    let sum = self.energy;
+                    let share = (4.0 - 64.0 * $real::EPSILON) * self.damping;
+                    let most = (share * (if sum > 0.0 { sum } else { 0.0 } / period)).sqrt();
+                    let size = (force * force).sqrt();
+                    let factor = if size > most { most / size } else { 1.0 };
+                    let accepted = booked && (size + most).is_finite() && force.is_finite();
+                    let effort = if accepted { force * factor } else { 0.0 };
+                    let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
+                    self.told = Told { effort, sum, alpha: 0.0, shortfall, accepted };
+                    effort
+                }
+            }
+
+            /// An energy tank, and what it tells of its last tick.
+            #[derive(Clone, Copy, Debug)]
+            struct Tank {
+                energy: $real,
+                room: $real,
+                power: $real,
+                told: Told,
+            }
+
+            impl Tank {
+                #[inline(always)]
+                fn effort(
+                    &mut self,
+                    period: $real,
+                    velocity: $real,
+                    work: $real,
+                    force: $real,
+                ) -> $real {
+                    let kept = if self.energy < self.room { self.energy } else { self.room };
+                    let booked = (kept + work).is_finite();
+                    self.energy = kept + if booked { work } else { 0.0 };
+                    let sum = self.energy;
+                    let available = if sum > 0.0 { sum } else { 0.0 } / period;
+                    let most = if available < self.power { available } else { self.power };
+                    let given = -(force * velocity);
+                    let factor = if given > most { most / given } else { 1.0 };
+                    let accepted = (given + period + work).is_finite() && force.is_finite();
+                    let effort = if accepted { force * factor } else { 0.0 };
+                    let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
+                    self.told = Told { effort, sum, alpha: 0.0, shortfall, accepted };
+                    effort
+                }
+            }
+
+            const NOTHING: Told =
+                Told { effort: 0.0, sum: 0.0, alpha: 0.0, shortfall: 0.0, accepted: true };
+
+            /// A wall behind a force bound.
+            #[derive(Clone, Copy, Debug)]
+            pub(crate) struct Limited {
+                mass: Mass,
+                wall: Wall,
+                bound: Bound,
+            }
+
+            impl Limited {
+                pub(crate) fn new() -> Self {
+                    let (damping, energy) = (BOUND_DAMPING as $real, BUDGET as $real);
+                    let bound = Bound { damping, energy, told: NOTHING };
+                    Self { mass: Mass::new(), wall: Wall::new(), bound }
+                }
+
+                #[inline(never)]
+                pub(crate) fn run(&mut self, positions: &mut [$real]) {
+                    let Self { mass, wall, bound } = self;
+                    let (mut acted, mut moved) = (0.0, 0.0);
+                    for position in positions {
+                        let force = wall.force(mass.position, moved / mass.period);
+                        acted = bound.effort(mass.period, moved, acted * moved, force);
+                        moved = mass.advance(acted);
+                        *position = mass.position;
+                    }
+                }
+            }
+
+            /// A wall behind a tank.
+            #[derive(Clone, Copy, Debug)]
+            pub(crate) struct Tanked {
+                mass: Mass,
+                wall: Wall,
+                tank: Tank,
+            }
+
+            impl Tanked {
+                pub(crate) fn new() -> Self {
+                    let (energy, room) = (BUDGET as $real, ROOM as $real);
+                    let tank = Tank { energy, room, power: POWER as $real, told: NOTHING };
+                    Self { mass: Mass::new(), wall: Wall::new(), tank }
+                }
+
+                #[inline(never)]
+                pub(crate) fn run(&mut self, positions: &mut [$real]) {
+                    let Self { mass, wall, tank } = self;
+                    let (mut acted, mut moved) = (0.0, 0.0);
+                    for position in positions {
+                        let velocity = moved / mass.period;
+                        let force = wall.force(mass.position, velocity);
+                        acted = tank.effort(mass.period, velocity, acted * moved, force);
                         moved = mass.advance(acted);
                         *position = mass.position;
                     }

@@ -45,12 +45,12 @@ macro_rules! contest {
     };
 }
 
-/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; and without,
-/// with a body that is integrated by steps.
+/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; without, with a body
+/// that is integrated by steps; and with two that limit.
 macro_rules! contests {
     ($real:ident) => {{
-        use hand::$real::{Integrated, Plain, Stabilized};
-        use typed::{integrated, plain, stabilized};
+        use hand::$real::{Integrated, Limited, Plain, Stabilized, Tanked};
+        use typed::{integrated, limited, plain, stabilized, tanked};
         [
             contest!(
                 concat!("stabilized/", stringify!($real)),
@@ -79,6 +79,20 @@ macro_rules! contests {
                 run,
                 Integrated::new(),
                 integrated::<$real>()
+            ),
+            contest!(
+                concat!("force-bound/", stringify!($real)),
+                $real,
+                run,
+                Limited::new(),
+                limited::<$real>()
+            ),
+            contest!(
+                concat!("tank/", stringify!($real)),
+                $real,
+                run,
+                Tanked::new(),
+                tanked::<$real>()
             ),
         ]
     }};

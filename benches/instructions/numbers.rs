@@ -16,3 +16,11 @@ pub(crate) const STEPS: u32 = 4;
 
 /// The largest damping that may be injected, N·s/m.
 pub(crate) const MOST: f64 = 150.0;
+/// What a force bound takes the device's damping to be, N·s/m.
+pub(crate) const BOUND_DAMPING: f64 = 0.2;
+/// What is on an account at the start, J.
+pub(crate) const BUDGET: f64 = 1e-3;
+/// What a tank holds at most, J.
+pub(crate) const ROOM: f64 = 2e-3;
+/// What a tank hands out at most, W.
+pub(crate) const POWER: f64 = 0.1;

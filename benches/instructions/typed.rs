@@ -1,13 +1,14 @@
 //! The loops composed by type.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Difference, Hold, Impedance, OnePort, Oscillator, ParameterError,
-    Plant, Popc, PortEnergy, RungeKutta4, Scalar, Stabilized, Stepped, Wall,
+    Adapt, Body, DampingLimit, Difference, ForceBound, Hold, Impedance, OnePort, Oscillator,
+    ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar, Stabilized, Stepped, Store, Tank,
+    Wall,
 };
 
 use super::numbers::{
-    DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING, OPERATOR_MASS,
-    OPERATOR_STIFFNESS, PERIOD, START, STEPS, STIFFNESS,
+    BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING,
+    OPERATOR_MASS, OPERATOR_STIFFNESS, PERIOD, POWER, ROOM, START, STEPS, STIFFNESS,
 };
 
 /// A held wall behind the stabilizer.
@@ -89,4 +90,21 @@ pub(crate) fn plain<T: Scalar>() -> Result<Loop<Body<T>, Plain<T>>, ParameterErr
 pub(crate) fn integrated<T: Scalar>() -> Result<Loop<Integrated<T>, Plain<T>>, ParameterError> {
     let plant = Stepped::new(Oscillator::new(hand())?, RungeKutta4, T::of(PERIOD), STEPS)?;
     Ok(Loop { plant: plant.starting(T::of(START), T::of(0.0)), port: wall()?.differenced() })
+}
+
+/// A wall behind a force bound.
+pub(crate) type Limited<T> = Difference<Stabilized<Wall<T>, ForceBound<T>, T>>;
+
+pub(crate) fn limited<T: Scalar>() -> Result<Loop<Body<T>, Limited<T>>, ParameterError> {
+    let bound = ForceBound::new(T::of(BOUND_DAMPING))?.budgeted(T::of(BUDGET))?;
+    Ok(Loop { plant: exact()?, port: wall()?.stabilized(bound).differenced() })
+}
+
+/// A wall behind a tank.
+pub(crate) type Tanked<T> = Difference<Stabilized<Wall<T>, Tank<T, PortEnergy>, T>>;
+
+pub(crate) fn tanked<T: Scalar>() -> Result<Loop<Body<T>, Tanked<T>>, ParameterError> {
+    let [start, floor, ceiling, power] = [BUDGET, 0.0, ROOM, POWER].map(T::of);
+    let tank = Tank::new(PortEnergy, Store { start, floor, ceiling, power })?;
+    Ok(Loop { plant: exact()?, port: wall()?.stabilized(tank).differenced() })
 }

@@ -18,6 +18,9 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
     /// the two.
     fn add_and_raise(&mut self, term: T, most: T) -> T;
 
+    /// Lowers a sum above `most` to `most`.
+    fn lower(&mut self, most: T);
+
     /// The sum, rounded to the port's scalar.
     fn value(&self) -> T;
 }
@@ -46,6 +49,11 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
         let sum = self.sum + term;
         self.sum = (self.sum + (term - most)).smaller(T::zero()).larger(sum);
         sum
+    }
+
+    #[inline]
+    fn lower(&mut self, most: T) {
+        self.sum = self.sum.smaller(most);
     }
 
     #[inline]
@@ -92,6 +100,13 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         let pick = |raised, kept| T::choose(owed, T::choose(partly, raised, T::zero()), kept);
         *self = Self { sum: pick(raised.sum, self.sum), error: pick(raised.error, self.error) };
         value
+    }
+
+    #[inline]
+    fn lower(&mut self, most: T) {
+        let above = self.value().above(most);
+        let sum = T::choose(above, most, self.sum);
+        *self = Self { sum, error: T::choose(above, T::zero(), self.error) };
     }
 
     #[inline]
@@ -153,6 +168,11 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
     #[inline]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         T::narrow(self.sum.add_and_raise(term.widen(), most.widen()))
+    }
+
+    #[inline]
+    fn lower(&mut self, most: T) {
+        self.sum.lower(most.widen());
     }
 
     #[inline]

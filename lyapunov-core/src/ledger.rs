@@ -72,7 +72,30 @@ impl<W: Work, A> Ledger<W, A> {
     where
         A: Accumulator<T>,
     {
-        Self { sum: A::zero(), work: PhantomData }
+        Self::in_sum(A::zero())
+    }
+
+    /// An account that goes on from `sum`.
+    pub fn in_sum(sum: A) -> Self {
+        Self { sum, work: PhantomData }
+    }
+
+    /// Adds `energy` joules of credit.
+    #[inline]
+    pub fn credit<T: Scalar>(&mut self, energy: T)
+    where
+        A: Accumulator<T>,
+    {
+        self.sum.add(energy);
+    }
+
+    /// Forgets what is stored above `most` joules.
+    #[inline]
+    pub fn forget_above<T: Scalar>(&mut self, most: T)
+    where
+        A: Accumulator<T>,
+    {
+        self.sum.lower(most);
     }
 
     /// The drive that the candidate's terms see, given the effort of the port behind the stabilizer.

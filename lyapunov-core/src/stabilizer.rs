@@ -4,7 +4,8 @@ use crate::{Action, Drive, OnePort, Signal};
 
 /// Watches a port and corrects its effort just enough, just in time, to keep the loop bounded.
 ///
-/// Impedance causality: motion comes in, effort goes out.
+/// Impedance causality: motion comes in, effort goes out. For admittance causality give it a [`Load`](crate::Load)
+/// as the drive and a flow as the effort; what it adds is then a velocity in proportion to the force.
 ///
 /// A stabilizer never fails in the loop. A sample it cannot use gives a zero effort and `accepted` false.
 /// Check one of your own with [`laws::stabilizer`](crate::laws::stabilizer).

@@ -5,7 +5,8 @@
 //! with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly, and so is
 //! [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as [`RungeKutta4`]. What follows
 //! time by itself, a hand or a load, is a [`Course`]. Effects are adaptors that own the port, chained by [`Adapt`], or
-//! the body, chained by [`Perturb`], they act on; one that is not written costs nothing.
+//! the body, chained by [`Perturb`], they act on; one that is not written costs nothing. A [`Channel`] carries messages
+//! between two loops.
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};
@@ -23,6 +24,7 @@
 
 mod affine;
 mod bodies;
+mod channels;
 mod courses;
 mod dynamics;
 mod effects;
@@ -39,6 +41,7 @@ pub use bodies::{
     Body, DampedMass, Friction, Grip, Impedance, Jitter, Linear, Link, Linked, Motion, Perturb,
     Push, Stepped, Stribeck, Tethered, Transition, Transitions, TwoMass, held_input,
 };
+pub use channels::{Channel, ConstantDelay, Lossy, VaryingDelay};
 pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
 pub use dynamics::{
     Assembled, Coordinates, CoupledOscillators, ImplicitDynamics, Joined, LinearDynamics,

@@ -13,6 +13,10 @@ pub enum Source {
     Jitter = 2,
     /// Lost answers of an environment.
     Dropout = 3,
+    /// Lost messages of a channel.
+    Loss = 4,
+    /// How long a channel takes for a message.
+    Lag = 5,
 }
 
 /// Random numbers, independent in every call, axis and lane, from a seed for each lane.
@@ -53,6 +57,17 @@ impl<T: Scalar> Random<T> {
             let axes = T::from_lanes(|lane| gaussian(self.words(axis, lane)));
             axis += 1;
             axes
+        });
+        self.calls = self.calls.wrapping_add(1);
+        drawn
+    }
+
+    /// The next number that is uniform in `[0, 1)`, before it is rounded to the scalar.
+    #[inline]
+    pub fn uniform(&mut self) -> T {
+        let drawn = T::from_lanes(|lane| {
+            let [high, low, ..] = self.words(0, lane);
+            uniform(high, low)
         });
         self.calls = self.calls.wrapping_add(1);
         drawn

@@ -28,6 +28,21 @@ impl<T: Scalar> DampingLimit<T> {
         Ok(Self::finite(cap * mass / period))
     }
 
+    /// The limit of a mobility, `cap / (stiffness · period)` in m/(N·s), for admittance causality
+    /// ([`Load`](lyapunov_core::Load)): `stiffness` is the largest that the device is held with, N/m.
+    ///
+    /// A held velocity `β f` against a spring `k` multiplies its force by `1 − β k T` on each tick, as a held damper does
+    /// with the velocity of a mass: `1 / k` stands where `m` stood.
+    ///
+    /// # Errors
+    /// `cap` below 0 or NaN; `stiffness` or `period` not above 0 and finite.
+    pub fn of_stiffness(cap: T, stiffness: T, period: T) -> Result<Self, ParameterError> {
+        let cap = Requirement::Limit.check("mobility_cap", cap)?;
+        let stiffness = Requirement::Positive.check("stiffness", stiffness)?;
+        let period = Requirement::Positive.check("period", period)?;
+        Ok(Self::finite(cap / (stiffness * period)))
+    }
+
     /// The limit `damping`, N·s/m.
     ///
     /// # Errors
@@ -50,7 +65,7 @@ impl<T: Scalar> DampingLimit<T> {
     ///
     /// ```
     /// use lyapunov_stabilizers::DampingLimit;
-    /// let prompt = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // 100 N·s/m
+    /// let prompt = DampingLimit::of_mass(0.5, 0.2, 1e-3_f64)?; // 100 N·s/m
     /// assert_eq!(prompt.delayed(0), prompt);
     /// assert!((prompt.delayed(1).most() - 41.42).abs() < 0.01);
     /// # Ok::<(), lyapunov_core::ParameterError>(())

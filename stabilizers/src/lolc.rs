@@ -1,11 +1,11 @@
 //! The Lyapunov observer/controller.
 
 use lyapunov_core::{
-    Accumulator, Action, Drive, Held, Ledger, LyapunovCandidate, Mask, Observer, Plain, Sampled,
-    Scalar, Signal, Stabilizer, Work,
+    Accumulator, Action, Drive, Held, Ledger, LyapunovCandidate, Mask, Observer, ParameterError,
+    Plain, Requirement, Sampled, Scalar, Signal, Stabilizer, Work,
 };
 
-use crate::DampingLimit;
+use crate::{Account, DampingLimit};
 
 /// The Lyapunov observer/controller of Jafari, Etoundi and Chong.
 ///
@@ -56,7 +56,53 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
 
     /// The same stabilizer with its energies summed in a `B`.
     pub fn summed_in<B: Accumulator<T>>(self) -> Lolc<T, C, W, B> {
-        Lolc { observer: self.observer.booking(), limit: self.limit }
+        self.summed_by(B::zero())
+    }
+
+    /// The same stabilizer with its energies summed by `sum`, what is in there already included.
+    pub fn summed_by<B: Accumulator<T>>(self, sum: B) -> Lolc<T, C, W, B> {
+        let candidate = self.observer.candidate;
+        Lolc { observer: Observer { candidate, ledger: Ledger::in_sum(sum) }, limit: self.limit }
+    }
+
+    /// The same stabilizer with `energy` more joules on its account: a budget for what is stored at the start.
+    ///
+    /// A loop that starts from rest in a compressed spring gives that energy away without having taken it first. With
+    /// `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and `L ≥ 0` bounds what the port gives by `E₀`. Of an energy that
+    /// the port does not store, the credit only delays the controller.
+    ///
+    /// # Errors
+    /// `energy` below 0, infinite or NaN.
+    ///
+    /// ```
+    /// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+    /// use lyapunov_stabilizers::{DampingLimit, Popc};
+    /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+    /// let drive = Drive::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // a spring pushes out: it gives 0.2 mJ
+    /// assert!({ popc }.stabilize(&drive, 2.0).alpha > 0.0);
+    /// assert_eq!(popc.budgeted(1e-3)?.stabilize(&drive, 2.0).alpha, 0.0);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
+        self.observer.ledger.credit(Requirement::NonNegative.check("budget", energy)?);
+        Ok(self)
+    }
+}
+
+impl<T, C, W, A> Lolc<T, C, W, A> {
+    pub(crate) fn candidate(&self) -> &C {
+        &self.observer.candidate
+    }
+
+    pub(crate) fn candidate_mut(&mut self) -> &mut C {
+        &mut self.observer.candidate
+    }
+}
+
+impl<T: Scalar, C, W: Work, A: Accumulator<T>> Account<T> for Lolc<T, C, W, A> {
+    #[inline]
+    fn forget_above(&mut self, most: T) {
+        self.observer.ledger.forget_above(most);
     }
 }
 

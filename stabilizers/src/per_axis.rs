@@ -3,6 +3,8 @@
 use lyapunov_core::{Action, Drive, Mask, Scalar, Stabilizer};
 use nalgebra::SVector;
 
+use crate::Account;
+
 /// A stabilizer for each axis of a port, each with a sum and a damping of its own.
 ///
 /// One stabilizer on several axes has one sum: what one axis absorbs pays for what another gives away, and
@@ -46,6 +48,16 @@ impl<S, const N: usize> PerAxis<S, N> {
     /// The stabilizers of the axes.
     pub fn axes(&self) -> &[S; N] {
         &self.axes
+    }
+}
+
+/// Each axis keeps `most`, so all of them N times that.
+impl<T: Scalar, S: Account<T>, const N: usize> Account<T> for PerAxis<S, N> {
+    #[inline]
+    fn forget_above(&mut self, most: T) {
+        for axis in &mut self.axes {
+            axis.forget_above(most);
+        }
     }
 }
 

@@ -37,7 +37,7 @@ pub use lyapunov_function::lyapunov_function;
 pub use one_port::one_port;
 pub use plant::plant;
 pub use samples::Samples;
-pub use stabilizer::stabilizer;
+pub use stabilizer::{limiter, stabilizer};
 
 use core::fmt;
 
@@ -55,6 +55,8 @@ pub enum Law {
     NoNegativeDamping,
     /// The correction feeds no power into the motion it sees: `(f_out − f_in) · v >= 0` up to rounding.
     Opposes,
+    /// The effort is between 0 and what it was, axis by axis and up to rounding.
+    NoLarger,
     /// `L + α v² T + shortfall >= 0` up to rounding.
     Served,
     /// The correction is no more than the limit times the velocity.
@@ -91,6 +93,7 @@ impl fmt::Display for Law {
             Self::Repeatable => "two copies that see the same must do the same",
             Self::NoNegativeDamping => "damping and shortfall must not be below 0",
             Self::Opposes => "the correction must not feed power into the motion",
+            Self::NoLarger => "an effort that is limited must not grow or turn round",
             Self::Served => "sum, correction and shortfall together must not be below 0",
             Self::WithinLimit => "the correction must stay within its limit",
             Self::Balances => "supplied must be stored, dissipated and shortfall together",

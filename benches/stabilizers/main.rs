@@ -1,0 +1,107 @@
+//! One tick of each of the family, in ns: `stabilizers/<name>/<f32|f64>/<1|3|6>dof`.
+//!
+//! The same samples for all of them, which let a controller act now and then. Compare ids of one scalar and width with
+//! one another. What the forms cost against straight code is in `benches/step` and, by instructions, in
+//! `benches/instructions`.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use lyapunov::{
+    Action, Aimed, Beyond, DampingLimit, Dissipation, Drive, ForceBound, Gate, Lolc, Plain, Popc,
+    PortEnergy, ReferenceFollowing, Refine, Scalar, Signal, Stabilizer, Station, Storage, Store,
+    Tank, Weights, Windowed, laws::Samples,
+};
+use nalgebra::{Vector3, Vector6};
+
+const PERIOD: f64 = 1e-3;
+
+#[inline(never)]
+fn block<V: Signal>(
+    stabilizer: &mut impl Stabilizer<V>,
+    samples: &[(Drive<V>, V)],
+    actions: &mut [Action<V>],
+) {
+    for ((drive, effort), action) in samples.iter().zip(actions) {
+        *action = stabilizer.stabilize(drive, *effort);
+    }
+}
+
+/// Times blocks, so that one iteration of the report is one tick.
+fn time<V: Signal>(
+    criterion: &mut Criterion,
+    (name, port): (&str, &str),
+    mut stabilizer: impl Stabilizer<V>,
+) {
+    let samples: Vec<_> = Samples::<V>::new(V::Scalar::of(PERIOD)).collect();
+    let mut actions = vec![Action::none(V::zero()); samples.len()];
+    criterion.bench_function(&format!("stabilizers/{name}/{port}"), |bencher| {
+        bencher.iter_custom(|ticks| {
+            let blocks = ticks.div_ceil(samples.len() as u64);
+            let start = Instant::now();
+            for _ in 0..blocks {
+                block(black_box(&mut stabilizer), black_box(&samples), black_box(&mut actions));
+            }
+            start.elapsed().mul_f64(ticks as f64 / (blocks * samples.len() as u64) as f64)
+        });
+    });
+}
+
+/// Open beyond a surface on the first axis, or on the sum of several.
+#[derive(Clone, Copy, Debug)]
+struct Inside<T>(Beyond<T>);
+
+impl<V: Signal> Gate<V> for Inside<V::Scalar> {
+    fn open(&self, drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask {
+        drive.position.sum().above(self.0.position)
+    }
+}
+
+fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
+    let of = V::Scalar::of;
+    let fine = "what is built";
+    let limit = DampingLimit::of_mass(of(0.5), of(0.2), of(PERIOD)).expect(fine);
+    let popc: Popc<V::Scalar> = Popc::new(PortEnergy, limit);
+    let credit = Dissipation::of(of(0.001)).expect(fine);
+    let stored = |x: V, _v: V| x.pair(x);
+    let reference = (PortEnergy, Storage::starting(stored, V::zero(), V::zero()));
+    let [start, floor, ceiling, power] = [2e-3, 1e-3, 5e-3, 3.0].map(of);
+    let store = Store { start, floor, ceiling, power };
+    let windowed = popc.summed_in::<Windowed<_, Plain<_>, 16>>();
+    let weights = Weights::new(V::splat(of(0.5))).expect(fine);
+    time::<V>(criterion, ("popc", port), popc);
+    time::<V>(criterion, ("lolc", port), Lolc::new((PortEnergy, credit), limit));
+    time::<V>(criterion, ("bounded", port), popc.bounded(of(1e-3)).expect(fine));
+    let reset = popc.reset_at(Inside(Beyond { position: of(0.0) }));
+    time::<V>(criterion, ("contact-reset", port), reset);
+    time::<V>(criterion, ("windowed", port), windowed);
+    time::<V>(criterion, ("threshold", port), popc.above_velocity(of(0.01)).expect(fine));
+    time::<V>(criterion, ("spread", port), popc.spread_over(5).expect(fine));
+    time::<V>(criterion, ("rise", port), popc.rising_over(5).expect(fine));
+    time::<V>(criterion, ("rate-limit", port), popc.rate_limited::<V>(of(100.0)).expect(fine));
+    time::<V>(criterion, ("reference", port), ReferenceFollowing::new(reference, limit));
+    time::<V>(criterion, ("force-bound", port), ForceBound::new(of(0.1)).expect(fine));
+    time::<V>(criterion, ("tank", port), Tank::new(PortEnergy, store).expect(fine));
+    time::<V>(criterion, ("aimed", port), Aimed::new(popc, weights, limit));
+    time::<V>(criterion, ("station", port), Station::new(limit));
+}
+
+fn all(criterion: &mut Criterion) {
+    family::<f64>(criterion, "f64/1dof");
+    family::<Vector3<f64>>(criterion, "f64/3dof");
+    family::<Vector6<f64>>(criterion, "f64/6dof");
+    family::<f32>(criterion, "f32/1dof");
+    family::<Vector3<f32>>(criterion, "f32/3dof");
+    family::<Vector6<f32>>(criterion, "f32/6dof");
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .warm_up_time(Duration::from_millis(100))
+        .measurement_time(Duration::from_millis(400))
+        .sample_size(20);
+    targets = all
+}
+criterion_main!(benches);

@@ -1,0 +1,42 @@
+//! A delay that stays the same.
+
+use lyapunov_core::{ParameterError, Requirement};
+
+use super::Channel;
+
+/// A channel on which every message takes the same number of ticks; `N` is the room for them.
+///
+/// ```
+/// use lyapunov_plants::{Channel, ConstantDelay};
+/// let mut channel = ConstantDelay::<_, 4>::new(2, 0.0)?;
+/// assert_eq!([1.0, 2.0, 3.0, 4.0].map(|message| channel.carry(message)), [0.0, 0.0, 1.0, 2.0]);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ConstantDelay<M, const N: usize> {
+    ticks: usize,
+    next: usize,
+    waiting: [M; N],
+}
+
+impl<M: Copy, const N: usize> ConstantDelay<M, N> {
+    /// A delay of `ticks`; until the first message arrives, `before` is there.
+    ///
+    /// # Errors
+    /// `ticks` is above `N`.
+    pub fn new(ticks: usize, before: M) -> Result<Self, ParameterError> {
+        Requirement::AtMost(N as f64).check("channel ticks", ticks as f64)?;
+        Ok(Self { ticks, next: 0, waiting: [before; N] })
+    }
+}
+
+impl<M: Copy, const N: usize> Channel<M> for ConstantDelay<M, N> {
+    fn carry(&mut self, message: M) -> M {
+        let Some(slot) = self.waiting[..self.ticks].get_mut(self.next) else {
+            return message;
+        };
+        let next = self.next + 1;
+        self.next = if next == self.ticks { 0 } else { next };
+        core::mem::replace(slot, message)
+    }
+}

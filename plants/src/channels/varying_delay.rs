@@ -1,0 +1,75 @@
+//! A delay that is never twice the same.
+
+use lyapunov_core::{ParameterError, Requirement};
+
+use super::Channel;
+use crate::{Random, Source};
+
+/// A message under way.
+#[derive(Clone, Copy, Debug)]
+struct Letter<M> {
+    message: M,
+    sent: u64,
+    arrives: u64,
+}
+
+/// A channel on which each message takes a number of ticks of its own, uniform from `least` to `most` below `N`.
+///
+/// Messages overtake one another; one that is older than what has arrived already is thrown away.
+///
+/// ```
+/// use lyapunov_plants::{Channel, VaryingDelay};
+/// let mut channel = VaryingDelay::<_, 8>::new(1, 5, 7, 0)?;
+/// let arrived: Vec<i32> = (1..100).map(|message| channel.carry(message)).collect();
+/// assert!(arrived.windows(2).all(|pair| pair[0] <= pair[1])); // never back in time
+/// assert!(arrived.iter().zip(1..).all(|(then, now)| (1..=5).contains(&(now - then)) || *then == 0));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct VaryingDelay<M, const N: usize> {
+    least: u32,
+    choices: f64,
+    random: Random<f64>,
+    tick: u64,
+    arrived: M,
+    newest: u64,
+    letters: [Letter<M>; N],
+}
+
+impl<M: Copy, const N: usize> VaryingDelay<M, N> {
+    /// Delays from `least` to `most` ticks; until the first message arrives, `before` is there.
+    ///
+    /// # Errors
+    /// `least` above `most`, or `most` not below `N`.
+    pub fn new(least: u32, most: u32, seed: u64, before: M) -> Result<Self, ParameterError> {
+        Requirement::AtMost(most.into()).check("least channel ticks", f64::from(least))?;
+        Requirement::AtMost(N as f64 - 1.0).check("most channel ticks", f64::from(most))?;
+        Ok(Self {
+            least,
+            choices: f64::from(most - least) + 1.0,
+            random: Random::new(|_| seed, Source::Lag),
+            tick: 0,
+            arrived: before,
+            newest: 0,
+            letters: [Letter { message: before, sent: 0, arrives: u64::MAX }; N],
+        })
+    }
+}
+
+impl<M: Copy, const N: usize> Channel<M> for VaryingDelay<M, N> {
+    fn carry(&mut self, message: M) -> M {
+        self.tick += 1;
+        let now = self.tick;
+        let lag = u64::from(self.least) + (self.random.uniform() * self.choices) as u64;
+        // A letter is out after N − 1 ticks at the latest, so what is overwritten has arrived.
+        if let Some(slot) = self.letters.get_mut((now % N as u64) as usize) {
+            *slot = Letter { message, sent: now, arrives: now + lag };
+        }
+        for letter in &self.letters {
+            if letter.arrives <= now && letter.sent > self.newest {
+                (self.arrived, self.newest) = (letter.message, letter.sent);
+            }
+        }
+        self.arrived
+    }
+}

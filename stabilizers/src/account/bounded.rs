@@ -1,0 +1,49 @@
+//! A stored credit of so much and no more.
+
+use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer};
+
+use crate::Account;
+
+/// A stabilizer that carries at most so much credit from tick to tick: `L(n) = min(L(n−1), most) − ΔV(n)`.
+///
+/// Whatever was dissipated before, from then on the port gives at most `most` joules more than it absorbs before the
+/// controller acts. An infinite bound changes no bit.
+///
+/// ```
+/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut bounded = popc.bounded(1e-4)?;
+/// let absorbed = Drive::new(1e-3, 0.01, 0.1, 1e-4, 10.0); // 1 mJ, of which 0.1 mJ is kept
+/// let given = Drive::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // 0.2 mJ
+/// bounded.stabilize(&absorbed, 2.0);
+/// let sum: f64 = bounded.stabilize(&given, 2.0).sum;
+/// assert!((sum + 1e-4).abs() < 1e-12);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded<S, T> {
+    stabilizer: S,
+    most: T,
+}
+
+impl<S, T: Scalar> Bounded<S, T> {
+    pub(crate) fn new(stabilizer: S, most: T) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer, most: Requirement::Limit.check("most stored credit", most)? })
+    }
+}
+
+impl<T: Scalar, S: Account<T>> Account<T> for Bounded<S, T> {
+    #[inline]
+    fn forget_above(&mut self, most: T) {
+        self.stabilizer.forget_above(most);
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V> + Account<V::Scalar>> Stabilizer<V> for Bounded<S, V::Scalar> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        self.stabilizer.forget_above(self.most);
+        self.stabilizer.stabilize(drive, effort)
+    }
+}

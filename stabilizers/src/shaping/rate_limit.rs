@@ -1,0 +1,60 @@
+//! Corrections no faster than a motor follows.
+
+use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer};
+
+use super::{correction, portion};
+
+/// A stabilizer whose correction grows by at most `rate · T` newtons a tick on each axis, `rate` in N/s.
+///
+/// A correction `c(n)` may be as large as `|c(n−1)| + rate T` where it has the sign of the one before, and as large as
+/// `rate T` where it has not; where an axis would be larger, all of them are made smaller by one factor, so that the
+/// direction stays. It may fall as fast as it likes: a correction that outlasted its cause would push along the motion.
+/// What is held back is told as shortfall. An infinite rate changes no bit.
+///
+/// ```
+/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut popc = popc.rate_limited(500.0)?;
+/// let drive = Drive::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// for most in [0.5, 1.0, 1.5] {
+///     let effort: f64 = popc.stabilize(&drive, 0.0).effort;
+///     assert!((effort - most).abs() < 1e-12);
+/// }
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct RateLimit<S, V: Signal> {
+    stabilizer: S,
+    rate: V::Scalar,
+    last: V,
+}
+
+impl<S, V: Signal> RateLimit<S, V> {
+    pub(crate) fn new(stabilizer: S, rate: V::Scalar) -> Result<Self, ParameterError> {
+        let rate = Requirement::Limit.check("correction rate", rate)?;
+        Ok(Self { stabilizer, rate, last: V::zero() })
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for RateLimit<S, V> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let action = self.stabilizer.stabilize(drive, effort);
+        let growth = (self.rate * drive.period).larger(zero);
+        let mut share = one;
+        let _ = correction(&action, effort).zip(self.last, |wanted, last| {
+            let along =
+                (wanted.above(zero) & last.above(zero)) | (wanted.below(zero) & last.below(zero));
+            let most = V::Scalar::choose(along, last.magnitude(), zero) + growth;
+            let size = wanted.magnitude();
+            let own = V::Scalar::choose(size.above(most), most / size, one);
+            share = share.smaller(own);
+            wanted
+        });
+        let action = portion(action, drive, effort, share);
+        self.last = correction(&action, effort);
+        action
+    }
+}

@@ -1,0 +1,54 @@
+//! A debt paid in instalments.
+
+use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer};
+
+use super::portion;
+
+/// A stabilizer that pays a debt over `N` ticks instead of at once.
+///
+/// `p(n) = max(D(n) / N, min(p(n−1), D(n)))` joules are burnt on a tick, with `D = max(0, −L)` the debt: a debt that comes
+/// alone is paid in `N` equal parts, and one that grows meanwhile raises the rate. The rest of the debt is told as
+/// shortfall. One tick changes no bit. The stabilizer inside is one that tells a damping.
+///
+/// The instalments are what the correction is meant to burn, `α v² T`. What it really burns shows in the next drive, and
+/// what is lacking is a part of the next debt.
+///
+/// ```
+/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut popc = popc.spread_over(4)?;
+/// let action = popc.stabilize(&Drive::new(1e-3, 0.0, 0.1, 1e-4, -2.0), 0.0); // a debt of 0.2 mJ
+/// let burnt: f64 = action.alpha * 0.1 * 0.1 * 1e-3;
+/// let left: f64 = action.shortfall;
+/// assert!((burnt - 0.5e-4).abs() < 1e-15 && (left - 1.5e-4).abs() < 1e-15);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Spread<S, T> {
+    stabilizer: S,
+    ticks: T,
+    part: T,
+}
+
+impl<S, T: Scalar> Spread<S, T> {
+    pub(crate) fn new(stabilizer: S, ticks: u32) -> Result<Self, ParameterError> {
+        let ticks = Requirement::AtLeast(1.0).check("spread ticks", T::of(ticks.into()))?;
+        Ok(Self { stabilizer, ticks, part: T::of(0.0) })
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        let action = self.stabilizer.stabilize(drive, effort);
+        let debt = (-action.sum).larger(V::Scalar::of(0.0));
+        self.part = (debt / self.ticks).larger(self.part.smaller(debt));
+        let burnt = action.alpha * (drive.velocity.pair(drive.velocity) * drive.period);
+        // What is burnt in full is the debt rounded up, which is no reason to cut it.
+        let full = burnt * (V::Scalar::of(1.0) - V::Scalar::of(16.0) * V::Scalar::epsilon());
+        let one = V::Scalar::of(1.0);
+        let share = V::Scalar::choose(self.part.below(full), self.part / burnt, one);
+        portion(action, drive, effort, share)
+    }
+}

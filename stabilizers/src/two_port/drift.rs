@@ -1,0 +1,72 @@
+//! Positions that find back.
+
+use lyapunov_core::{
+    Accumulator, Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer,
+};
+
+use super::Station;
+
+/// A stabilizer of an admittance port that makes up for the position its corrections have cost.
+///
+/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `−δ / T`, at most
+/// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period, `−u · f T`,
+/// may be the credit of the account at most, and where there is none only what absorbs is added. So it never makes the debt
+/// that it would have to serve. (Artigas, Ryu and Preusche, IROS 2010, and Chawda, Ly Van Quang, O'Malley and Ryu,
+/// HAPTICS 2014, compensate with what the passivity observer has to spare.) A speed of 0 changes no bit.
+///
+/// The drive is a [`Load`](lyapunov_core::Load): `velocity` is the force, the effort in and out are flows. The
+/// correction that it tells of is the stabilizer's alone.
+#[derive(Clone, Copy, Debug)]
+pub struct DriftCompensated<S, V: Signal> {
+    stabilizer: S,
+    speed: V::Scalar,
+    drift: V,
+}
+
+impl<S, V: Signal> DriftCompensated<S, V> {
+    /// `stabilizer`, finding back at `speed` m/s at most.
+    ///
+    /// # Errors
+    /// `speed` below 0 or NaN.
+    pub fn new(stabilizer: S, speed: V::Scalar) -> Result<Self, ParameterError> {
+        let speed = Requirement::Limit.check("compensation speed", speed)?;
+        Ok(Self { stabilizer, speed, drift: V::zero() })
+    }
+
+    /// How far the port is from where it would be without corrections, m.
+    pub fn drift(&self) -> V {
+        self.drift
+    }
+}
+
+impl<T: Scalar, V: Signal<Scalar = T>, A: Accumulator<T>> DriftCompensated<Station<T, A>, V> {
+    /// As [`Station::receive`].
+    #[inline]
+    pub fn receive(&mut self, energy: T) {
+        self.stabilizer.receive(energy);
+    }
+
+    /// As [`Station::absorbed`].
+    #[inline]
+    pub fn absorbed(&self) -> T {
+        self.stabilizer.absorbed()
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for DriftCompensated<S, V> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let action = self.stabilizer.stabilize(drive, effort);
+        let back = self.drift.map(|drift| -drift / drive.period).limited(self.speed);
+        let draw = -(back.pair(drive.velocity) * drive.period);
+        let credit = action.sum.larger(zero);
+        let share = V::Scalar::choose(draw.above(credit), credit / draw, one);
+        let some = back.map(Scalar::magnitude).sum().above(zero);
+        let moved = action.effort + back.scale(share);
+        let flow = V::choose(some & action.accepted & moved.finite(), moved, action.effort);
+        let drift = self.drift + (flow - effort).scale(drive.period);
+        self.drift = V::choose(action.accepted & drift.finite(), drift, self.drift);
+        Action { effort: flow, ..action }.checked()
+    }
+}

@@ -1,0 +1,138 @@
+//! What is kept of a credit.
+
+use std::collections::VecDeque;
+
+use lyapunov::{
+    Accumulator, Beyond, Compensated, Drive, Plain, Refine, Stabilizer, Wide, Windowed,
+};
+
+use crate::support::{Dice, PERIOD, popc};
+
+/// Energies that add up without rounding.
+fn energies(seed: u64) -> Vec<f64> {
+    let mut dice = Dice::of(seed);
+    (0..500).map(|_| (dice.within(64.0)).round() / 1024.0).collect()
+}
+
+/// Credits in the order in which they came, the oldest spent first.
+fn first_in_first_out(energies: &[f64], window: usize, slot: usize) -> Vec<f64> {
+    let (mut credits, mut debt) = (VecDeque::<(usize, f64)>::new(), 0.0);
+    let mut sums = Vec::new();
+    for (tick, energy) in energies.iter().enumerate() {
+        let slot = tick / slot;
+        while credits.front().is_some_and(|(of, _)| of + window <= slot) {
+            credits.pop_front();
+        }
+        let mut left = *energy;
+        if left > 0.0 {
+            let paid = left.min(debt);
+            debt -= paid;
+            credits.push_back((slot, left - paid));
+        }
+        while left < 0.0 {
+            let Some((_, credit)) = credits.front_mut() else {
+                debt -= left;
+                break;
+            };
+            let spent = credit.min(-left);
+            *credit -= spent;
+            left += spent;
+            if *credit == 0.0 {
+                credits.pop_front();
+            }
+        }
+        sums.push(credits.iter().map(|(_, credit)| credit).sum::<f64>() - debt);
+    }
+    sums
+}
+
+fn windowed<A: Accumulator<f64>>(slot: u32) {
+    for seed in 0..50 {
+        let energies = energies(seed);
+        let truth = first_in_first_out(&energies, 6, slot as usize);
+        let mut sum = Windowed::<f64, A, 6>::of_ticks(slot).expect("a window");
+        for (energy, truth) in energies.iter().zip(truth) {
+            sum.add(*energy);
+            assert_eq!(sum.value(), truth);
+        }
+    }
+}
+
+#[test]
+fn a_window_spends_the_oldest_first() {
+    for slot in [1, 3] {
+        windowed::<Plain<f64>>(slot);
+        windowed::<Compensated<f64>>(slot);
+    }
+}
+
+#[test]
+fn a_window_in_single_precision() {
+    let energies = energies(9);
+    let mut sum = Windowed::<f32, Wide<f32>, 6>::zero();
+    for (energy, truth) in energies.iter().zip(first_in_first_out(&energies, 6, 1)) {
+        sum.add(*energy as f32);
+        assert_eq!(f64::from(sum.value()), truth);
+    }
+}
+
+#[test]
+fn sums_are_lowered_to_the_bit() {
+    fn check<A: Accumulator<f64>>() {
+        let mut sum = A::zero();
+        sum.add(1e10);
+        sum.lower(1e-3);
+        assert_eq!(sum.value(), 1e-3);
+        sum.add(-1.0);
+        sum.lower(1e-3);
+        assert_eq!(sum.value(), 1e-3 - 1.0);
+    }
+    check::<Plain<f64>>();
+    check::<Compensated<f64>>();
+    check::<Windowed<f64, Plain<f64>, 4>>();
+}
+
+fn drive(position: f64, work: f64) -> Drive<f64> {
+    Drive { work, ..Drive::new(PERIOD, position, 0.1, 1e-4, 0.0) }
+}
+
+#[test]
+fn a_bounded_credit_follows_the_recursion() {
+    let mut bounded = popc().bounded(0.02).expect("a bound");
+    let mut sum = 0f64;
+    for energy in energies(4) {
+        sum = sum.min(0.02) + energy;
+        assert_eq!(bounded.stabilize(&drive(0.0, energy), 0.0).sum, sum);
+    }
+}
+
+#[test]
+fn a_contact_starts_without_credit_and_keeps_its_debt() {
+    let mut reset = popc().reset_at(Beyond { position: 0.0 });
+    let (mut sum, mut inside) = (0f64, false);
+    let mut dice = Dice::of(3);
+    for energy in energies(6) {
+        let position = dice.within(1.0);
+        if position > 0.0 && !inside {
+            sum = sum.min(0.0);
+        }
+        inside = position > 0.0;
+        sum += energy;
+        assert_eq!(reset.stabilize(&drive(position, energy), 0.0).sum, sum);
+    }
+}
+
+#[test]
+fn what_cannot_be_right_is_refused() {
+    let why = |error: lyapunov::ParameterError| error.to_string();
+    assert_eq!(
+        popc::<f64>().budgeted(-1.0).map(|_| ()).map_err(why).unwrap_err(),
+        "budget is -1.0; it must be at least 0 and finite"
+    );
+    assert!(popc::<f64>().bounded(f64::NAN).is_err());
+    assert!(popc::<f64>().above_velocity(1e200_f64).is_err());
+    assert!(popc::<f64>().spread_over::<f64>(0).is_err());
+    assert!(popc::<f64>().rising_over::<f64>(0).is_err());
+    assert!(popc::<f64>().rate_limited::<f64>(-1.0).is_err());
+    assert!(Windowed::<f64, Plain<f64>, 4>::of_ticks(0).is_err());
+}

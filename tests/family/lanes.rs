@@ -1,0 +1,86 @@
+//! Lane by lane they equal the scalar run bit for bit.
+
+use lyapunov::lanes::{AutoF32x4, AutoF64x4, WideF64x4};
+use lyapunov::laws::Samples;
+use lyapunov::{
+    Aimed, Beyond, DriftCompensated, Drive, ForceBound, Plain, PortEnergy, Refine, Scalar,
+    Stabilizer, Station, Store, Tank, WaveTransform, Weights, Windowed,
+};
+
+use crate::support::{PERIOD, limit, popc};
+
+/// One of the family by number, built alike for every scalar.
+fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
+    let of = T::of;
+    let popc = popc::<T>();
+    let store = Store { start: of(2e-3), floor: of(0.0), ceiling: of(5e-3), power: of(3.0) };
+    Some(match number {
+        0 => Box::new(popc.bounded(of(1e-3)).expect("one")),
+        1 => Box::new(popc.reset_at(Beyond { position: of(0.0) })),
+        2 => Box::new(popc.summed_in::<Windowed<T, Plain<T>, 8>>()),
+        3 => Box::new(popc.above_velocity(of(0.01)).expect("one")),
+        4 => Box::new(popc.spread_over(5).expect("one")),
+        5 => Box::new(popc.rising_over(5).expect("one")),
+        6 => Box::new(popc.rate_limited::<T>(of(100.0)).expect("one")),
+        7 => Box::new(ForceBound::new(of(0.1)).expect("one")),
+        8 => Box::new(Tank::new(PortEnergy, store).expect("one")),
+        9 => Box::new(Aimed::new(popc, Weights::new(of(0.5)).expect("one"), limit())),
+        10 => Box::new(Station::new(limit())),
+        11 => Box::new(DriftCompensated::<_, T>::new(popc, of(0.1)).expect("one")),
+        _ => return None,
+    })
+}
+
+fn lane<L: Scalar, T: Scalar>(drive: &Drive<L>, lane: usize) -> Drive<T> {
+    let of = |value: L| T::of(value.lane(lane));
+    Drive {
+        period: of(drive.period),
+        position: of(drive.position),
+        velocity: of(drive.velocity),
+        displacement: of(drive.displacement),
+        acted: of(drive.acted),
+        work: of(drive.work),
+    }
+}
+
+fn alike<L: Scalar, T: Scalar>() {
+    for number in 0.. {
+        let Some(mut lanes) = build::<L>(number) else { break };
+        let mut scalars: Vec<_> = (0..L::LANES).filter_map(|_| build::<T>(number)).collect();
+        for (drive, effort) in Samples::<L>::new(L::of(PERIOD)).seeded(3) {
+            let together = lanes.stabilize(&drive, effort);
+            for (index, scalar) in scalars.iter_mut().enumerate() {
+                let alone = scalar.stabilize(&lane(&drive, index), T::of(effort.lane(index)));
+                for (a, b) in [
+                    (together.effort, alone.effort),
+                    (together.sum, alone.sum),
+                    (together.alpha, alone.alpha),
+                    (together.shortfall, alone.shortfall),
+                ] {
+                    assert_eq!(a.lane(index).to_bits(), b.lane(0).to_bits(), "number {number}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn each() {
+    alike::<AutoF64x4, f64>();
+    alike::<WideF64x4, f64>();
+    alike::<AutoF32x4, f32>();
+}
+
+#[test]
+fn waves() {
+    let (lanes, alone) = (WaveTransform::new(WideF64x4::of(0.7)), WaveTransform::new(0.7));
+    let (lanes, alone) = (lanes.expect("one"), alone.expect("one"));
+    let [v, f] = [0.3, -1.0].map(|base| WideF64x4::from_lanes(|lane| base + lane as f64 * 0.61));
+    for index in 0..4 {
+        let (there, back) = lanes.encode(v, f);
+        let (one, other) = alone.encode(v.lane(index), f.lane(index));
+        assert_eq!((there.lane(index), back.lane(index)), (one, other));
+        let (flow, effort) = lanes.decode(there, back);
+        assert_eq!((flow.lane(index), effort.lane(index)), alone.decode(one, other));
+    }
+}

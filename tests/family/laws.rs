@@ -1,0 +1,87 @@
+//! All of them keep the shipped laws.
+
+use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
+use lyapunov::laws::{self, Law, Samples};
+use lyapunov::{
+    Aimed, Along, Always, Compensated, ForceBound, PerAxis, Plain, PortEnergy, ReferenceFollowing,
+    Refine, Scalar, Signal, Station, Storage, Store, Tank, Weights, Windowed,
+};
+use nalgebra::{Vector3, Vector6};
+
+use crate::support::{PERIOD, limit, popc};
+
+fn samples<V: Signal>() -> impl Iterator<Item = Samples<V>> {
+    (0..8).map(|seed| Samples::new(V::Scalar::of(PERIOD)).seeded(seed))
+}
+
+fn store<T: Scalar>() -> Store<T> {
+    let [start, floor, ceiling, power] = [2e-3, 1e-3, 5e-3, 3.0].map(T::of);
+    Store { start, floor, ceiling, power }
+}
+
+fn alike<V: Signal>() {
+    let of = V::Scalar::of;
+    let popc = popc::<V::Scalar>();
+    let axes = V::splat(of(0.5));
+    for samples in samples::<V>() {
+        let check = |result: Result<(), laws::Violation>| result.expect("the laws");
+        check(laws::stabilizer(&popc.budgeted(of(1e-3)).expect("a budget"), samples));
+        check(laws::stabilizer(&popc.bounded(of(1e-3)).expect("a bound"), samples));
+        check(laws::stabilizer(&popc.reset_at(Always), samples));
+        check(laws::stabilizer(&popc.summed_in::<Windowed<_, Plain<_>, 8>>(), samples));
+        check(laws::stabilizer(&popc.summed_in::<Windowed<_, Compensated<_>, 8>>(), samples));
+        check(laws::stabilizer(&popc.sampled().summed_in::<Windowed<_, Plain<_>, 8>>(), samples));
+        check(laws::stabilizer(&popc.above_velocity(of(0.01)).expect("a threshold"), samples));
+        check(laws::stabilizer(&popc.spread_over(5).expect("ticks"), samples));
+        check(laws::stabilizer(&popc.rising_over(5).expect("ticks"), samples));
+        check(laws::stabilizer(&popc.rate_limited::<V>(of(100.0)).expect("a rate"), samples));
+        let all = popc
+            .bounded(of(1e-3))
+            .and_then(|it| it.above_velocity(of(0.01))?.spread_over(3)?.rising_over(4))
+            .and_then(|it| it.rate_limited::<V>(of(1e3)));
+        check(laws::stabilizer(&all.expect("a chain"), samples));
+        let stored = |x: V, _v: V| x.pair(x);
+        let candidate = (PortEnergy, Storage::starting(stored, V::zero(), V::zero()));
+        check(laws::stabilizer(&ReferenceFollowing::new(candidate, limit()), samples));
+        let along = Along::new(axes).expect("a direction");
+        check(laws::stabilizer(&Aimed::new(popc, along, limit()), samples));
+        let weights = Weights::new(axes).expect("weights");
+        check(laws::stabilizer(&Aimed::new(popc, weights, limit()), samples));
+        check(laws::stabilizer(&Station::new(limit()), samples));
+
+        let bound = ForceBound::new(of(0.1)).and_then(|bound| bound.budgeted(of(1e-3)));
+        check(laws::limiter(&bound.expect("a bound"), samples));
+        let tank = Tank::new(PortEnergy, store()).expect("a tank");
+        check(laws::limiter(&tank, samples));
+        check(laws::stabilizer(&tank, samples));
+    }
+}
+
+#[test]
+fn on_a_line() {
+    alike::<f64>();
+    alike::<f32>();
+    alike::<WideF64x4>();
+    alike::<AutoF32x8>();
+}
+
+#[test]
+fn in_space() {
+    alike::<Vector3<f64>>();
+    alike::<Vector6<f32>>();
+    alike::<Vector3<AutoF64x4>>();
+    for samples in samples::<Vector3<f64>>() {
+        let axis = popc::<f64>().bounded(1e-3).expect("a bound");
+        laws::stabilizer(&PerAxis::of([axis; 3]), samples).expect("the laws");
+    }
+}
+
+/// What is cut off might have braked.
+#[test]
+fn a_force_bound_is_no_damper() {
+    let bound = ForceBound::new(0.1).expect("a bound");
+    let broken = laws::stabilizer(&bound, Samples::<f64>::new(PERIOD)).expect_err("it cuts");
+    assert_eq!(broken.law, Law::Opposes);
+    let broken = laws::limiter(&popc::<f64>(), Samples::<f64>::new(PERIOD)).expect_err("it adds");
+    assert_eq!(broken.law, Law::NoLarger);
+}

@@ -1,0 +1,56 @@
+//! A tank gives what is in it, and not faster than it may.
+
+use lyapunov::{Drive, PortEnergy, Stabilizer, Store, Tank};
+
+use crate::support::{Dice, PERIOD};
+
+const STORE: Store<f64> = Store { start: 2e-3, floor: 5e-4, ceiling: 3e-3, power: 0.5 };
+
+#[test]
+fn follows_its_recursion() {
+    let mut tank = Tank::new(PortEnergy, STORE).expect("a tank");
+    let (mut dice, mut energy) = (Dice::of(1), STORE.start);
+    let mut acted = 0.0;
+    for _ in 0..5000 {
+        let velocity = dice.within(0.2);
+        let drive = Drive::new(PERIOD, 0.0, velocity, velocity * PERIOD, acted);
+        energy = energy.min(STORE.ceiling) + acted * velocity * PERIOD;
+        let wanted = dice.within(20.0);
+        let action = tank.stabilize(&drive, wanted);
+        let available = (energy - STORE.floor).max(0.0);
+        let most = (available / PERIOD).min(STORE.power);
+        let asked = -wanted * velocity;
+        let allowed = if asked > most { wanted * most / asked } else { wanted };
+        assert!((action.effort - allowed).abs() <= 1e-9 * wanted.abs());
+        assert!((action.sum - (energy - STORE.floor)).abs() < 1e-12);
+        assert!((action.shortfall - (STORE.floor - energy).max(0.0)).abs() < 1e-12);
+        acted = action.effort;
+    }
+}
+
+/// Where the next period is as this one, the floor is never passed.
+#[test]
+fn keeps_its_floor_in_a_steady_motion() {
+    let mut tank = Tank::new(PortEnergy, STORE).expect("a tank");
+    let mut drive = Drive::starting(PERIOD, 0.0, -0.3);
+    let mut given = 0.0;
+    for _ in 0..1000 {
+        let action = tank.stabilize(&drive, 50.0);
+        let moved = -0.3 * PERIOD;
+        drive = Drive::new(PERIOD, 0.0, -0.3, moved, action.effort);
+        assert!(action.effort * 0.3 <= STORE.power * (1.0 + 1e-12));
+        given -= action.effort * moved;
+    }
+    let available = STORE.start - STORE.floor;
+    assert!(given <= available * (1.0 + 1e-12) && given > 0.999 * available);
+}
+
+#[test]
+fn what_cannot_be_right_is_refused() {
+    let refused = |store| Tank::new(PortEnergy, store).is_err();
+    assert!(refused(Store { start: 0.0, ..STORE }));
+    assert!(refused(Store { floor: -1.0, ..STORE }));
+    assert!(refused(Store { ceiling: 1e-3, ..STORE }));
+    assert!(refused(Store { power: -1.0, ..STORE }));
+    assert!(!refused(Store { ceiling: f64::INFINITY, power: f64::INFINITY, ..STORE }));
+}

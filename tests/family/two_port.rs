@@ -1,0 +1,189 @@
+//! Two loops over a channel: whatever it does to the messages, the two ports together give no more than they took.
+
+use proptest::prelude::any;
+use proptest::prop_assert;
+use proptest::test_runner::{Config, RngSeed, TestCaseError, TestCaseResult, TestRunner};
+
+use lyapunov::{
+    Action, Body, Channel, ConstantDelay, DampingLimit, DriftCompensated, Drive, Impedance, Load,
+    Lossy, Plant, Stabilizer, Station, VaryingDelay,
+};
+
+use crate::support::{Dice, PERIOD, limit};
+
+/// A signal and the energy that its sender has absorbed.
+type Message = (f64, f64);
+
+const SILENCE: Message = (0.0, 0.0);
+
+/// The slave's spring, and its damper, which answers a held velocity at once as a spring of `b / T` does in a tick.
+fn mobility() -> DampingLimit<f64> {
+    DampingLimit::of_stiffness(0.5, 500.0 + 5.0 / PERIOD, PERIOD).expect("a limit")
+}
+
+/// Each kind of channel that ships, alone and losing messages.
+fn channels(seed: u64) -> Vec<Box<dyn Channel<Message>>> {
+    let constant = |ticks| ConstantDelay::<Message, 64>::new(ticks, SILENCE).expect("a channel");
+    let varying = |most| VaryingDelay::<Message, 64>::new(3, most, seed, SILENCE).expect("one");
+    vec![
+        Box::new(constant(0)),
+        Box::new(constant(5)),
+        Box::new(constant(60)),
+        Box::new(varying(3)),
+        Box::new(varying(40)),
+        Box::new(Lossy::new(constant(10), 0.3, seed, SILENCE).expect("one")),
+        Box::new(Lossy::new(varying(40), 0.9, seed, SILENCE).expect("one")),
+        Box::new(Lossy::new(constant(1), 1.0, seed, SILENCE).expect("one")),
+    ]
+}
+
+/// The account of both ports from outside, with what the corrections are about to burn and what they cannot.
+struct Book {
+    crossed: f64,
+    size: f64,
+}
+
+impl Book {
+    fn enter(&mut self, drive: &Drive<f64>) {
+        self.crossed += drive.work;
+        self.size += drive.work.abs();
+    }
+
+    fn holds(&self, ends: [(&Drive<f64>, &Action<f64>); 2]) -> TestCaseResult {
+        let served = |(drive, action): (&Drive<f64>, &Action<f64>)| {
+            action.alpha * drive.velocity * drive.velocity * PERIOD + action.shortfall
+        };
+        let kept = self.crossed + ends.map(served).iter().sum::<f64>();
+        prop_assert!(kept >= -1e-11 * self.size, "{kept:e} of {:e} J", self.size);
+        Ok(())
+    }
+}
+
+fn try_seeds(cases: u32, property: impl Fn(u64) -> TestCaseResult) {
+    let rng_seed = RngSeed::Fixed(0x5eed);
+    let config = Config { cases, failure_persistence: None, rng_seed, ..Config::default() };
+    let result = TestRunner::new(config).run(&any::<u64>(), property);
+    result.unwrap_or_else(|failed| panic!("{failed}"));
+}
+
+/// Both ends are moved and pushed at random.
+#[test]
+fn under_every_channel_the_ledger_of_both_ports_holds() {
+    try_seeds(100, |seed| {
+        for (there, back) in channels(seed).iter_mut().zip(&mut channels(!seed)) {
+            let mut dice = Dice::of(seed);
+            let mut master = Station::new(limit());
+            let mut slave = DriftCompensated::new(Station::new(mobility()), 0.05).expect("one");
+            let (mut drive, mut load) =
+                (Drive::starting(PERIOD, 0.0, 0.0), Drive::from(Load::starting(PERIOD, 0.0)));
+            let mut book = Book { crossed: 0.0, size: 0.0 };
+            let mut arrived = SILENCE;
+            for _ in 0..400 {
+                master.receive(arrived.1);
+                let felt = master.stabilize(&drive, dice.within(10.0));
+                let (_, energy) = there.carry((drive.velocity, master.absorbed()));
+                slave.receive(energy);
+                let moves = slave.stabilize(&load, dice.within(0.2));
+                arrived = back.carry((load.velocity, slave.absorbed()));
+                book.holds([(&drive, &felt), (&load, &moves)])?;
+                let moved = dice.within(2e-4);
+                drive = Drive::new(PERIOD, 0.0, moved / PERIOD, moved, felt.effort);
+                let force = dice.within(10.0);
+                load = Load::new(PERIOD, 0.0, force, force * PERIOD, moves.effort).into();
+                book.enter(&drive);
+                book.enter(&load);
+            }
+        }
+        Ok(())
+    });
+}
+
+/// The fastest that the master moves in the last of six seconds, m/s.
+///
+/// A hand on a master; a slave that a spring and a damper pull to the position that the master's velocities add up
+/// to; a wall in front of the slave. The force of that spring goes back to the master.
+fn loop_of(
+    stabilized: bool,
+    speed: f64,
+    there: &mut dyn Channel<Message>,
+    back: &mut dyn Channel<Message>,
+) -> Result<f64, TestCaseError> {
+    let hand = Impedance { mass: 0.3, damping: 0.5, stiffness: 100.0 };
+    let mut master = Body::<f64>::new(hand, PERIOD).expect("a body").resting_at(0.01);
+    let own = Impedance { mass: 0.3, damping: 0.5, stiffness: 0.0 };
+    let mut slave = Body::<f64>::new(own, PERIOD).expect("a body");
+    let (stiffness, damping, wall) = (500.0, 5.0, 2000.0);
+    let (mut near, far) = (Station::new(limit()), Station::new(mobility()));
+    let mut far = DriftCompensated::new(far, speed).expect("a station");
+    let (mut drive, mut follows): (Drive<f64>, Drive<f64>) = (master.start(), slave.start());
+    let mut load = Drive::from(Load::starting(PERIOD, 0.0));
+    let mut book = Book { crossed: 0.0, size: 0.0 };
+    let (mut command, mut arrived, mut swing) = (0.0, SILENCE, 0f64);
+    for tick in 0..6000 {
+        near.receive(arrived.1);
+        let felt = near.stabilize(&drive, arrived.0);
+        let received = arrived.0;
+        let (velocity, energy) = there.carry((drive.velocity, near.absorbed()));
+        far.receive(energy);
+        let moves = far.stabilize(&load, velocity);
+        book.holds([(&drive, &felt), (&load, &moves)])
+            .or_else(|e| if stabilized { Err(e) } else { Ok(()) })?;
+        let flow = if stabilized { moves.effort } else { velocity };
+        let pull = stiffness * (command - follows.position) + damping * (flow - follows.velocity);
+        arrived = back.carry((pull, far.absorbed()));
+        drive = master.advance(if stabilized { felt.effort } else { received });
+        command += flow * PERIOD;
+        follows = slave.advance(-pull + wall * (follows.position - 0.005).max(0.0));
+        load = Load::new(PERIOD, 0.0, -pull, -pull * PERIOD, flow).into();
+        book.enter(&drive);
+        book.enter(&load);
+        if !follows.position.is_finite() || follows.position.abs() > 10.0 {
+            return Ok(f64::INFINITY);
+        }
+        if tick >= 5000 {
+            swing = swing.max(drive.velocity.abs());
+        }
+    }
+    Ok(swing)
+}
+
+/// Over 60 ms and more the loop alone swings up; with a station at each end it calms down.
+#[test]
+fn a_master_and_a_slave_over_a_delay() {
+    let channel = || ConstantDelay::<Message, 64>::new(60, SILENCE).expect("a channel");
+    let free = loop_of(false, 0.0, &mut channel(), &mut channel()).expect("a run");
+    assert!(free > 0.5, "{} m/s without stations", free);
+    let joined = loop_of(true, 0.0, &mut channel(), &mut channel()).expect("the ledger");
+    assert!(joined < 0.3, "{} m/s", joined);
+}
+
+#[test]
+fn over_every_channel_it_stays_bounded() {
+    for (there, back) in channels(5).iter_mut().zip(&mut channels(6)) {
+        let joined = loop_of(true, 0.02, &mut **there, &mut **back).expect("the ledger");
+        assert!(joined < 0.3, "{} m/s", joined);
+    }
+}
+
+/// What the corrections cost in position is made up for, from credit only.
+#[test]
+fn drift_is_taken_back() {
+    let settled = |speed: f64| {
+        let mut station = DriftCompensated::new(Station::new(mobility()), speed).expect("one");
+        let mut load = Drive::from(Load::starting(PERIOD, 0.0));
+        let mut least = 0f64;
+        for tick in 0..2000 {
+            // A push that the other side has not yet paid for, then a long credit and no push.
+            let force: f64 = if tick < 20 { -5.0 } else { -0.1 };
+            station.receive(if tick < 100 { 0.0 } else { 1.0 });
+            let flow = station.stabilize(&load, 0.1).effort;
+            load = Load::new(PERIOD, 0.0, force, force * PERIOD, flow).into();
+            least = least.min(station.drift());
+        }
+        (least, station.drift())
+    };
+    let (least, end) = settled(0.0);
+    assert!(least < -1e-3 && (end - least).abs() < 1e-12, "{least} m, then {end} m");
+    let (least, end) = settled(0.02);
+    assert!(least < -1e-3 && end.abs() < 1e-6, "{least} m, then {end} m");
+}
