@@ -1,5 +1,6 @@
 //! What the command line offers, and how its commands end.
 
+mod bound;
 mod compare;
 mod effects;
 mod folder;
@@ -33,6 +34,7 @@ use lyapunov_lab::OutputError;
 pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
+    Bound(bound::Bound),
     Paper(paper::Paper),
     Observe(observe::Observe),
     Effects(effects::Effects),
@@ -45,6 +47,7 @@ impl Command {
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
+            Self::Bound(bound) => bound.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
             Self::Effects(effects) => effects.run(),
