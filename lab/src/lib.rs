@@ -23,6 +23,7 @@
 
 pub mod bounds;
 mod building;
+pub mod causes;
 pub mod chart;
 pub mod compare;
 mod csv;

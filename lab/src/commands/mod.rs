@@ -3,6 +3,7 @@
 mod bound;
 mod compare;
 mod effects;
+mod explain;
 mod folder;
 mod observe;
 mod paper;
@@ -35,6 +36,7 @@ pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
     Bound(bound::Bound),
+    Explain(explain::Explain),
     Paper(paper::Paper),
     Observe(observe::Observe),
     Effects(effects::Effects),
@@ -48,6 +50,7 @@ impl Command {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
             Self::Bound(bound) => bound.run(),
+            Self::Explain(explain) => explain.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
             Self::Effects(effects) => effects.run(),

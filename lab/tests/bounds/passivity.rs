@@ -100,7 +100,7 @@ fn worst(scene: &Scene) -> f64 {
 fn outside_a_swing_gets_energy_out() {
     let mut chance = Chance::new(12);
     let mut shown = 0;
-    for _ in 0..3000 {
+    for _ in 0..1200 {
         let scene = random(&mut chance, ONE_RATE);
         let Some(scene) = within(&scene, 1.01).filter(matters) else { continue };
         let angle = worst(&scene);
@@ -111,7 +111,7 @@ fn outside_a_swing_gets_energy_out() {
         assert!(late < 0.0 && late < 1.5 * early, "{early} {late}: {scene:?}");
         shown += 1;
     }
-    assert!(shown > 1000, "{shown}");
+    assert!(shown > 300, "{shown}");
 }
 
 /// The energy that port and damper have taken after `count` ticks, as a quadratic form in the displacements.
