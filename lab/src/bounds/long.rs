@@ -2,6 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use nalgebra::Complex;
 use num_traits::{One, Zero};
 
 /// An unevaluated sum of two `f64`, the second less than half a unit in the last place of the first.
@@ -127,6 +128,42 @@ impl Zero for Long {
 impl One for Long {
     fn one() -> Self {
         Self::from(1.0)
+    }
+}
+
+/// A complex number of as many digits.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Pair {
+    pub(super) re: Long,
+    pub(super) im: Long,
+}
+
+impl Pair {
+    pub(super) fn one() -> Self {
+        Self { re: Long::one(), im: Long::zero() }
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+
+    pub(super) fn times(self, other: Self) -> Self {
+        Self {
+            re: self.re * other.re - self.im * other.im,
+            im: self.re * other.im + self.im * other.re,
+        }
+    }
+}
+
+impl From<Complex<f64>> for Pair {
+    fn from(value: Complex<f64>) -> Self {
+        Self { re: value.re.into(), im: value.im.into() }
+    }
+}
+
+impl From<Pair> for Complex<f64> {
+    fn from(value: Pair) -> Self {
+        Self::new(value.re.into(), value.im.into())
     }
 }
 

@@ -5,12 +5,15 @@ use num_traits::Zero;
 
 use super::LinearPart;
 use super::linear_part::Estimate;
-use super::long::Long;
+use super::long::{Long, Pair};
 use super::polynomial::Polynomial;
 use super::roots::{circle, settle};
 
 /// Terms of the exponential's series: `0.5²⁸ / 28!` is far below a rounding.
 const DEGREE: u32 = 28;
+
+/// A root moves by less than this share of it, squared, while its last digits are filled in.
+const POLISH: f64 = 1e-8;
 
 /// The characteristic polynomial of the map that takes a loop from one tick of the environment to the next,
 ///
@@ -117,8 +120,29 @@ impl LoopMap {
             value / derivative
         };
         let mut places: Vec<_> = circle(count, 1.0).map(|z| z - one).collect();
-        settle(&mut places, step);
-        places
+        settle(&mut places, &step);
+        let polished = places.into_iter().map(|w| {
+            // The value to all digits; its derivative needs few.
+            let slope = self.value(&answer, delay, w) / step(w);
+            let change = self.long_value(&answer, delay, w) / slope;
+            if change.norm_sqr() < POLISH * w.norm_sqr() { w - change } else { w }
+        });
+        polished.collect()
+    }
+
+    fn value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
+        let z = Complex::from(1.0) + w;
+        z.powu(delay) * self.plant.at(w)[0] + answer.at(w)[0]
+    }
+
+    fn long_value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
+        let w = Pair::from(w);
+        let z = Pair { re: w.re + Long::from(1.0), im: w.im };
+        let late = (0..u32::BITS - delay.leading_zeros()).rev().fold(Pair::one(), |power, bit| {
+            let square = power.times(power);
+            if delay >> bit & 1 == 1 { square.times(z) } else { square }
+        });
+        late.times(self.plant.long_at(w)).plus(answer.long_at(w)).into()
     }
 
     /// How far the largest root is beyond the unit circle: `|z|² − 1 = 2 Re w + |w|²` of all roots, the largest.

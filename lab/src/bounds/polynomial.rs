@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::long::Long;
+use super::long::{Long, Pair};
 
 /// A polynomial, by its coefficients from the constant one on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,6 +75,13 @@ impl Polynomial {
     }
 
     /// The value, to all digits.
+    pub(super) fn long_at(&self, place: Pair) -> Pair {
+        self.0.iter().rev().fold(Pair::default(), |value, it| {
+            value.times(place).plus(Pair { re: *it, im: Long::default() })
+        })
+    }
+
+    /// The value at a real place, to all digits.
     pub(super) fn value(&self, place: Long) -> Long {
         self.0.iter().rev().fold(Long::default(), |value, it| value * place + *it)
     }

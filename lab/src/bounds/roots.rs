@@ -13,10 +13,7 @@ const SETTLED: f64 = 4.0 * f64::EPSILON;
 /// Aberth's iteration (Mathematics of Computation 27, 1973), Newton's with every place repelled by the others:
 /// `x ← x − n / (1 − n Σ 1 / (x − x_j))`, `n = p / p′`. A polynomial that is evaluated in the form it is known in has roots
 /// to the digits of that form, where one of a companion matrix has them to those of its largest entry.
-pub(super) fn settle(
-    places: &mut [Complex<f64>],
-    step: impl Fn(Complex<f64>) -> Complex<f64>,
-) {
+pub(super) fn settle(places: &mut [Complex<f64>], step: impl Fn(Complex<f64>) -> Complex<f64>) {
     let mut settled = vec![false; places.len()];
     for _ in 0..STEPS {
         for at in 0..places.len() {

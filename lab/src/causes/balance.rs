@@ -131,8 +131,14 @@ impl Account {
     /// Books one tick more; false once the numbers are out of range.
     pub(super) fn add(&mut self, tick: Tick) -> bool {
         let samples = self.samples(&tick);
+        let touches = tick.environment != 0.0 || force(&self.scene.environment, samples.truly) != 0.0;
         if let Some((last, before)) = self.last {
             let moved = self.moved(&last, &before, &tick, &samples);
+            if touches && self.first.is_none() {
+                // The surface was met on the way here.
+                let from_s = before.truly.time;
+                self.first = Some(Balance { from_s, ..Balance::default() });
+            }
             let mut whole = self.whole;
             book(&mut whole, &moved, samples.truly.time);
             if !whole.is_finite() {
@@ -143,10 +149,8 @@ impl Account {
                 book(first, &moved, samples.truly.time);
             }
         }
-        let touches = tick.environment != 0.0;
-        if touches && self.first.is_none() {
-            let from_s = samples.truly.time;
-            self.first = Some(Balance { from_s, to_s: from_s, ..Balance::default() });
+        if touches && self.last.is_none() {
+            self.first = Some(Balance::default());
         }
         // What is still on its way belongs to the contact.
         let acts = tick.acting != 0.0 || self.waiting.iter().any(|force| *force != 0.0);

@@ -45,7 +45,7 @@ pub(super) struct Passed {
     pub(super) push: f64,
     /// What burnt in device, operator and link.
     pub(super) burnt: [f64; 3],
-    /// What kinetic and spring energy gained within the tick.
+    /// What kinetic and spring energy gained.
     pub(super) gained: f64,
 }
 
@@ -67,11 +67,10 @@ impl Body {
         Ok(Self { scene, rest, push: Box::new(push), shape, next: 0 })
     }
 
-    /// What happened from `tick` to the next, the body moving `from` to `to` under `effort` at the port; `before` is where
-    /// the rest was until now.
+    /// What happened from `tick` to the next, the body moving `from` to `to` under `effort` at the port.
     pub(super) fn pass(&mut self, tick: u64, from: Masses, to: Masses, effort: f64) -> Passed {
-        let last = tick.saturating_sub(1);
-        let before = self.stored(from, if tick == 0 { self.scene.operator.rest.get() } else { (self.rest)(last) });
+        let own = self.scene.operator.rest.get();
+        let before = self.stored(from, tick.checked_sub(1).map_or(own, &self.rest));
         self.grip(tick);
         let rest = (self.rest)(tick);
         let push = (self.push)(tick);
@@ -85,7 +84,7 @@ impl Body {
             hand: start - before,
             push: push * (to.device[0] - from.device[0]),
             burnt: [burn(0, device), burn(1, self.shape.damping), burn(2, link)],
-            gained: self.stored(to, rest) - start,
+            gained: self.stored(to, rest) - before,
         }
     }
 

@@ -53,7 +53,7 @@ impl fmt::Display for Hint {
             return Ok(());
         }
         writeln!(f, "  diverges     {}", self.reason())?;
-        writeln!(f, "               `lyapunov explain` tells where the energy came from and what helps")
+        writeln!(f, "               `lyapunov explain` says where the energy came from and what helps")
     }
 }
 

@@ -14,13 +14,14 @@ const MARGIN: f64 = 0.95;
 const FURTHER: f64 = 1.25;
 
 /// Trials before a remedy is given up.
-const TRIALS: u32 = 24;
+const TRIALS: i32 = 24;
 
 /// Halvings of an interval that is searched by formula.
 const HALVINGS: u32 = 40;
 
-/// The fastest servo that is looked at, Hz.
-const FASTEST: f64 = 1e6;
+/// How many times faster a servo may become, and how often that is tried: its runs are as much longer.
+const FASTER: f64 = 64.0;
+const FASTER_TRIALS: i32 = 5;
 
 /// The damping limits a stabilizer is tried with, of m / T, the default first.
 const CAPS: [f64; 5] = [0.5, 0.25, 0.1, 0.05, 0.02];
@@ -69,7 +70,7 @@ fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
         None if LinearPart::of(scene).is_ok() => return None,
         None => own / FURTHER,
     };
-    let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial as i32)));
+    let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial)));
     trials.filter(|stiffness| *stiffness < own && *stiffness > 0.0).find_map(|stiffness| {
         let mut softer = scene.clone();
         let key = set_stiffness(&mut softer.environment, stiffness)?;
@@ -98,9 +99,9 @@ fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
         }
     }
     let holds = |factor: f64| at(own * factor, 1).is_some_and(|scene| decays(&scene));
-    let least = lowest(holds, FASTEST / own)?;
-    (0..TRIALS).find_map(|trial| {
-        let rate = rounded_up(own * least / MARGIN * FURTHER.powi(trial as i32));
+    let least = lowest(holds, FASTER)?;
+    (0..FASTER_TRIALS).find_map(|trial| {
+        let rate = rounded_up(own * least / MARGIN * FURTHER.powi(trial));
         let mut changes = vec![("servo_rate".to_owned(), Change::Number(rate))];
         if scene.environment_rate.is_some() {
             changes.push(("environment_rate".to_owned(), Change::Number(rate)));
@@ -122,7 +123,7 @@ fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
     let holds = |factor: f64| at(own + unit * (factor - 1.0)).is_some_and(|scene| decays(&scene));
     let least = own + unit * (lowest(holds, 1e12)? - 1.0);
     (0..TRIALS).find_map(|trial| {
-        let damping = rounded_up(least / MARGIN * FURTHER.powi(trial as i32));
+        let damping = rounded_up(least / MARGIN * FURTHER.powi(trial));
         remedy::<V>(at(damping)?, vec![("device.damping".to_owned(), Change::Number(damping))])
     })
 }

@@ -1,5 +1,6 @@
 //! The exact limit against the loop.
 
+use lyapunov::Plant;
 use lyapunov_lab::bounds::{LinearPart, Limits};
 use lyapunov_lab::{Assembly, Scene, Space};
 
@@ -39,8 +40,6 @@ fn decays<V: Space>(scene: &Scene) -> bool {
     panic!("neither grows nor decays: {scene:?}")
 }
 
-use lyapunov::Plant;
-
 const ANY: Kind = Kind { slowest: 8, delay: 12, link: true, exact: true, damping: true };
 
 #[track_caller]
@@ -49,9 +48,11 @@ fn is_the_limit<V: Space>(scene: &Scene, band: f64) -> bool {
     let (from, most) = (limits.exact_from.unwrap(), limits.exact.unwrap());
     if most == 0.0 {
         // No stiffness decays.
-        let unit = LinearPart::of(scene).unwrap();
-        let unit = unit.device.mass / unit.environment_period().powi(2);
-        assert!(!decays::<V>(&stiffened(scene, 1e-2 * unit)), "{scene:?}");
+        let part = LinearPart::of(scene).unwrap();
+        let unit = part.device.mass / part.environment_period().powi(2);
+        let any = stiffened(scene, 1e-2 * unit);
+        let radius = LinearPart::of(&any).unwrap().spectral_radius();
+        assert!(radius > 1.0 && (radius < 1.0 + band || !decays::<V>(&any)), "{scene:?}");
         return false;
     }
     // Narrower, there is no room for what is to be shown.

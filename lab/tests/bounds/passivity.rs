@@ -105,7 +105,7 @@ fn outside_a_swing_gets_energy_out() {
         let Some(scene) = within(&scene, 1.01).filter(matters) else { continue };
         let angle = worst(&scene);
         // The start may take more than a period of the swing gives back.
-        let swing: Vec<f64> = (0..60_000).map(|n| 1e-3 * (angle * f64::from(n)).sin()).collect();
+        let swing: Vec<f64> = (0..60_000).map(|n| 1e-3 * (angle * (f64::from(n) + 0.5)).sin()).collect();
         let early = least(&scene, &swing[..30_000]).0;
         let late = least(&scene, &swing).0;
         assert!(late < 0.0 && late < 1.5 * early, "{early} {late}: {scene:?}");

@@ -15,3 +15,4 @@ mod range;
 mod said;
 mod streams;
 mod summary;
+mod why;
