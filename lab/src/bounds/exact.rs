@@ -3,8 +3,8 @@
 use nalgebra::Complex;
 
 use super::LinearPart;
-use super::loop_map::LoopMap;
 use super::long::Long;
+use super::loop_map::LoopMap;
 use super::polynomial::Polynomial;
 use super::roots::settle;
 
@@ -21,11 +21,11 @@ impl LinearPart {
     /// The spectral radius of the closed loop's map over one period of the environment, at its own stiffness.
     ///
     /// Below 1 every motion decays, above 1 nearly every one grows. A part that nothing pulls back stands anywhere: with no
-    /// stiffness at all the radius is 1.
+    /// stiffness at all the radius is 1. NaN where the loop is out of the range of the numbers.
     pub fn spectral_radius(&self) -> f64 {
         let map = LoopMap::of(self);
         let growth = map.growth(self.environment.stiffness / map.unit);
-        1.0 + growth / (1.0 + (1.0 + growth).max(0.0).sqrt())
+        1.0 + growth / (1.0 + (1.0 + growth).sqrt())
     }
 
     /// The stiffnesses, N/m, between which the loop is stable, the lowest such range: every stiffness inside of it has a
@@ -186,8 +186,7 @@ where
         let doubled = cosine * sine;
         (cosine, sine) = (one - (place * sine * sine + place * sine * sine), doubled + doubled);
         if delay >> bit & 1 == 1 {
-            (cosine, sine) =
-                (cosine * once - place * sine * first, sine * once + cosine * first);
+            (cosine, sine) = (cosine * once - place * sine * first, sine * once + cosine * first);
         }
     }
     [cosine, sine]

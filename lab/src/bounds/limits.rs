@@ -32,18 +32,24 @@ impl Limits {
     /// The limits of `scene`.
     pub fn of(scene: &Scene) -> Self {
         let part = LinearPart::of(scene);
+        let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
         let sound = part.as_ref().ok();
-        let range = sound.map(|part| part.stable_stiffness().unwrap_or([0.0, 0.0]));
-        let passive = sound.map(LinearPart::passive_max_stiffness);
+        let spectral_radius = finite(sound.map(LinearPart::spectral_radius));
+        let within = sound.filter(|_| spectral_radius.is_some());
+        let range = within.map(|part| part.stable_stiffness().unwrap_or([0.0, 0.0]));
+        let mut notes = notes(scene, part, range);
+        if within.is_none() && part.is_ok() {
+            notes.push("the loop is out of the range of the numbers".to_owned());
+        }
         Self {
             stiffness: impedance(&scene.environment).map(|it| it.stiffness),
-            passive,
-            gil: gil::max_stiffness(scene),
-            friction_quantization: friction::max_stiffness(scene),
-            exact: range.map(|[_, end]| end).filter(|end| end.is_finite()),
+            passive: finite(within.map(LinearPart::passive_max_stiffness)),
+            gil: finite(gil::max_stiffness(scene)),
+            friction_quantization: finite(friction::max_stiffness(scene)),
+            exact: finite(range.map(|[_, end]| end)),
             exact_from: range.map(|[start, _]| start),
-            spectral_radius: sound.map(LinearPart::spectral_radius),
-            notes: notes(scene, part, range),
+            spectral_radius,
+            notes,
         }
     }
 
@@ -86,7 +92,10 @@ fn notes(
         range == Some([0.0, 0.0]),
         "no stiffness is stable: the loop grows, or does not decay, for any above 0",
     );
-    note(range.is_some_and(|[_, end]| end.is_infinite()), "the exact limit is none: all are stable");
+    note(
+        range.is_some_and(|[_, end]| end.is_infinite()),
+        "the exact limit is none: all are stable",
+    );
     note(
         effects.friction.is_none() || effects.encoder.is_none(),
         "the limit of friction and encoder is for scenes with both",

@@ -70,9 +70,15 @@ pub enum NotLinear {
 impl fmt::Display for NotLinear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Exponent => "a hunt-crossley wall has a stiffness of its own only with exponent 1",
-            Self::Window => "an adaptive window is no linear filter, and the environment uses the velocity",
-            Self::Dropout => "a loop that loses answers by chance is not the same from tick to tick",
+            Self::Exponent => {
+                "a hunt-crossley wall has a stiffness of its own only with exponent 1"
+            }
+            Self::Window => {
+                "an adaptive window is no linear filter, and the environment uses the velocity"
+            }
+            Self::Dropout => {
+                "a loop that loses answers by chance is not the same from tick to tick"
+            }
         })
     }
 }
@@ -114,10 +120,9 @@ impl LinearPart {
                 damping: operator.damping.get(),
                 stiffness: operator.stiffness.get(),
             },
-            link: scene.link.map(|link| Link {
-                stiffness: link.stiffness.get(),
-                damping: link.damping.get(),
-            }),
+            link: scene
+                .link
+                .map(|link| Link { stiffness: link.stiffness.get(), damping: link.damping.get() }),
             environment,
         })
     }

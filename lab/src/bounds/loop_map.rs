@@ -80,8 +80,8 @@ impl LoopMap {
     ) -> Self {
         let (period, mass) = (part.period, part.device.mass);
         let damping = Long::from(part.environment.damping) * Long::from(period) / Long::from(mass);
-        let inertia = Long::from(part.environment.mass)
-            / (Long::from(mass) * Long::from(part.ratio as f64));
+        let inertia =
+            Long::from(part.environment.mass) / (Long::from(mass) * Long::from(part.ratio as f64));
         let minus = Long::from(-1.0);
         let unit = mass / (period * period);
         if part.environment.mass == 0.0 {
@@ -145,10 +145,12 @@ impl LoopMap {
         late.times(self.plant.long_at(w)).plus(answer.long_at(w)).into()
     }
 
-    /// How far the largest root is beyond the unit circle: `|z|² − 1 = 2 Re w + |w|²` of all roots, the largest.
+    /// How far the largest root is beyond the unit circle: `|z|² − 1 = 2 Re w + |w|²` of all roots, the largest; NaN where
+    /// the loop is out of the range of the numbers.
     pub(super) fn growth(&self, kappa: f64) -> f64 {
         let roots = self.roots(kappa).into_iter();
-        roots.map(|w| 2.0 * w.re + w.norm_sqr()).fold(-1.0, f64::max)
+        let growths = roots.map(|w| 2.0 * w.re + w.norm_sqr());
+        growths.fold(-1.0, |most, it| if it.is_finite() { most.max(it) } else { f64::NAN })
     }
 }
 
@@ -263,13 +265,7 @@ fn rates(part: &LinearPart) -> DMatrix<Long> {
     let held = sprung(operator.stiffness, hand) + sprung(kl, hand);
     let rows = [
         [zero, one, zero, zero, zero],
-        [
-            -held,
-            -damped(of(operator.damping) + bl, hand),
-            sprung(kl, hand),
-            damped(bl, hand),
-            zero,
-        ],
+        [-held, -damped(of(operator.damping) + bl, hand), sprung(kl, hand), damped(bl, hand), zero],
         [zero, zero, zero, one, zero],
         [
             sprung(kl, device),
@@ -299,7 +295,8 @@ fn increments(rates: &DMatrix<Long>) -> DMatrix<Long> {
     }
     let mut polynomial = identity.clone();
     for degree in (2..=DEGREE).rev() {
-        polynomial = &identity + (&scaled * &polynomial) * (Long::from(1.0) / Long::from(f64::from(degree)));
+        polynomial =
+            &identity + (&scaled * &polynomial) * (Long::from(1.0) / Long::from(f64::from(degree)));
     }
     let mut increment = &scaled * &polynomial;
     for _ in 0..halvings {

@@ -29,6 +29,6 @@ mod polynomial;
 mod roots;
 mod table;
 
-pub(crate) use linear_part::impedance;
 pub use limits::Limits;
+pub(crate) use linear_part::impedance;
 pub use linear_part::{Estimate, LinearPart, NotLinear};

@@ -19,8 +19,11 @@ const LEAST: f64 = 1e-9;
 /// Steps of the golden section: the place to ten digits, the value to all.
 const SECTIONS: usize = 48;
 
+/// What rises by no more than this share of itself is level: the rest is rounding.
+const FLAT: f64 = 1e-13;
+
 /// Newton's steps, of which a few are enough.
-const STEPS: usize = 64;
+const STEPS: usize = 32;
 
 /// How far from a stiffness its slope is taken, of it.
 const NEARBY: f64 = 1e-5;
@@ -74,7 +77,7 @@ impl LinearPart {
     }
 
     /// The largest stiffness, N/m, at which the device's own damping is no less than
-    /// [`passive_damping`](Self::passive_damping); 0 where no stiffness passes.
+    /// [`passive_damping`](Self::passive_damping); 0 where no stiffness passes, NaN out of the range of the numbers.
     ///
     /// What is needed is a convex function of the stiffness, so that what passes is one range.
     pub fn passive_max_stiffness(&self) -> f64 {
@@ -98,11 +101,11 @@ impl LinearPart {
             let nearby = NEARBY * stiffness;
             let slope = (at(stiffness + nearby) - at(stiffness - nearby)) / (2.0 * nearby);
             let step = (needed - damping) / slope;
-            if slope <= 0.0 {
-                return 0.0;
+            if slope <= 0.0 || !step.is_finite() {
+                return if slope <= 0.0 { 0.0 } else { f64::NAN };
             }
             stiffness -= step;
-            if step <= f64::EPSILON * stiffness {
+            if step <= 2.0 * f64::EPSILON * stiffness {
                 break;
             }
         }
@@ -123,6 +126,9 @@ impl LinearPart {
         let start = (angles[0], values[0]);
         let most = places().fold(start, |one, other| if other.1 > one.1 { other } else { one });
         let least = values.iter().copied().fold(most.1, f64::min);
+        if most.1 - least <= FLAT * most.1.abs() {
+            return most;
+        }
         // Between two samples a maximum rises by less than this share of all there is.
         let near = most.1 - 0.05 * (most.1 - least);
         let last = values.len() - 1;
@@ -223,9 +229,8 @@ impl World {
         let change = Complex::new(2.0 * half * half, libm::sin(angle));
         let [all, early, first, squared] = self.kept;
         let weight = (change * self.inertia + self.damping) / period * back / (one - back * all);
-        let late_by = |periods: f64| {
-            Complex::new(libm::cos(periods * angle), -libm::sin(periods * angle))
-        };
+        let late_by =
+            |periods: f64| Complex::new(libm::cos(periods * angle), -libm::sin(periods * angle));
         let (older, newer) = (late_by(late as f64 + 1.0), late_by(late as f64));
         let given = weight * (1.0 - all);
         let met = weight * (newer * (1.0 - early) + older * (early * (1.0 - first)));

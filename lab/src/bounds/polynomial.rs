@@ -57,9 +57,8 @@ impl Polynomial {
     pub(super) fn turned(&self, n: usize) -> Self {
         let (up, down) = ([0.0, 2.0], [1.0, -1.0]);
         let of = |it: [f64; 2]| Self(it.map(Long::from).to_vec());
-        let power = |base: &Self, times: usize| {
-            (0..times).fold(of([1.0, 0.0]), |all, _| all.times(base))
-        };
+        let power =
+            |base: &Self, times: usize| (0..times).fold(of([1.0, 0.0]), |all, _| all.times(base));
         self.0.iter().enumerate().fold(Self::default(), |sum, (k, it)| {
             let term = power(&of(up), k).times(&power(&of(down), n - k));
             sum.plus(&term.scaled(*it))

@@ -131,7 +131,8 @@ impl Account {
     /// Books one tick more; false once the numbers are out of range.
     pub(super) fn add(&mut self, tick: Tick) -> bool {
         let samples = self.samples(&tick);
-        let touches = tick.environment != 0.0 || force(&self.scene.environment, samples.truly) != 0.0;
+        let touches =
+            tick.environment != 0.0 || force(&self.scene.environment, samples.truly) != 0.0;
         if let Some((last, before)) = self.last {
             let moved = self.moved(&last, &before, &tick, &samples);
             if touches && self.first.is_none() {
@@ -210,8 +211,7 @@ impl Account {
         let late = self.waiting.pop_front().unwrap_or_default();
         let clipped = late.clamp(-self.most, self.most);
         let law = |motion: Motion| force(&self.scene.environment, motion);
-        let [filtered, counted, truly] =
-            [before.filtered, before.counted, before.truly].map(law);
+        let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
         let real = |tick: &Tick, time: f64| {
             let [position, velocity] = tick.masses.device;
             Motion { time, position, velocity, acceleration: 0.0 }

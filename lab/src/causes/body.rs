@@ -54,9 +54,10 @@ impl Body {
         let (operator, rate) = (&scene.operator, scene.servo_rate.get());
         let load = scene.effects.load.map_or(0.0, |load| load.force.get());
         let load = Constant::new(load)?;
-        let pulse = scene.effects.pulse.map(|it| {
-            Pulse::new(it.force.get(), it.start.get(), it.duration.get(), rate)
-        });
+        let pulse = scene
+            .effects
+            .pulse
+            .map(|it| Pulse::new(it.force.get(), it.start.get(), it.duration.get(), rate));
         let pulse = pulse.transpose()?;
         let push = move |tick| -> f64 {
             let load: f64 = load.at(tick);
@@ -77,7 +78,8 @@ impl Body {
         let start = self.stored(from, rest);
         let state = self.state(from, rest, effort - push);
         let burnt = &self.shape.burnt;
-        let burn = |index: usize, damping: f64| damping * (state.transpose() * &burnt[index] * &state)[0];
+        let burn =
+            |index: usize, damping: f64| damping * (state.transpose() * &burnt[index] * &state)[0];
         let device = self.scene.device.damping.get();
         let link = self.scene.link.map_or(0.0, |link| link.damping.get());
         Passed {
@@ -92,7 +94,9 @@ impl Body {
     fn grip(&mut self, tick: u64) {
         let Some(grip) = &self.scene.operator.grip else { return };
         let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
-        let due = rows.skip(self.next).take_while(|((time, _), _)| self.scene.tick_of(time.get()) <= tick);
+        let due = rows
+            .skip(self.next)
+            .take_while(|((time, _), _)| self.scene.tick_of(time.get()) <= tick);
         let Some((count, ((_, stiffness), damping))) = due.enumerate().last() else { return };
         self.next += count + 1;
         self.shape = Shape::of(&self.scene, stiffness.get(), damping.get());
@@ -138,7 +142,13 @@ impl Shape {
                     [0.0, 1.0, 0.0, 0.0, 0.0],
                     [-kl / m, -(b + bl) / m, kl / m, bl / m, -1.0 / m],
                     [0.0, 0.0, 0.0, 1.0, 0.0],
-                    [kl / operator, bl / operator, -(stiffness + kl) / operator, -(damping + bl) / operator, 0.0],
+                    [
+                        kl / operator,
+                        bl / operator,
+                        -(stiffness + kl) / operator,
+                        -(damping + bl) / operator,
+                        0.0,
+                    ],
                     [0.0; 5],
                 ];
                 let row = |device: f64, operator: f64| vec![0.0, device, 0.0, operator, 0.0];

@@ -42,7 +42,9 @@ impl Hint {
                 let (own, most, times) = (found(own), found(most), found(own / most));
                 format!("{own} N/m is {times} times what the loop bears by itself, {most} N/m")
             }
-            Some(_) => "in contact the loop decays; what drives it is not in its linear part".to_owned(),
+            Some(_) => {
+                "in contact the loop decays; what drives it is not in its linear part".to_owned()
+            }
         }
     }
 }
@@ -53,7 +55,10 @@ impl fmt::Display for Hint {
             return Ok(());
         }
         writeln!(f, "  diverges     {}", self.reason())?;
-        writeln!(f, "               `lyapunov explain` says where the energy came from and what helps")
+        writeln!(
+            f,
+            "               `lyapunov explain` says where the energy came from and what helps"
+        )
     }
 }
 

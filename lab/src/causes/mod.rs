@@ -78,7 +78,8 @@ impl Explanation {
         let trial = Trial::of::<V>(scene).map_err(ExplainError::Parameter)?;
         let limits = Limits::of(scene);
         let grows = scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
-        let remedies = if trial.is_bounded && !grows { vec![] } else { remedy::remedies::<V>(scene) };
+        let remedies =
+            if trial.is_bounded && !grows { vec![] } else { remedy::remedies::<V>(scene) };
         Ok(Self {
             scene: scene.clone(),
             is_bounded: trial.is_bounded,

@@ -94,7 +94,9 @@ fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
         let Some(faster) = at(own, ratio) else { continue };
         let rate = if ratio > 1 { own / ratio as f64 } else { own };
         let change = vec![("environment_rate".to_owned(), Change::Number(rate))];
-        if decays(&faster) && let Some(found) = remedy::<V>(faster, change) {
+        if decays(&faster)
+            && let Some(found) = remedy::<V>(faster, change)
+        {
             return Some(found);
         }
     }
@@ -135,7 +137,8 @@ fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
         let candidate = Candidate::DeviceDamping;
         Stabilizer::Lolc(Lolc { work: Work::Held, candidate, damping_cap })
     };
-    let named = |key: &str, cap: f64| (format!("stabilizer.{key}.damping_cap"), Change::Number(cap));
+    let named =
+        |key: &str, cap: f64| (format!("stabilizer.{key}.damping_cap"), Change::Number(cap));
     let with = |key: &'static str, make: &dyn Fn(Cap) -> Stabilizer| {
         CAPS.into_iter().find_map(|cap| {
             let stabilizer = Some(make(Cap::new(cap).ok()?));

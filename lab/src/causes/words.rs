@@ -33,7 +33,8 @@ impl Explanation {
         writeln!(f, "  verdict      {word}")?;
         if let Some(radius) = self.limits.spectral_radius {
             let what = if radius < 1.0 { "decays" } else { "does not decay" };
-            let alone = if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
+            let alone =
+                if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
             writeln!(f, "  contact      a swing {what}{alone}: spectral radius {radius:.8}")?;
         }
         let over = broken(&self.limits);
@@ -71,7 +72,8 @@ impl Explanation {
             writeln!(f, "  the environment was never touched")?;
             return Ok(());
         };
-        let stretch = |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
+        let stretch =
+            |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
         writeln!(f, "  {:<34}{:>16}{:>16}", "energy in mJ", "first contact", "whole run")?;
         let times = [first, &self.whole_run].map(stretch);
         writeln!(f, "  {:<24}{:>26}{:>26}", "", times[0], times[1])?;

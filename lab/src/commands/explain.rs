@@ -36,7 +36,8 @@ impl Explain {
             Scalar::F32 => Explanation::of::<f32>(&scene),
         };
         let name = self.scene.display();
-        let explanation = explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;
+        let explanation =
+            explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;
         let text = match (self.json, self.quiet) {
             (true, _) => explanation.to_json(&name.to_string()).map_err(End::internal)?,
             (_, true) => return Ok(()),

@@ -26,7 +26,8 @@ fn what_is_absolutely_stable_shows_a_passive_port_whatever_passive_is_behind_it(
         let it = TwoPort { p11: any(true), p12: any(false), p21: any(false), p22: any(true) };
         let ends = (0..4000).map(|n| (std::f64::consts::PI * (f64::from(n) + 0.5) / 4000.0).tan());
         // Pure reactances are the worst: the least real part over the half plane is on its edge.
-        let least = ends.map(|x| shown(&it, c(0.0, x - it.p22.im)).re).fold(f64::INFINITY, f64::min);
+        let least =
+            ends.map(|x| shown(&it, c(0.0, x - it.p22.im)).re).fold(f64::INFINITY, f64::min);
         if it.is_absolutely_stable() {
             assert!(least >= -1e-9, "{it:?} {least}");
             for _ in 0..20 {

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use lyapunov::{Drive, OnePort};
-use lyapunov_lab::bounds::{LinearPart, Limits};
+use lyapunov_lab::bounds::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene};
 use nalgebra::DMatrix;
 
@@ -105,7 +105,8 @@ fn outside_a_swing_gets_energy_out() {
         let Some(scene) = within(&scene, 1.01).filter(matters) else { continue };
         let angle = worst(&scene);
         // The start may take more than a period of the swing gives back.
-        let swing: Vec<f64> = (0..60_000).map(|n| 1e-3 * (angle * (f64::from(n) + 0.5)).sin()).collect();
+        let swing: Vec<f64> =
+            (0..60_000).map(|n| 1e-3 * (angle * (f64::from(n) + 0.5)).sin()).collect();
         let early = least(&scene, &swing[..30_000]).0;
         let late = least(&scene, &swing).0;
         assert!(late < 0.0 && late < 1.5 * early, "{early} {late}: {scene:?}");
@@ -148,9 +149,8 @@ fn with_two_rates_the_worst_of_all_motions_turns_at_the_limit() {
             continue;
         }
         assert!(form(&inside, 60).cholesky().is_some(), "{inside:?}");
-        let generates = [120, 240, 420].into_iter().any(|count| {
-            form(&outside, count).cholesky().is_none()
-        });
+        let generates =
+            [120, 240, 420].into_iter().any(|count| form(&outside, count).cholesky().is_none());
         assert!(generates, "{outside:?}");
         shown += 1;
     }

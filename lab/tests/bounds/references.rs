@@ -68,7 +68,7 @@ const REFERENCES: [(&str, f64, f64, f64); 10] = [
          link = { stiffness = 900.0, damping = 1e-6 }\neffects.delay.ticks = 1",
         0.00096530281260377491,
         1e-4,
-        5.90765159998e-9,
+        5.90764159998e-9,
     ),
     (
         "servo_rate = 1000\nenvironment_rate = 500\ndevice = { mass = 0.2, damping = 0.3 }\n\

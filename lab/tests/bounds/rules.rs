@@ -1,8 +1,8 @@
 //! Gil's rule, the limit of friction and encoder, and what does not apply.
 
 use lyapunov::{Drive, OnePort};
-use lyapunov_lab::Assembly;
 use lyapunov_lab::bounds::Limits;
+use lyapunov_lab::{Assembly, Scene};
 
 use crate::systems::{Chance, scene};
 
@@ -135,4 +135,33 @@ fn every_environment_with_a_stiffness_has_limits() {
         assert_eq!(limits.named(), wall.named(), "{environment}");
         assert_eq!((limits.stiffness, limits.spectral_radius), (Some(100.0), wall.spectral_radius));
     }
+}
+
+/// Numbers that a scene may hold, and that no loop has.
+#[test]
+fn hostile_scenes_end_and_tell_only_numbers() {
+    let values: [f64; 7] = [1e-300, 1e-30, 1e-6, 1.0, 1e6, 1e30, 1e300];
+    let mut chance = Chance::new(23);
+    let mut any = || values[chance.whole(0, 6) as usize];
+    let mut loops = 0;
+    for index in 0..300 {
+        let (rate, mass, damping) = (any(), any(), any());
+        let (stiffness, wall, hand) = (any(), any(), any());
+        let text = format!(
+            "duration = {}\nservo_rate = {rate}\ndevice = {{ mass = {mass}, damping = {damping} }}\n\
+             operator = {{ mass = {hand}, stiffness = {} }}\neffects.delay.ticks = {}\n\
+             environment.wall = {{ stiffness = {stiffness}, damping = {wall} }}\n",
+            (10.0 / rate).max(f64::MIN_POSITIVE),
+            any(),
+            index % 3,
+        );
+        let Ok(scene) = Scene::parse(&text, "test") else { continue };
+        let limits = Limits::of(&scene);
+        let numbers = limits.named().map(|(_, _, limit)| limit);
+        for number in numbers.into_iter().chain([limits.spectral_radius]).flatten() {
+            assert!(number.is_finite() && number >= 0.0, "{number}\n{text}");
+        }
+        loops += 1;
+    }
+    assert!(loops > 200, "{loops}");
 }

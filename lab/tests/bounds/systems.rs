@@ -70,7 +70,11 @@ pub(crate) fn random(chance: &mut Chance, kind: Kind) -> Scene {
     text += &format!("device = {{ mass = {mass}, damping = {} }}\n", unit * share(chance));
     let linked = kind.link && chance.happens(0.3);
     let hand = if linked || chance.happens(0.5) { mass * chance.decades(0.1, 10.0) } else { 0.0 };
-    let spring = if chance.happens(0.6) { unit * rate / ratio as f64 * chance.decades(1e-4, 0.3) } else { 0.0 };
+    let spring = if chance.happens(0.6) {
+        unit * rate / ratio as f64 * chance.decades(1e-4, 0.3)
+    } else {
+        0.0
+    };
     let grip = unit * share(chance);
     text += &format!("operator = {{ mass = {hand}, damping = {grip}, stiffness = {spring} }}\n");
     if linked {
@@ -86,8 +90,10 @@ pub(crate) fn random(chance: &mut Chance, kind: Kind) -> Scene {
     if chance.happens(0.6) {
         text += &format!("effects.delay.ticks = {}\n", chance.whole(0, kind.delay));
     }
-    let damping = if kind.damping && chance.happens(0.7) { 0.5 * unit * share(chance) } else { 0.0 };
-    let inertia = if kind.damping && chance.happens(0.1) { mass * 0.1 * chance.share() } else { 0.0 };
+    let damping =
+        if kind.damping && chance.happens(0.7) { 0.5 * unit * share(chance) } else { 0.0 };
+    let inertia =
+        if kind.damping && chance.happens(0.1) { mass * 0.1 * chance.share() } else { 0.0 };
     text += &format!(
         "environment.mass-spring-damper = {{ stiffness = 1, damping = {damping}, mass = {inertia} }}\n"
     );
