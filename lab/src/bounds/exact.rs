@@ -1,5 +1,7 @@
 //! The exact limit: where the loop's own map begins to grow.
 
+use std::ops::{Add, Div, Mul, Sub};
+
 use nalgebra::Complex;
 
 use super::LinearPart;
@@ -126,7 +128,7 @@ impl<'a> Crossings<'a> {
     fn balance(&self, place: Complex<f64>) -> [Complex<f64>; 2] {
         let one = Complex::from(1.0);
         let late = Complex::from(f64::from(self.map.delay));
-        let [cosine, sine] = turns(self.map.delay, place, one);
+        let [cosine, sine] = turns(self.map.delay, place);
         let ([even, even_slope], [odd, odd_slope]) =
             (self.plant[0].at(place), self.plant[1].at(place));
         let [rest, rest_slope] = self.rest[1].at(place);
@@ -139,7 +141,7 @@ impl<'a> Crossings<'a> {
 
     /// The same, to all digits.
     fn long_balance(&self, place: Long) -> Long {
-        let [cosine, sine] = turns(self.map.delay, place, Long::from(1.0));
+        let [cosine, sine] = turns(self.map.delay, place);
         let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
         cosine * odd + sine * even + self.rest[1].value(place)
     }
@@ -152,7 +154,7 @@ impl<'a> Crossings<'a> {
             let [_, slope] = self.balance(Complex::from(f64::from(place)));
             let step = self.long_balance(place) / Long::from(slope.re);
             let size = f64::from(step).abs();
-            if !(size < least) {
+            if size >= least || size.is_nan() {
                 break;
             }
             (place, least) = (place - step, size);
@@ -162,7 +164,7 @@ impl<'a> Crossings<'a> {
 
     /// The `κ` of a crossing at `Y`.
     fn stiffness(&self, place: Long) -> f64 {
-        let [cosine, sine] = turns(self.map.delay, place, Long::from(1.0));
+        let [cosine, sine] = turns(self.map.delay, place);
         let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
         let others = cosine * even - place * sine * odd + self.rest[0].value(place);
         f64::from(-others / self.square.value(place))
@@ -171,20 +173,17 @@ impl<'a> Crossings<'a> {
 
 /// `cos(D θ)` and `sin(D θ) / tan(θ / 2)` as functions of `Y = tan²(θ / 2)`, by doubling: no digit is lost where `θ` is
 /// small.
-fn turns<T>(delay: u32, place: T, one: T) -> [T; 2]
+fn turns<T>(delay: u32, place: T) -> [T; 2]
 where
-    T: Copy
-        + std::ops::Add<Output = T>
-        + std::ops::Sub<Output = T>
-        + std::ops::Mul<Output = T>
-        + std::ops::Div<Output = T>,
+    T: Copy + From<f64> + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
 {
+    let one = T::from(1.0);
     let sum = one + place;
-    let (once, first) = ((one - place) / sum, (one + one) / sum);
-    let (mut cosine, mut sine) = (one, one - one);
+    let (once, first) = ((one - place) / sum, T::from(2.0) / sum);
+    let (mut cosine, mut sine) = (one, T::from(0.0));
     for bit in (0..u32::BITS - delay.leading_zeros()).rev() {
-        let doubled = cosine * sine;
-        (cosine, sine) = (one - (place * sine * sine + place * sine * sine), doubled + doubled);
+        let product = cosine * sine;
+        (cosine, sine) = (one - T::from(2.0) * place * sine * sine, product + product);
         if delay >> bit & 1 == 1 {
             (cosine, sine) = (cosine * once - place * sine * first, sine * once + cosine * first);
         }

@@ -120,7 +120,7 @@ impl LoopMap {
             value / derivative
         };
         let mut places: Vec<_> = circle(count, 1.0).map(|z| z - one).collect();
-        settle(&mut places, &step);
+        settle(&mut places, step);
         let polished = places.into_iter().map(|w| {
             // The value to all digits; its derivative needs few.
             let slope = self.value(&answer, delay, w) / step(w);

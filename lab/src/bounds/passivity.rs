@@ -87,7 +87,7 @@ impl LinearPart {
         let damping = self.device.damping;
         let scale = (damping + self.environment.damping.abs()) / self.environment_period();
         let mut stiffness = if scale > 0.0 { scale } else { self.environment.mass };
-        while stiffness > 0.0 && self.needed(stiffness) <= damping {
+        while stiffness > 0.0 && stiffness.is_finite() && self.needed(stiffness) <= damping {
             stiffness *= 2.0;
         }
         // A convex function from the side where it is too large: Newton's steps never pass the place, and where there

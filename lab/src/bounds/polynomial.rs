@@ -44,7 +44,7 @@ impl Polynomial {
 
     /// `p(−s)`.
     pub(super) fn mirrored(&self) -> Self {
-        let sign = |power: usize| Long::from(if power % 2 == 0 { 1.0 } else { -1.0 });
+        let sign = |power: usize| Long::from(if power.is_multiple_of(2) { 1.0 } else { -1.0 });
         Self(self.0.iter().enumerate().map(|(power, it)| *it * sign(power)).collect())
     }
 

@@ -34,7 +34,7 @@ fn decays<V: Space>(scene: &Scene) -> bool {
     }
     for _ in 0..MOST {
         let most = stretch();
-        if !(most < 1e4 * start) {
+        if most >= 1e4 * start {
             return false;
         }
         if most < 1e-4 * start {

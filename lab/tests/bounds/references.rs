@@ -1,5 +1,8 @@
 //! The exact limit to all its digits: references with 60 digits, from `scripts/bounds_references.py`.
 
+// As the script prints them.
+#![allow(clippy::excessive_precision)]
+
 use lyapunov_lab::bounds::Limits;
 
 use crate::systems::scene;
