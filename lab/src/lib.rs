@@ -22,7 +22,9 @@
 //! ```
 
 pub mod accuracy;
+pub mod bounds;
 mod building;
+pub mod causes;
 pub mod chart;
 pub mod compare;
 mod csv;

@@ -1,8 +1,10 @@
 //! What the command line offers, and how its commands end.
 
 mod accuracy;
+mod bound;
 mod compare;
 mod effects;
+mod explain;
 mod folder;
 mod hard;
 mod observe;
@@ -35,6 +37,8 @@ use lyapunov_lab::OutputError;
 pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
+    Bound(bound::Bound),
+    Explain(explain::Explain),
     Paper(paper::Paper),
     Hard(hard::Hard),
     Observe(observe::Observe),
@@ -49,6 +53,8 @@ impl Command {
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
+            Self::Bound(bound) => bound.run(),
+            Self::Explain(explain) => explain.run(),
             Self::Paper(paper) => paper.run(),
             Self::Hard(hard) => hard.run(),
             Self::Observe(observe) => observe.run(),

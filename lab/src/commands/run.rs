@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov::ParameterError;
+use lyapunov_lab::causes::Hint;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{
     Csv, Output, OutputError, Rollout, Row, Space, Summary, further_columns, in_space,
@@ -49,12 +50,12 @@ impl Run {
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::new(output, &further).map_err(standard_output)?;
                 let hidden = ProgressBar::hidden();
-                let summary = simulate(&scene, &hidden, |row, further| {
+                let told = simulate(&scene, &hidden, |row, further| {
                     csv.write(row, further).map_err(standard_output)
                 })?;
                 csv.into_inner().flush().map_err(standard_output)?;
                 if !self.quiet {
-                    say(self.words(&summary)?.trim_end());
+                    say(self.words(&told)?.trim_end());
                 }
             }
             Some(path) => {
@@ -63,11 +64,11 @@ impl Run {
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::new(output, &further).map_err(refused)?;
-                let summary = simulate(&scene, &self.progress(&scene), |row, further| {
+                let told = simulate(&scene, &self.progress(&scene), |row, further| {
                     csv.write(row, further).map_err(refused)
                 })?;
                 csv.into_inner().keep().map_err(End::input)?;
-                self.tell(&summary)?;
+                self.tell(&told)?;
             }
             None => {
                 heed_interrupts(false);
@@ -91,19 +92,19 @@ impl Run {
         }
     }
 
-    fn tell(&self, summary: &Summary) -> Result<(), End> {
+    fn tell(&self, told: &Told) -> Result<(), End> {
         if self.quiet {
             return Ok(());
         }
-        io::stdout().write_all(self.words(summary)?.as_bytes()).map_err(standard_output)
+        io::stdout().write_all(self.words(told)?.as_bytes()).map_err(standard_output)
     }
 
-    fn words(&self, summary: &Summary) -> Result<String, End> {
+    fn words(&self, (summary, hint): &Told) -> Result<String, End> {
         let scene = self.scene.display();
         if self.json {
             summary.to_json(&scene.to_string()).map_err(End::internal)
         } else {
-            Ok(format!("{scene}\n{summary}\n"))
+            Ok(format!("{scene}\n{summary}\n{hint}"))
         }
     }
 
@@ -116,11 +117,14 @@ impl Run {
     }
 }
 
+/// What a run came to, and why it diverged if it did.
+type Told = (Summary, Hint);
+
 fn simulate(
     scene: &Scene,
     bar: &ProgressBar,
     write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
-) -> Result<Summary, End> {
+) -> Result<Told, End> {
     in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), write))
 }
 
@@ -129,8 +133,8 @@ fn drain<V: Space>(
     bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
     mut write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
-) -> Result<Summary, End> {
-    let mut summary = Summary::new(scene);
+) -> Result<Told, End> {
+    let (mut summary, mut hint) = (Summary::new(scene), Hint::new(scene));
     let mut rollout = rollout.map_err(End::input)?;
     while let Some(row) = rollout.next() {
         if summary.rows.is_multiple_of(BREATH) {
@@ -139,7 +143,8 @@ fn drain<V: Space>(
         }
         write(&row, rollout.further())?;
         summary.add(&row, rollout.further());
+        hint.add(&row);
     }
     bar.finish_and_clear();
-    Ok(summary)
+    Ok((summary, hint))
 }

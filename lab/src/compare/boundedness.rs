@@ -14,7 +14,7 @@ const REACH: f64 = 10.0;
 
 /// Watches `e(n) = |x(n) − x_eq|`, the distance from where the operator's spring and the wall balance.
 #[derive(Clone, Debug)]
-pub(super) struct Boundedness {
+pub(crate) struct Boundedness {
     equilibrium: Option<f64>,
     start: f64,
     last: u64,
@@ -23,13 +23,13 @@ pub(super) struct Boundedness {
 }
 
 impl Boundedness {
-    pub(super) fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene) -> Self {
         let equilibrium = equilibrium(scene);
         let last = scene.ticks();
         Self { equilibrium, start: start(scene), last, rows: 0, quarters: [0.0; 4] }
     }
 
-    pub(super) fn add(&mut self, row: &Row) {
+    pub(crate) fn add(&mut self, row: &Row) {
         let away = self.equilibrium.map_or(0.0, |rest| (row.x - rest).abs());
         let quarter = (4 * self.rows / (self.last + 1)).min(3) as usize;
         self.quarters[quarter] = self.quarters[quarter].max(away);
@@ -37,7 +37,7 @@ impl Boundedness {
     }
 
     /// Whether the run was stable; none where no spring pulls the plant anywhere.
-    pub(super) fn verdict(&self) -> Option<bool> {
+    pub(crate) fn verdict(&self) -> Option<bool> {
         let complete = self.rows == self.last + 1;
         if !complete || self.equilibrium.is_none() {
             return if complete { None } else { Some(false) };

@@ -25,6 +25,7 @@ mod tests;
 mod tick;
 mod trace;
 
+pub(crate) use boundedness::Boundedness;
 pub use column::{Column, NoColumn};
 pub use comparison::{CompareError, Comparison};
 pub use contestants::{Contestants, Settings};

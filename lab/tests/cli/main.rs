@@ -17,3 +17,4 @@ mod range;
 mod said;
 mod streams;
 mod summary;
+mod why;

@@ -1,0 +1,40 @@
+//! What becomes of a run.
+
+use crate::compare::Boundedness;
+use crate::{Row, Scene};
+
+/// How much faster the last quarter may be than the second: as the swings of a [`Boundedness`].
+const GROWTH: f64 = 1.05;
+
+/// What is slower than this share of the first quarter is at rest.
+const REST: f64 = 0.05;
+
+/// Watches whether a run is bounded: as `lyapunov compare` judges it, and by its velocities where no spring pulls the plant
+/// anywhere and that has no answer.
+#[derive(Clone, Debug)]
+pub(crate) struct Fate {
+    swing: Boundedness,
+    last: u64,
+    rows: u64,
+    quarters: [f64; 4],
+}
+
+impl Fate {
+    pub(crate) fn new(scene: &Scene) -> Self {
+        Self { swing: Boundedness::new(scene), last: scene.ticks(), rows: 0, quarters: [0.0; 4] }
+    }
+
+    pub(crate) fn add(&mut self, row: &Row) {
+        self.swing.add(row);
+        let quarter = (4 * self.rows / (self.last + 1)).min(3) as usize;
+        self.quarters[quarter] = self.quarters[quarter].max(row.v.abs());
+        self.rows += 1;
+    }
+
+    /// Whether the run stayed where it belongs.
+    pub(crate) fn is_bounded(&self) -> bool {
+        let [first, second, _, end] = self.quarters;
+        let complete = self.rows == self.last + 1;
+        self.swing.verdict().unwrap_or(complete && end <= (GROWTH * second).max(REST * first))
+    }
+}

@@ -1,0 +1,83 @@
+//! One run, with what it is judged by.
+
+use lyapunov::ParameterError;
+
+use super::balance::{Account, Balance, Tick};
+use super::body::{Body, Masses};
+use super::fate::Fate;
+use super::law::{Motion, force};
+use crate::bounds::LinearPart;
+use crate::{Rollout, Scene, Space};
+
+/// Beyond this, m and m/s, squares leave the range of the numbers before long.
+const FAR: f64 = 1e100;
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trial {
+    pub(super) is_bounded: bool,
+    pub(super) whole: Balance,
+    pub(super) first: Option<Balance>,
+    pub(super) feel: Feel,
+}
+
+/// What is felt in a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Feel {
+    /// Largest force on the plant, N.
+    pub(super) peak: f64,
+    /// Root mean square of the force on the plant less the law's on the true motion, in contact, N.
+    pub(super) error: f64,
+}
+
+impl Trial {
+    /// Runs `scene` as it is.
+    pub(super) fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
+        let mut rollout = Rollout::<V>::of(scene)?;
+        let (mut fate, mut account) = (Fate::new(scene), Account::new(scene, Body::of(scene)?));
+        let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
+        let mut open = true;
+        loop {
+            let drive = rollout.drive();
+            let (position, velocity) = (drive.position.axis(0), drive.velocity.axis(0));
+            let Some(row) = rollout.next() else { break };
+            fate.add(&row);
+            let device = [position, velocity];
+            let operator = match *rollout.further() {
+                [position, velocity] => [position, velocity],
+                _ => device,
+            };
+            peak = peak.max(row.f_act.abs());
+            let motion = Motion { time: row.t, position, velocity, acceleration: 0.0 };
+            let ideal = force(&scene.environment, motion);
+            if row.f_env != 0.0 || ideal != 0.0 {
+                square += (row.f_act - ideal) * (row.f_act - ideal);
+                touched += 1;
+            }
+            let masses = Masses { operator, device };
+            let tick = Tick {
+                masses,
+                measured: row.x_measured,
+                estimated: row.v,
+                environment: row.f_env,
+                acting: row.f_act,
+            };
+            let near = position.abs() < FAR && velocity.abs() < FAR;
+            open = open && near && account.add(tick);
+        }
+        let (whole, first) = account.finish();
+        let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
+        Ok(Self { is_bounded: fate.is_bounded(), whole, first, feel: Feel { peak, error } })
+    }
+
+    /// The same, where the loop is bounded and, if it is linear and has no stabilizer, decays in contact.
+    pub(super) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
+        let decays = scene.stabilizer.is_some()
+            || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
+            || LinearPart::of(scene).is_err();
+        if !decays {
+            return None;
+        }
+        Self::of::<V>(scene).ok().filter(|trial| trial.is_bounded)
+    }
+}
