@@ -27,6 +27,8 @@ pub mod compare;
 mod csv;
 mod described;
 mod equilibrium;
+pub mod map;
+mod meters;
 pub mod observe;
 mod output;
 pub mod paper;

@@ -29,17 +29,17 @@ pub struct Plain<T> {
 }
 
 impl<T: Scalar> Accumulator<T> for Plain<T> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: T::zero() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         self.sum += term;
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         // An addition, a minimum and a maximum: the shortest chain from tick to tick, and the same time
         // whatever the data. The raised sum is built beside the sum, not from it, for one more rounding.
@@ -48,7 +48,7 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
         sum
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         self.sum
     }
@@ -63,12 +63,12 @@ pub struct Compensated<T> {
 }
 
 impl<T: Scalar> Accumulator<T> for Compensated<T> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: T::zero(), error: T::zero() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         let sum = self.sum + term;
         let share = sum - self.sum;
@@ -81,7 +81,7 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         self.sum = whole;
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         self.add(term);
         let value = self.value();
@@ -94,7 +94,7 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         value
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         self.sum + self.error
     }
@@ -117,12 +117,12 @@ macro_rules! widen {
         impl Widen for $narrow {
             type Wide = $wide;
 
-            #[inline]
+            #[inline(always)]
             fn widen(self) -> $wide {
                 Scalar::from_lanes(|lane| self.lane(lane))
             }
 
-            #[inline]
+            #[inline(always)]
             fn narrow(wide: $wide) -> Self {
                 Scalar::from_lanes(|lane| wide.lane(lane))
             }
@@ -139,22 +139,22 @@ pub struct Wide<T: Widen> {
 }
 
 impl<T: Widen> Accumulator<T> for Wide<T> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: Plain::zero() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         self.sum.add(term.widen());
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         T::narrow(self.sum.add_and_raise(term.widen(), most.widen()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         T::narrow(self.sum.value())
     }

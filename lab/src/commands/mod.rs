@@ -3,6 +3,7 @@
 mod compare;
 mod effects;
 mod folder;
+mod map;
 mod observe;
 mod paper;
 mod run;
@@ -33,6 +34,7 @@ use lyapunov_lab::OutputError;
 pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
+    Map(Box<map::Map>),
     Paper(paper::Paper),
     Observe(observe::Observe),
     Effects(effects::Effects),
@@ -45,6 +47,7 @@ impl Command {
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
+            Self::Map(map) => map.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
             Self::Effects(effects) => effects.run(),
@@ -105,6 +108,8 @@ pub(crate) enum End {
     /// Something here is not right.
     Internal(String),
     Interrupted,
+    /// Interrupted, with something left to go on from; the message says what.
+    Kept(String),
 }
 
 impl End {
@@ -139,6 +144,10 @@ impl End {
             }
             Self::Interrupted => {
                 say("interrupted; no file was written");
+                130
+            }
+            Self::Kept(message) => {
+                say(message);
                 130
             }
         }
