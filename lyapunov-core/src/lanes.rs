@@ -8,8 +8,8 @@ pub use simba::simd::{
 };
 
 use simba::simd::{
-    AutoBoolx4, AutoBoolx8, AutoBoolx16, SimdBool, SimdComplexField, SimdPartialOrd, SimdValue, WideBoolF32x8,
-    WideBoolF64x4,
+    AutoBoolx4, AutoBoolx8, AutoBoolx16, SimdBool, SimdComplexField, SimdPartialOrd, SimdValue,
+    WideBoolF32x8, WideBoolF64x4,
 };
 
 use crate::{Mask, Scalar, Signal};

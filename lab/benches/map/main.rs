@@ -44,7 +44,8 @@ fn map(c: &mut Criterion) {
             };
             for (index, set) in instructions.into_iter().enumerate() {
                 let kernel = kernel(scalar, lanes, set);
-                let id = if index == 0 { scalar.to_owned() } else { format!("{scalar}/{}", set.name()) };
+                let id =
+                    if index == 0 { scalar.to_owned() } else { format!("{scalar}/{}", set.name()) };
                 group.bench_function(BenchmarkId::new(name, id), |b| {
                     b.iter(|| kernel.verdicts(Contender::Lolc, &cells, &|| true));
                 });

@@ -3,11 +3,12 @@
 use super::geometry::{Place, Rect};
 use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, FRAME, GRID, INK, Stroke};
+use super::panel::Numbering;
 use super::span::Span;
 use super::text::{self, Weight};
 use super::ticks::Ticks;
 
-const TICK_LENGTH: f64 = 3.5;
+pub(super) const TICK_LENGTH: f64 = 3.5;
 
 /// On which side of the frame the numbers of the ordinate stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,7 +47,10 @@ pub(super) struct Numbers {
 }
 
 /// Numbers of the abscissa, as many as stand apart from each other.
-pub(super) fn x_ticks(span: Span, width: f64, size: f64) -> Ticks {
+pub(super) fn x_ticks(span: Span, numbering: Numbering, width: f64, size: f64) -> Ticks {
+    if numbering == Numbering::PowersOfTen {
+        return Ticks::powers(span);
+    }
     let mut count = ((width / (5.0 * size)) as usize).clamp(2, 12);
     loop {
         let mut ticks = Ticks::within(span, count);
@@ -62,7 +66,10 @@ pub(super) fn x_ticks(span: Span, width: f64, size: f64) -> Ticks {
 }
 
 /// Numbers of the ordinate, as many as stand apart from each other.
-pub(super) fn y_ticks(span: Span, height: f64, size: f64) -> Ticks {
+pub(super) fn y_ticks(span: Span, numbering: Numbering, height: f64, size: f64) -> Ticks {
+    if numbering == Numbering::PowersOfTen {
+        return Ticks::powers(span);
+    }
     Ticks::within(span, ((height / (2.1 * size)) as usize).clamp(2, 12))
 }
 
@@ -157,7 +164,7 @@ mod tests {
         {
             let span = Span { low, high };
             for width in [20.0, 60.0, 150.0, 700.0] {
-                let ticks = x_ticks(span, width, 11.0);
+                let ticks = x_ticks(span, Numbering::Plain, width, 11.0);
                 assert!(!ticks.marks.is_empty());
                 assert!(stand_apart(&ticks, span, width, 11.0), "{low} {high} {width}");
             }

@@ -61,6 +61,26 @@ impl Ticks {
         }
     }
 
+    /// Powers of ten, and between few of them their double and fivefold, where the span is of their exponents.
+    pub(super) fn powers(span: Span) -> Self {
+        const FEW: f64 = 1.5;
+        let (first, last) = (span.low.floor() as i32, span.high.ceil() as i32);
+        let between: &[i64] = if span.half_width() < FEW { &[1, 2, 5] } else { &[1] };
+        let all = (first..=last.min(first.saturating_add(700)))
+            .flat_map(|exponent| between.iter().map(move |&multiple| (multiple, exponent)));
+        let marks = all
+            .map(|(multiple, exponent)| Tick {
+                value: f64::from(exponent) + libm::log10(multiple as f64),
+                label: match multiple {
+                    1 if !(-2..=4).contains(&exponent) => format!("10{}", superscript(exponent)),
+                    _ => complete(multiple, exponent),
+                },
+            })
+            .filter(|tick| span.low - 1e-9 <= tick.value && tick.value <= span.high + 1e-9)
+            .collect();
+        Self { marks, note: String::new() }
+    }
+
     fn written(span: Span, multiples: &[i64], exponent: i32) -> Self {
         let base = common_base(multiples);
         let largest = multiples.iter().map(|multiple| (multiple - base).abs()).max();

@@ -140,7 +140,11 @@ impl Map {
     ) -> Result<lyapunov_lab::map::Effort, End> {
         let cells = shard.cells(grid.cells());
         let first = book.as_ref().map_or(cells.start, Book::next);
-        let bar = if self.quiet { ProgressBar::hidden() } else { shown(ProgressBar::new(cells.end - cells.start), MAP_BAR) };
+        let bar = if self.quiet {
+            ProgressBar::hidden()
+        } else {
+            shown(ProgressBar::new(cells.end - cells.start), MAP_BAR)
+        };
         bar.set_position(first - cells.start);
         bar.reset_eta();
         let go_on = || End::if_interrupted().is_ok();
@@ -210,7 +214,8 @@ impl Merge {
     fn run(&self) -> Result<(), End> {
         let folder = Folder::claim(&self.out, RESULTS)?;
         let mut output = Output::create(&folder.path().join("map.csv")).map_err(End::input)?;
-        let survey = merge(&self.tables()?, &mut output).map_err(|error: MergeError| End::input(error))?;
+        let survey =
+            merge(&self.tables()?, &mut output).map_err(|error: MergeError| End::input(error))?;
         let text = document(&survey, None).map_err(End::internal)?;
         End::if_interrupted()?;
         folder.keep();
@@ -237,7 +242,10 @@ impl Merge {
             for entry in path.read_dir().map_err(refuse)? {
                 let entry = entry.map_err(refuse)?.path();
                 let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                if name.starts_with("map-") && name.ends_with(".csv") && !name.ends_with(".part.csv") {
+                if name.starts_with("map-")
+                    && name.ends_with(".csv")
+                    && !name.ends_with(".part.csv")
+                {
                     found.push(entry);
                 }
             }
@@ -257,7 +265,11 @@ impl Merge {
 fn table(survey: &Survey) -> String {
     let grid = survey.grid();
     let mut text = format!("{}\n{}\n\n", grid.x, grid.y);
-    let _ = writeln!(text, "  {:24} {:>10} {:>10} {:>8}  {:>12}", "stabilizer", "stable", "of cells", "share", "area");
+    let _ = writeln!(
+        text,
+        "  {:24} {:>10} {:>10} {:>8}  {:>12}",
+        "stabilizer", "stable", "of cells", "share", "area"
+    );
     for (index, contender) in grid.contenders.iter().enumerate() {
         let area = survey.area(index);
         let _ = writeln!(
@@ -278,7 +290,9 @@ fn fill(folder: &Path, survey: &Survey, text: &str, command: &str) -> Result<(),
     let mut outputs = Vec::new();
     let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
         let mut output = Output::create(&folder.join(name))?;
-        output.write_all(bytes).map_err(|error| output.blame(error))?;
+        // Flushed here, so that a device that is full is noticed before anything takes its name.
+        let written = output.write_all(bytes).and_then(|()| output.flush());
+        written.map_err(|error| output.blame(error))?;
         outputs.push(output);
         Ok(())
     };

@@ -6,7 +6,8 @@ use std::str::FromStr;
 /// The most values along an axis.
 const MOST: u64 = 1_000_000;
 
-const FORM: &str = "KEY=FROM..TO:N or KEY=FROM..TO:N:log, for example environment.wall.stiffness=100..50000:256";
+const FORM: &str =
+    "KEY=FROM..TO:N or KEY=FROM..TO:N:log, for example environment.wall.stiffness=100..50000:256";
 
 /// A number of the scene, by its dotted key, over a range: `KEY=FROM..TO:N[:log]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +102,8 @@ impl FromStr for Axis {
         let Some(count) = count else {
             return no(format!("the range {from}..{to} lacks the number of values"));
         };
-        let Some(count) = count.trim().parse().ok().filter(|count| (2..=MOST).contains(count)) else {
+        let Some(count) = count.trim().parse().ok().filter(|count| (2..=MOST).contains(count))
+        else {
             return no(format!("`{count}` is not a number of values from 2 to {MOST}"));
         };
         let spacing = match (word.map(str::trim), parts.next()) {

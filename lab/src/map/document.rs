@@ -31,9 +31,7 @@ impl Computation {
     /// What `run` did.
     pub fn of(run: &Run<'_>, effort: Effort) -> Self {
         let (lanes, method, instructions) = match run.method() {
-            Method::Lanes(kernel) => {
-                (kernel.lanes(), "lanes", Some(kernel.instructions().name()))
-            }
+            Method::Lanes(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
             Method::Single => (1, "single", None),
         };
         let Effort { cells, rollout_steps, kernel_seconds, measures_seconds } = effort;

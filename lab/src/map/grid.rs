@@ -53,9 +53,7 @@ impl fmt::Display for GridError {
             Self::SameKey(key) => {
                 write!(f, "both axes are `{key}`\n  = give two different numbers of the scene")
             }
-            Self::Space => {
-                f.write_str("[space] is not for a map\n  = map scenes of one dimension")
-            }
+            Self::Space => f.write_str("[space] is not for a map\n  = map scenes of one dimension"),
             Self::Contenders(problem) => {
                 write!(f, "{problem}\n  = name each once, as in --stabilizers none,popc,lolc")
             }
@@ -100,8 +98,8 @@ impl Grid {
         if contenders.is_empty() {
             return Err(GridError::Contenders("no stabilizer is named".to_owned()));
         }
-        let tree = Value::try_from(&scene)
-            .map_err(|error| GridError::Contenders(error.to_string()))?;
+        let tree =
+            Value::try_from(&scene).map_err(|error| GridError::Contenders(error.to_string()))?;
         let numbers = [Vary::of(&x, &tree)?, Vary::of(&y, &tree)?];
         Ok(Self { scene, x, y, contenders, tree, numbers })
     }

@@ -3,12 +3,15 @@
 mod axis;
 mod book;
 mod contender;
+mod curve;
 mod document;
 mod files;
 mod grid;
 mod kernel;
 mod merge;
 mod outcome;
+mod picture;
+mod report;
 mod run;
 mod shard;
 mod single;

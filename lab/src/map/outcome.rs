@@ -47,11 +47,7 @@ impl Measure {
         Self::new("chatter_rms_n", "chatter, N rms", |it| it.chatter),
     ];
 
-    const fn new(
-        key: &'static str,
-        words: &'static str,
-        of: fn(&Measures) -> Option<f64>,
-    ) -> Self {
+    const fn new(key: &'static str, words: &'static str, of: fn(&Measures) -> Option<f64>) -> Self {
         Self { key, words, of }
     }
 
@@ -71,7 +67,8 @@ impl Measures {
 
     /// Without what is out of range.
     pub(super) fn in_range(self) -> Self {
-        let told = |value: Option<f64>| value.filter(|value| value.is_finite()).map(|value| value + 0.0);
+        let told =
+            |value: Option<f64>| value.filter(|value| value.is_finite()).map(|value| value + 0.0);
         Self {
             peak_force: told(self.peak_force),
             settling_time: told(self.settling_time),

@@ -96,14 +96,23 @@ impl<'a> Run<'a> {
     /// A value of an axis that the scene does not allow; threads that cannot be started.
     pub fn of(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
         let best = Instructions::all()[0];
-        let method = match Kernel::of(grid, best, Lanes::Many)? {
-            Some(kernel) => Method::Lanes(Box::new(kernel)),
-            None => {
-                // Here a wrong value would be met only after the cells before it.
-                grid.along(0).and(grid.along(1)).map_err(GridError::from)?;
-                Method::Single
-            }
-        };
+        match Kernel::of(grid, best, Lanes::Many)? {
+            Some(kernel) => Self::by(grid, Method::Lanes(Box::new(kernel)), threads),
+            None => Self::one_by_one(grid, threads),
+        }
+    }
+
+    /// The same, each cell by itself whatever the scene is made of.
+    ///
+    /// # Errors
+    /// As [`Run::of`].
+    pub fn one_by_one(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
+        // A wrong value would be met only after the cells before it.
+        grid.along(0).and(grid.along(1)).map_err(GridError::from)?;
+        Self::by(grid, Method::Single, threads)
+    }
+
+    fn by(grid: &'a Grid, method: Method, threads: Option<usize>) -> Result<Self, RunError> {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or_default())
             .build()
@@ -160,7 +169,8 @@ impl<'a> Run<'a> {
     /// So many cells that a band is short whatever a cell takes.
     fn first_band(&self) -> usize {
         let rows = tick::rows(self.grid, 0).max(tick::rows(self.grid, self.grid.cells() - 1));
-        let steps: u64 = if matches!(self.method, Method::Lanes(_)) { 100_000_000 } else { 1_000_000 };
+        let steps: u64 =
+            if matches!(self.method, Method::Lanes(_)) { 100_000_000 } else { 1_000_000 };
         ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
     }
 
@@ -175,8 +185,7 @@ impl<'a> Run<'a> {
         let mut outcomes = vec![vec![Outcome::default(); contenders.len()]; band.len()];
         for (index, contender) in contenders.iter().enumerate() {
             let began = Instant::now();
-            let verdicts =
-                self.shared(band, |cells| kernel.verdicts(*contender, cells, go_on))?;
+            let verdicts = self.shared(band, |cells| kernel.verdicts(*contender, cells, go_on))?;
             effort.kernel_seconds += began.elapsed().as_secs_f64();
             let began = Instant::now();
             let bounded: Vec<usize> =

@@ -19,9 +19,8 @@ impl Shard {
 
     /// Its cells, of `cells` in all.
     pub fn cells(self, cells: u64) -> Range<u64> {
-        let at = |index: u64| {
-            (u128::from(cells) * u128::from(index) / u128::from(self.count)) as u64
-        };
+        let at =
+            |index: u64| (u128::from(cells) * u128::from(index) / u128::from(self.count)) as u64;
         at(self.index)..at(self.index + 1)
     }
 }
@@ -54,9 +53,7 @@ impl FromStr for Shard {
         });
         match numbers {
             Some((index, count)) if index < count => Ok(Self { index, count }),
-            Some((index, count)) => {
-                Err(NoShard(format!("there is no shard {index} of {count}")))
-            }
+            Some((index, count)) => Err(NoShard(format!("there is no shard {index} of {count}"))),
             None => Err(NoShard(format!("`{text}` is not a shard"))),
         }
     }

@@ -128,11 +128,9 @@ impl fmt::Display for TableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Head(problem) => write!(f, "this is not the table of a map: {problem}"),
-            Self::Row { row, text } => write!(
-                f,
-                "row {row} is `{}`, which no map has there",
-                crate::scene::shorten(text)
-            ),
+            Self::Row { row, text } => {
+                write!(f, "row {row} is `{}`, which no map has there", crate::scene::shorten(text))
+            }
             Self::Unreadable(error) => write!(f, "it cannot be read: {error}"),
         }
     }

@@ -92,9 +92,8 @@ impl Vary {
 
 /// The scene that `tree` describes, with what only a file holds taken from `base`.
 pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
-    let mut scene: Scene = tree.clone().try_into().map_err(|error: toml::de::Error| {
-        error.message().to_owned()
-    })?;
+    let mut scene: Scene =
+        tree.clone().try_into().map_err(|error: toml::de::Error| error.message().to_owned())?;
     if let (Some(Motion::File { samples, .. }), Some(Motion::File { samples: own, .. })) =
         (&mut scene.operator.motion, &base.operator.motion)
     {

@@ -74,7 +74,15 @@ impl<T: Scalar> Chatter<T> {
         let lines = (first..=last).map(line).collect();
         let windows = [Phasor::new(TAU / length); 2];
         let length = length as u64;
-        Some(Self { length, hop: length.div_ceil(2), tick: 0, windows, lines, power: T::zero(), segments: 0 })
+        Some(Self {
+            length,
+            hop: length.div_ceil(2),
+            tick: 0,
+            windows,
+            lines,
+            power: T::zero(),
+            segments: 0,
+        })
     }
 
     #[inline(always)]

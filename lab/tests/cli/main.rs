@@ -9,6 +9,7 @@ mod bad_usage;
 mod effects;
 mod interrupt;
 mod json;
+mod map;
 mod paper;
 mod place;
 mod range;

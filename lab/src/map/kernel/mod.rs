@@ -65,11 +65,8 @@ impl Kernel {
         if !covers(&grid.scene) {
             return Ok(None);
         }
-        let along = Along {
-            base: grid.scene.clone(),
-            x: (grid.along(0)?, x),
-            y: (grid.along(1)?, y),
-        };
+        let along =
+            Along { base: grid.scene.clone(), x: (grid.along(0)?, x), y: (grid.along(1)?, y) };
         let counted = |scenes: &[Scene]| scenes.iter().all(|scene| scene.ticks() < COUNTED);
         let fits = grid.scene.scalar == Width::F64 || counted(&along.x.0) && counted(&along.y.0);
         Ok(fits.then_some(Self { along, instructions, lanes }))
@@ -196,7 +193,10 @@ impl Watching for MeasureAll {
 
 impl Run<'_> {
     /// The rollouts with the type that the stabilizer has.
-    fn on<T: Scalar, W: Watching>(self, watching: W) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+    fn on<T: Scalar, W: Watching>(
+        self,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
         let (candidate, work) = match self.contender.on(&self.kernel.along.base) {

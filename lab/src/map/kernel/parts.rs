@@ -35,16 +35,15 @@ impl<'a> Lanes<'a> {
             stiffness: self.each(|it| it.operator.stiffness.get()),
         };
         let body = last.of(parts, T::of(self.common().period()))?;
-        let (position, velocity) = (
-            self.each(|it| it.initial.position.get()),
-            self.each(|it| it.initial.velocity.get()),
-        );
+        let (position, velocity) =
+            (self.each(|it| it.initial.position.get()), self.each(|it| it.initial.velocity.get()));
         Ok(body.resting_at(self.each(|it| it.operator.rest.get())).starting(position, velocity))
     }
 
     /// The port with the numbers of each lane.
     pub(super) fn port<T: Scalar, S: Laned<T>>(self) -> Result<Watched<T, S>, ParameterError> {
-        let of = |number: fn(&scene::Wall) -> f64| self.each(|scene| wall(scene).map_or(0.0, number));
+        let of =
+            |number: fn(&scene::Wall) -> f64| self.each(|scene| wall(scene).map_or(0.0, number));
         let wall = Wall::new(of(|it| it.stiffness.get()), of(|it| it.damping.get()))?;
         let wall = wall.at(of(|it| it.position.get()));
         let stabilizer = S::of(self, &wall)?;
