@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
 use lyapunov_lab::map::{
-    Axis, Book, BookError, Computation, Contender, Grid, MergeError, Run, RunError, Shard, Survey,
-    document, files, merge,
+    Axis, Book, BookError, Bounds, Computation, Contender, Grid, MergeError, Run, RunError, Shard,
+    Survey, document, files, merge,
 };
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Output, OutputError};
@@ -120,14 +120,16 @@ impl Map {
         };
         let effort = self.compute(&run, &grid, shard, &mut book, &mut survey)?;
         let computation = Computation::of(&run, effort);
-        let text = document(&survey, Some(&computation)).map_err(End::internal)?;
+        // Of a shard nothing is known along an axis.
+        let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
+        let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
         if let (Some(folder), Some(book)) = (&folder, book) {
             if shard == Shard::WHOLE {
-                fill(folder.path(), &survey, &text, &self.command())?;
+                fill(folder.path(), &survey, bounds.as_ref(), &text, &self.command())?;
             }
             book.finish().map_err(End::input)?;
         }
-        self.say(&survey, shard, &computation, &text)
+        self.say(&survey, bounds.as_ref(), shard, &computation, &text)
     }
 
     fn compute(
@@ -185,6 +187,7 @@ impl Map {
     fn say(
         &self,
         survey: &Survey,
+        bounds: Option<&Bounds>,
         shard: Shard,
         computation: &Computation,
         text: &str,
@@ -200,7 +203,7 @@ impl Map {
         if shard != Shard::WHOLE {
             let _ = writeln!(said, "shard {shard} of the map");
         }
-        said += &table(survey);
+        said += &table(survey, bounds);
         let how = match computation.instructions {
             Some(set) => format!("{} cells at once ({set})", computation.lanes),
             None => "one cell at a time, as the kernel does not have all parts of the scene".into(),
@@ -216,16 +219,17 @@ impl Merge {
         let mut output = Output::create(&folder.path().join("map.csv")).map_err(End::input)?;
         let survey =
             merge(&self.tables()?, &mut output).map_err(|error: MergeError| End::input(error))?;
-        let text = document(&survey, None).map_err(End::internal)?;
+        let bounds = Bounds::of(survey.grid());
+        let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         End::if_interrupted()?;
         folder.keep();
-        fill(folder.path(), &survey, &text, "lyapunov map merge")?;
+        fill(folder.path(), &survey, bounds.as_ref(), &text, "lyapunov map merge")?;
         output.keep().map_err(End::input)?;
         let mut out = io::stdout().lock();
         match (self.json, self.quiet) {
             (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
             (_, true) => Ok(()),
-            _ => out.write_all(table(&survey).as_bytes()).map_err(standard_output),
+            _ => out.write_all(table(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
         }
     }
 
@@ -262,31 +266,39 @@ impl Merge {
 }
 
 /// What each stabilizer renders stably.
-fn table(survey: &Survey) -> String {
+fn table(survey: &Survey, bounds: Option<&Bounds>) -> String {
     let grid = survey.grid();
     let mut text = format!("{}\n{}\n\n", grid.x, grid.y);
     let _ = writeln!(
         text,
-        "  {:24} {:>10} {:>10} {:>8}  {:>12}",
-        "stabilizer", "stable", "of cells", "share", "area"
+        "  {:24} {:>10} {:>10} {:>8}  {:>12}  {:>14}",
+        "stabilizer", "stable", "of cells", "share", "area", "of exact bound"
     );
     for (index, contender) in grid.contenders.iter().enumerate() {
         let area = survey.area(index);
+        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         let _ = writeln!(
             text,
-            "  {:24} {:>10} {:>10} {:>6.2} %  {:>12.6e}",
+            "  {:24} {:>10} {:>10} {:>6.2} %  {:>12.6e}  {:>14}",
             contender.name(),
             area.stable,
             area.judged,
             100.0 * area.share,
-            area.area
+            area.area,
+            over.map_or("-".to_owned(), |over| format!("{over:.4}"))
         );
     }
     text
 }
 
 /// Writes everything beside the table, and only then lets it appear.
-fn fill(folder: &Path, survey: &Survey, text: &str, command: &str) -> Result<(), End> {
+fn fill(
+    folder: &Path,
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    text: &str,
+    command: &str,
+) -> Result<(), End> {
     let mut outputs = Vec::new();
     let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
         let mut output = Output::create(&folder.join(name))?;
@@ -296,7 +308,7 @@ fn fill(folder: &Path, survey: &Survey, text: &str, command: &str) -> Result<(),
         outputs.push(output);
         Ok(())
     };
-    for (name, bytes) in files(survey, command).map_err(End::internal)? {
+    for (name, bytes) in files(survey, bounds, command).map_err(End::internal)? {
         put(&name, &bytes).map_err(End::input)?;
     }
     put(RESULTS, text.as_bytes()).map_err(End::input)?;

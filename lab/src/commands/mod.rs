@@ -1,5 +1,6 @@
 //! What the command line offers, and how its commands end.
 
+mod bound;
 mod compare;
 mod effects;
 mod folder;
@@ -35,6 +36,7 @@ pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
     Map(Box<map::Map>),
+    Bound(bound::Bound),
     Paper(paper::Paper),
     Observe(observe::Observe),
     Effects(effects::Effects),
@@ -48,6 +50,7 @@ impl Command {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
             Self::Map(map) => map.run(),
+            Self::Bound(bound) => bound.run(),
             Self::Paper(paper) => paper.run(),
             Self::Observe(observe) => observe.run(),
             Self::Effects(effects) => effects.run(),

@@ -54,15 +54,6 @@ impl Axis {
             Spacing::Logarithmic => libm::log10(self.to / self.from),
         }
     }
-
-    /// Where a value lies along the axis, in steps from the first value.
-    pub(super) fn steps(&self, value: f64) -> f64 {
-        let share = match self.spacing {
-            Spacing::Linear => (value - self.from) / (self.to - self.from),
-            Spacing::Logarithmic => libm::log(value / self.from) / libm::log(self.to / self.from),
-        };
-        share * (self.count - 1) as f64
-    }
 }
 
 /// An axis that cannot be read.

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::axis::{Axis, Spacing};
+use super::bounds::Bounds;
 use super::run::{Effort, Method, Run};
 use super::survey::Survey;
 
@@ -76,6 +77,8 @@ struct Line {
     judged_cells: u64,
     stable_share: f64,
     area: f64,
+    /// None where the stiffness is no axis, or the bound is not on the map.
+    stiffness_over_exact: Option<f64>,
 }
 
 fn along(axis: &Axis) -> Along<'_> {
@@ -90,7 +93,11 @@ fn along(axis: &Axis) -> Along<'_> {
 ///
 /// # Errors
 /// None: every part can be written as JSON.
-pub fn document(survey: &Survey, computation: Option<&Computation>) -> serde_json::Result<String> {
+pub fn document(
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    computation: Option<&Computation>,
+) -> serde_json::Result<String> {
     let grid = survey.grid();
     let line = |(index, contender): (usize, &super::Contender)| {
         let area = survey.area(index);
@@ -100,6 +107,7 @@ pub fn document(survey: &Survey, computation: Option<&Computation>) -> serde_jso
             judged_cells: area.judged,
             stable_share: area.share,
             area: area.area,
+            stiffness_over_exact: bounds.and_then(|bounds| bounds.over_exact(survey, index)),
         }
     };
     let document = Document {

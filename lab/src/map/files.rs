@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::bounds::Bounds;
 use super::picture::{self, Drawn};
 use super::report;
 use super::survey::Survey;
@@ -11,8 +12,12 @@ use crate::chart::ChartError;
 ///
 /// # Errors
 /// A picture that cannot be drawn.
-pub fn files(survey: &Survey, command: &str) -> Result<Vec<(String, Vec<u8>)>, ChartError> {
-    let figures = picture::figures(survey);
+pub fn files(
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    command: &str,
+) -> Result<Vec<(String, Vec<u8>)>, ChartError> {
+    let figures = picture::figures(survey, bounds);
     let drawn: Result<Vec<_>, ChartError> = figures
         .par_iter()
         .map(|Drawn { name, figure, .. }| {
@@ -21,7 +26,7 @@ pub fn files(survey: &Survey, command: &str) -> Result<Vec<(String, Vec<u8>)>, C
         })
         .collect();
     let mut files: Vec<_> = drawn?.into_iter().flatten().collect();
-    let page = report::page(survey, &figures, command);
+    let page = report::page(survey, bounds, &figures, command);
     files.push(("report.html".to_owned(), page.into_bytes()));
     Ok(files)
 }

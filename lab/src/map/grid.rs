@@ -120,14 +120,18 @@ impl Grid {
     /// A value that the scene does not allow.
     pub(super) fn along(&self, which: usize) -> Result<Vec<Scene>, VaryError> {
         let axis = [&self.x, &self.y][which];
+        (0..axis.count).map(|index| self.with(which, axis.value(index))).collect()
+    }
+
+    /// The scene with `value` for one of its two numbers, and the other as the scene has it.
+    ///
+    /// # Errors
+    /// A value that the scene does not allow.
+    pub(super) fn with(&self, which: usize, value: f64) -> Result<Scene, VaryError> {
         let number = &self.numbers[which];
-        let one = |index: u64| {
-            let value = axis.value(index);
-            let mut tree = self.tree.clone();
-            number.write(&mut tree, value)?;
-            vary::read(&tree, &self.scene).map_err(|reason| number.refused(value, &reason))
-        };
-        (0..axis.count).map(one).collect()
+        let mut tree = self.tree.clone();
+        number.write(&mut tree, value)?;
+        vary::read(&tree, &self.scene).map_err(|reason| number.refused(value, &reason))
     }
 
     /// The scene of a cell.

@@ -2,8 +2,8 @@
 
 mod axis;
 mod book;
+mod bounds;
 mod contender;
-mod curve;
 mod document;
 mod files;
 mod grid;
@@ -22,6 +22,7 @@ mod vary;
 
 pub use axis::{Axis, NoAxis, Spacing};
 pub use book::{Book, BookError};
+pub use bounds::Bounds;
 pub use contender::{Contender, NoContender};
 pub use document::{Computation, document};
 pub use files::files;

@@ -1,7 +1,7 @@
 //! The heat maps.
 
 use super::axis::{Axis, Spacing};
-use super::curve::{self, Curve};
+use super::bounds::{Bounds, Curve};
 use super::outcome::Measure;
 use super::survey::Survey;
 use crate::chart::{Figure, HeatMap, Numbering, Panel, Series};
@@ -20,8 +20,8 @@ pub(super) struct Drawn {
 }
 
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
-pub(super) fn figures(survey: &Survey) -> Vec<Drawn> {
-    let curves = curve::all(survey.grid());
+pub(super) fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
+    let curves = bounds.map_or_else(Vec::new, Bounds::curves);
     let stable =
         figure(survey, "bounded", &curves, |index| Some((survey.bounded(index), Some((0.0, 1.0)))));
     let mut drawn = vec![Drawn { name: "stable", words: STABLE, figure: stable }];

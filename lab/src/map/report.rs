@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::bounds::Bounds;
 use super::picture::Drawn;
 use super::survey::Survey;
 
@@ -9,7 +10,12 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 const STYLE: &str = include_str!("../paper/report.css");
 
 /// The page, as HTML.
-pub(super) fn page(survey: &Survey, figures: &[Drawn], command: &str) -> String {
+pub(super) fn page(
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    figures: &[Drawn],
+    command: &str,
+) -> String {
     let grid = survey.grid();
     let mut page =
         String::from("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
@@ -24,7 +30,7 @@ pub(super) fn page(survey: &Survey, figures: &[Drawn], command: &str) -> String 
         grid.y.count,
         escape(command)
     );
-    areas(&mut page, survey);
+    areas(&mut page, survey, bounds);
     page.push_str("<h2>Heat maps</h2>\n");
     for Drawn { name, words, figure } in figures {
         let _ = write!(
@@ -45,27 +51,31 @@ pub(super) fn page(survey: &Survey, figures: &[Drawn], command: &str) -> String 
     page
 }
 
-fn areas(page: &mut String, survey: &Survey) {
+fn areas(page: &mut String, survey: &Survey, bounds: Option<&Bounds>) {
     page.push_str(
         "<h2>What is rendered stably</h2>\n<div class=\"wide\"><table class=\"short\">\n<thead><tr><th>Stabilizer</th>\
          <th class=\"number\">Stable cells</th><th class=\"number\">Of</th><th class=\"number\">Share</th>\
-         <th class=\"number\">Area</th></tr></thead>\n<tbody>\n",
+         <th class=\"number\">Area</th><th class=\"number\">Of the exact bound</th></tr></thead>\n<tbody>\n",
     );
     for (index, contender) in survey.grid().contenders.iter().enumerate() {
         let area = survey.area(index);
+        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         let _ = writeln!(
             page,
             "<tr><td>{contender}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
-             <td class=\"number\">{:.2} %</td><td class=\"number\">{:.5e}</td></tr>",
+             <td class=\"number\">{:.2} %</td><td class=\"number\">{:.5e}</td><td class=\"number\">{}</td></tr>",
             area.stable,
             area.judged,
             100.0 * area.share,
-            area.area
+            area.area,
+            over.map_or("–".to_owned(), |over| format!("{over:.3}"))
         );
     }
     page.push_str(
         "</tbody>\n</table></div>\n<p>The area is the share of the rectangle of both axes, in their units; a \
-         logarithmic axis counts in decades.</p>\n",
+         logarithmic axis counts in decades. Of the exact bound: the largest stiffness up to which every cell is stable, over the \
+         exact bound of the loop without a stabilizer, the middle one over the values of the other axis at which both are on \
+         the map.</p>\n",
     );
 }
 

@@ -149,7 +149,7 @@ impl<'a> Run<'a> {
             let band: Vec<u64> = (first..last).collect();
             let outcomes = match &self.method {
                 Method::Lanes(kernel) => self.by_lanes(kernel, &band, go_on, &mut effort)?,
-                Method::Single => self.one_by_one(&band, go_on, &mut effort)?,
+                Method::Single => self.by_itself(&band, go_on, &mut effort)?,
             };
             let done = &band[..outcomes.len()];
             let steps: u64 = done.iter().map(|cell| tick::rows(self.grid, *cell)).sum();
@@ -235,7 +235,7 @@ impl<'a> Run<'a> {
     }
 
     /// The cells up to the first that was stopped.
-    fn one_by_one(
+    fn by_itself(
         &self,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),

@@ -123,9 +123,13 @@ impl<T: Scalar, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M
             let ticks = groups.iter().map(|group| group.left - 1).min().unwrap_or_default();
             let stretch = ticks.min(STRETCH);
             for _ in 0..stretch {
-                groups.iter_mut().for_each(Group::tick);
+                for group in &mut groups {
+                    group.tick();
+                }
             }
-            groups.iter_mut().for_each(|group| group.left -= stretch);
+            for group in &mut groups {
+                group.left -= stretch;
+            }
         }
     }
 }

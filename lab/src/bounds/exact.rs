@@ -1,0 +1,193 @@
+//! The exact limit: where the loop's own map begins to grow.
+
+use nalgebra::Complex;
+
+use super::LinearPart;
+use super::long::Long;
+use super::loop_map::LoopMap;
+use super::polynomial::Polynomial;
+use super::roots::settle;
+
+/// A crossing below this share of `m / T²` is one at 0, off by rounding.
+const NOTHING: f64 = 1e-24;
+
+/// A root whose imaginary part is below this share of it may be a real one: where two meet, half of the digits are lost.
+const NEARLY_REAL: f64 = 1e-4;
+
+/// Steps in which a crossing gets the rest of its digits.
+const STEPS: usize = 8;
+
+impl LinearPart {
+    /// The spectral radius of the closed loop's map over one period of the environment, at its own stiffness.
+    ///
+    /// Below 1 every motion decays, above 1 nearly every one grows. A part that nothing pulls back stands anywhere: with no
+    /// stiffness at all the radius is 1.
+    pub fn spectral_radius(&self) -> f64 {
+        let map = LoopMap::of(self);
+        let growth = map.growth(self.environment.stiffness / map.unit);
+        1.0 + growth / (1.0 + (1.0 + growth).max(0.0).sqrt())
+    }
+
+    /// The stiffnesses, N/m, between which the loop is stable, the lowest such range: every stiffness inside of it has a
+    /// spectral radius below 1, and the ends do not belong to it. None where no stiffness from 0 on has.
+    ///
+    /// The characteristic polynomial is affine in the stiffness, `P(z) = p(z) + K q(z)`, so that a root is on the unit
+    /// circle only where `−p / q` is real there. With `Y = tan²(θ / 2)`, `z = e^(jθ)`, this is a polynomial equation in
+    /// `Y`: all its roots are found, and each gives the one stiffness of its crossing, to all digits. Between neighbours
+    /// nothing crosses, and the radius at one stiffness tells that of all. Crossings below 10⁻²⁴ m/T² count as 0.
+    pub fn stable_stiffness(&self) -> Option<[f64; 2]> {
+        let map = LoopMap::of(self);
+        let mut edges = Crossings::of(&map).stiffnesses();
+        edges.push(0.0);
+        edges.sort_by(f64::total_cmp);
+        let stable = |index: usize| {
+            let (low, high) = (edges[index], edges.get(index + 1));
+            let inside = match high {
+                Some(high) => 0.5 * (low + high),
+                None => 2.0 * low + 1.0,
+            };
+            map.growth(inside) < 0.0
+        };
+        let first = (0..edges.len()).find(|index| stable(*index))?;
+        // Where two roots only touch the circle the range goes on.
+        let last = (first + 1..edges.len()).find(|index| !stable(*index));
+        let end = last.map_or(f64::INFINITY, |index| edges[index]);
+        Some([edges[first] * map.unit, end * map.unit])
+    }
+}
+
+/// Where roots of `(1 + w)^D a + r + κ k` are on the unit circle.
+///
+/// With `z = (1 + s) / (1 − s)` the circle is `s = j tan(θ / 2)`. Where `U(s) = a(s) k(−s)`, `V(s) = r(s) k(−s)` and
+/// `Q(s) = k(s) k(−s)`, `z^D U + V + κ Q = 0`, and its parts that are even and odd in `s`, of which `e` and `o` stand for
+/// those of `U` and `V`, are real equations in `Y = −s²`:
+///
+/// ```text
+/// κ Q + C e_U − Y S o_U + e_V = 0,        C o_U + S e_U + o_V = 0,
+/// C = cos(D θ),    S = sin(D θ) / tan(θ / 2).
+/// ```
+struct Crossings<'a> {
+    map: &'a LoopMap,
+    plant: [Polynomial; 2],
+    rest: [Polynomial; 2],
+    square: Polynomial,
+}
+
+impl<'a> Crossings<'a> {
+    fn of(map: &'a LoopMap) -> Self {
+        let n = [&map.plant, &map.rest, &map.stiffness].map(Polynomial::degree);
+        let n = n.into_iter().fold(0, usize::max);
+        let answer = map.stiffness.turned(n);
+        let mirrored = answer.mirrored();
+        let parts = |it: &Polynomial| it.turned(n).times(&mirrored).parts();
+        let [square, _] = answer.times(&mirrored).parts();
+        Self { map, plant: parts(&map.plant), rest: parts(&map.rest), square }
+    }
+
+    /// All stiffnesses above 0 at which a root is on the unit circle, and perhaps some at which one is only near.
+    fn stiffnesses(&self) -> Vec<f64> {
+        let mut places = self.starts();
+        settle(&mut places, |place| self.step(place));
+        let real = places.into_iter().filter(|it| it.im.abs() <= NEARLY_REAL * it.re);
+        let inside = real.map(|it| self.stiffness(self.polished(it.re)));
+        let ends = [0.0, -2.0].map(|w| {
+            // At z = 1 and z = −1 all is real.
+            let turn = if self.map.delay % 2 == 1 && w != 0.0 { -1.0 } else { 1.0 };
+            let value = |it: &Polynomial| it.value(Long::from(w));
+            let others = value(&self.map.plant) * Long::from(turn) + value(&self.map.rest);
+            f64::from(-others / value(&self.map.stiffness))
+        });
+        let all = inside.chain(ends);
+        all.filter(|kappa| *kappa > NOTHING && kappa.is_finite()).collect()
+    }
+
+    /// As many places as there are roots, near the axis that they are looked for on.
+    fn starts(&self) -> Vec<Complex<f64>> {
+        let [even, odd] = self.plant.each_ref().map(Polynomial::degree);
+        let degree = odd.max(even.saturating_sub(1)).max(self.rest[1].degree());
+        let count = degree + self.map.delay as usize;
+        let place = |index: usize| {
+            let half = std::f64::consts::FRAC_PI_2 * (index as f64 + 0.5) / count as f64;
+            let tangent = libm::tan(half);
+            let sign = if index.is_multiple_of(2) { 0.2 } else { -0.2 };
+            Complex::new(tangent * tangent, sign * tangent * tangent)
+        };
+        (0..count).map(place).collect()
+    }
+
+    /// Value by derivative of `(1 + Y)^D (C o_U + S e_U + o_V)`.
+    fn step(&self, place: Complex<f64>) -> Complex<f64> {
+        let [value, slope] = self.balance(place);
+        let late = Complex::from(f64::from(self.map.delay));
+        (slope / value + late / (Complex::from(1.0) + place)).inv()
+    }
+
+    /// `C o_U + S e_U + o_V`, and its derivative.
+    fn balance(&self, place: Complex<f64>) -> [Complex<f64>; 2] {
+        let one = Complex::from(1.0);
+        let late = Complex::from(f64::from(self.map.delay));
+        let [cosine, sine] = turns(self.map.delay, place, one);
+        let ([even, even_slope], [odd, odd_slope]) =
+            (self.plant[0].at(place), self.plant[1].at(place));
+        let [rest, rest_slope] = self.rest[1].at(place);
+        let cosine_slope = -late * sine / (one + place);
+        let half = Complex::from(0.5);
+        let sine_slope = (late * cosine / (one + place) - half * sine) / place;
+        let slope = cosine_slope * odd + cosine * odd_slope + sine_slope * even + sine * even_slope;
+        [cosine * odd + sine * even + rest, slope + rest_slope]
+    }
+
+    /// The same, to all digits.
+    fn long_balance(&self, place: Long) -> Long {
+        let [cosine, sine] = turns(self.map.delay, place, Long::from(1.0));
+        let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
+        cosine * odd + sine * even + self.rest[1].value(place)
+    }
+
+    /// A real root near `start`, by Newton's steps as long as they become shorter.
+    fn polished(&self, start: f64) -> Long {
+        let mut place = Long::from(start);
+        let mut least = f64::INFINITY;
+        for _ in 0..STEPS {
+            let [_, slope] = self.balance(Complex::from(f64::from(place)));
+            let step = self.long_balance(place) / Long::from(slope.re);
+            let size = f64::from(step).abs();
+            if !(size < least) {
+                break;
+            }
+            (place, least) = (place - step, size);
+        }
+        place
+    }
+
+    /// The `κ` of a crossing at `Y`.
+    fn stiffness(&self, place: Long) -> f64 {
+        let [cosine, sine] = turns(self.map.delay, place, Long::from(1.0));
+        let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
+        let others = cosine * even - place * sine * odd + self.rest[0].value(place);
+        f64::from(-others / self.square.value(place))
+    }
+}
+
+/// `cos(D θ)` and `sin(D θ) / tan(θ / 2)` as functions of `Y = tan²(θ / 2)`, by doubling: no digit is lost where `θ` is
+/// small.
+fn turns<T>(delay: u32, place: T, one: T) -> [T; 2]
+where
+    T: Copy
+        + std::ops::Add<Output = T>
+        + std::ops::Sub<Output = T>
+        + std::ops::Mul<Output = T>
+        + std::ops::Div<Output = T>,
+{
+    let sum = one + place;
+    let (once, first) = ((one - place) / sum, (one + one) / sum);
+    let (mut cosine, mut sine) = (one, one - one);
+    for bit in (0..u32::BITS - delay.leading_zeros()).rev() {
+        let doubled = cosine * sine;
+        (cosine, sine) = (one - (place * sine * sine + place * sine * sine), doubled + doubled);
+        if delay >> bit & 1 == 1 {
+            (cosine, sine) = (cosine * once - place * sine * first, sine * once + cosine * first);
+        }
+    }
+    [cosine, sine]
+}

@@ -1,0 +1,60 @@
+//! The limits in the terminal.
+
+use std::fmt;
+
+use super::Limits;
+use crate::summary::{found, given};
+
+/// How much of a name is shown.
+const NAME: usize = 22;
+
+impl fmt::Display for Limits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.stiffness {
+            Some(own) => writeln!(f, "  stiffness    {} N/m in the scene", given(own))?,
+            None => writeln!(f, "  stiffness    none")?,
+        }
+        match self.spectral_radius {
+            Some(radius) => writeln!(f, "  radius       {radius:.10} in contact{}", word(radius))?,
+            None => writeln!(f, "  radius       none")?,
+        }
+        writeln!(f, "\n  {:<NAME$}  {:>12}  the scene's own is", "limit", "at most N/m")?;
+        writeln!(f, "  {}  {}  {}", "-".repeat(NAME), "-".repeat(12), "-".repeat(30))?;
+        for (_, name, limit) in self.named() {
+            let (most, place) = match limit {
+                None => ("-".to_owned(), "-".to_owned()),
+                Some(limit) => (found(limit).to_string(), self.place(limit)),
+            };
+            writeln!(f, "  {name:<NAME$}  {most:>12}  {place}")?;
+        }
+        for (index, note) in self.notes.iter().enumerate() {
+            let gap = if index == 0 { "\n" } else { "" };
+            writeln!(f, "{gap}  - {note}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Limits {
+    /// Where the scene's own stiffness is beside a limit.
+    fn place(&self, limit: f64) -> String {
+        match self.stiffness {
+            None => "-".to_owned(),
+            Some(own) if own <= limit => {
+                format!("within it, at {} % of it", found(100.0 * own / limit))
+            }
+            Some(_) if limit == 0.0 => "beyond it: no stiffness passes".to_owned(),
+            Some(own) => format!("{} times too stiff", found(own / limit)),
+        }
+    }
+}
+
+fn word(radius: f64) -> &'static str {
+    if radius < 1.0 {
+        ": every motion decays"
+    } else if radius > 1.0 {
+        ": the loop grows"
+    } else {
+        ": a motion stays"
+    }
+}
