@@ -31,6 +31,8 @@ mod csv;
 mod described;
 mod equilibrium;
 pub mod hard;
+pub mod map;
+mod meters;
 pub mod observe;
 mod output;
 pub mod paper;

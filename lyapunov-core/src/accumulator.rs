@@ -32,17 +32,17 @@ pub struct Plain<T> {
 }
 
 impl<T: Scalar> Accumulator<T> for Plain<T> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: T::zero() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         self.sum += term;
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         // An addition, a minimum and a maximum: the shortest chain from tick to tick, and the same time
         // whatever the data. The raised sum is built beside the sum, not from it, for one more rounding.
@@ -51,12 +51,12 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
         sum
     }
 
-    #[inline]
+    #[inline(always)]
     fn lower(&mut self, most: T) {
         self.sum = self.sum.smaller(most);
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         self.sum
     }
@@ -71,12 +71,12 @@ pub struct Compensated<T> {
 }
 
 impl<T: Scalar> Accumulator<T> for Compensated<T> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: T::zero(), error: T::zero() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         let sum = self.sum + term;
         let share = sum - self.sum;
@@ -89,7 +89,7 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         self.sum = whole;
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         self.add(term);
         let value = self.value();
@@ -102,14 +102,14 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         value
     }
 
-    #[inline]
+    #[inline(always)]
     fn lower(&mut self, most: T) {
         let above = self.value().above(most);
         let sum = T::choose(above, most, self.sum);
         *self = Self { sum, error: T::choose(above, T::zero(), self.error) };
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         self.sum + self.error
     }
@@ -132,12 +132,12 @@ macro_rules! widen {
         impl Widen for $narrow {
             type Wide = $wide;
 
-            #[inline]
+            #[inline(always)]
             fn widen(self) -> $wide {
                 Scalar::from_lanes(|lane| self.lane(lane))
             }
 
-            #[inline]
+            #[inline(always)]
             fn narrow(wide: $wide) -> Self {
                 Scalar::from_lanes(|lane| wide.lane(lane))
             }
@@ -155,27 +155,27 @@ pub struct Wide<T: Widen> {
 }
 
 impl<T: Widen> Accumulator<T> for Wide<T> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: Plain::zero() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         self.sum.add(term.widen());
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         T::narrow(self.sum.add_and_raise(term.widen(), most.widen()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn lower(&mut self, most: T) {
         self.sum.lower(most.widen());
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         T::narrow(self.sum.value())
     }

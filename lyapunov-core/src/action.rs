@@ -19,14 +19,14 @@ pub struct Action<V: Signal> {
 
 impl<V: Signal> Action<V> {
     /// What a port without a stabilizer reports: `effort` as it is, and nothing done.
-    #[inline]
+    #[inline(always)]
     pub fn none(effort: V) -> Self {
         let zero = V::Scalar::of(0.0);
         Self { effort, sum: zero, alpha: zero, shortfall: zero, accepted: Mask::of(true) }
     }
 
     /// This action if its effort is finite; elsewhere a zero effort without damping, not accepted.
-    #[inline]
+    #[inline(always)]
     pub fn checked(self) -> Self {
         let finite = self.effort.finite();
         Self {

@@ -29,7 +29,7 @@ pub trait LyapunovCandidate<V: Signal> {
 }
 
 impl<V: Signal, C: LyapunovCandidate<V> + ?Sized> LyapunovCandidate<V> for &mut C {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         (**self).decrease(drive)
     }
@@ -40,7 +40,7 @@ where
     A: LyapunovCandidate<V>,
     B: LyapunovCandidate<V>,
 {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         self.0.decrease(drive) + self.1.decrease(drive)
     }
@@ -52,7 +52,7 @@ where
     B: LyapunovCandidate<V>,
     C: LyapunovCandidate<V>,
 {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         self.0.decrease(drive) + self.1.decrease(drive) + self.2.decrease(drive)
     }
@@ -64,7 +64,7 @@ where
 pub struct PortEnergy;
 
 impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         drive.work.sum()
     }
@@ -110,7 +110,7 @@ where
     V: Signal,
     F: Fn(V, V) -> V::Scalar,
 {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         let now = (self.function)(drive.position, drive.velocity);
         let decrease = self.last - now;

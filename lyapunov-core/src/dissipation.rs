@@ -13,7 +13,7 @@ pub trait Gate<V: Signal> {
 pub struct Always;
 
 impl<V: Signal> Gate<V> for Always {
-    #[inline]
+    #[inline(always)]
     fn open(&self, _drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask {
         Mask::of(true)
     }
@@ -27,7 +27,7 @@ pub struct Beyond<T> {
 }
 
 impl<T: Scalar> Gate<T> for Beyond<T> {
-    #[inline]
+    #[inline(always)]
     fn open(&self, drive: &Drive<T>) -> T::Mask {
         drive.position.above(self.position)
     }
@@ -72,7 +72,7 @@ impl<T: Copy, G> Dissipation<T, G> {
 }
 
 impl<V: Signal, G: Gate<V>> LyapunovCandidate<V> for Dissipation<V::Scalar, G> {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
         let burnt = self.damping * (drive.velocity.pair(drive.velocity) * drive.period);
         V::Scalar::choose(self.gate.open(drive) & burnt.finite(), burnt, Scalar::of(0.0))

@@ -30,19 +30,19 @@ pub struct Drive<V: Signal> {
 
 impl<V: Signal> Drive<V> {
     /// The drive of one period under one held effort: `work = acted · displacement`.
-    #[inline]
+    #[inline(always)]
     pub fn new(period: V::Scalar, position: V, velocity: V, displacement: V, acted: V) -> Self {
         Self { period, position, velocity, displacement, acted, work: acted.times(displacement) }
     }
 
     /// The drive of the first tick: nothing has moved and nothing has acted yet.
-    #[inline]
+    #[inline(always)]
     pub fn starting(period: V::Scalar, position: V, velocity: V) -> Self {
         Self::new(period, position, velocity, V::zero(), V::zero())
     }
 
     /// This drive preceded by `earlier`: the periods, displacements and works of both, the rest from now.
-    #[inline]
+    #[inline(always)]
     pub fn spanning(self, earlier: &Self) -> Self {
         Self {
             period: earlier.period + self.period,
@@ -53,7 +53,7 @@ impl<V: Signal> Drive<V> {
     }
 
     /// Where every field is finite.
-    #[inline]
+    #[inline(always)]
     pub fn finite(&self) -> <V::Scalar as Scalar>::Mask {
         self.period.finite()
             & self.position.finite()

@@ -3,11 +3,13 @@
 //! The `Auto` types are arrays that the compiler vectorises; the `Wide` types are written in the
 //! processor's own vectors. Both give each lane the bits of the scalar run.
 
-pub use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
+pub use simba::simd::{
+    AutoF32x4, AutoF32x8, AutoF32x16, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4,
+};
 
 use simba::simd::{
-    AutoBoolx4, AutoBoolx8, SimdBool, SimdComplexField, SimdPartialOrd, SimdValue, WideBoolF32x8,
-    WideBoolF64x4,
+    AutoBoolx4, AutoBoolx8, AutoBoolx16, SimdBool, SimdComplexField, SimdPartialOrd, SimdValue,
+    WideBoolF32x8, WideBoolF64x4,
 };
 
 use crate::{Mask, Scalar, Signal};
@@ -15,18 +17,18 @@ use crate::{Mask, Scalar, Signal};
 macro_rules! mask {
     ($($mask:ty, $like:ty);+ $(;)?) => {$(
         impl Mask for $mask {
-            #[inline]
+            #[inline(always)]
             fn of(truth: bool) -> Self {
                 let one = <$like>::of(1.0);
                 if truth { (-one).below(one) } else { one.below(one) }
             }
 
-            #[inline]
+            #[inline(always)]
             fn lane(self, index: usize) -> bool {
                 index < u64::BITS as usize && (self.bitmask() >> index) & 1 == 1
             }
 
-            #[inline]
+            #[inline(always)]
             fn all(self) -> bool {
                 SimdBool::all(self)
             }
@@ -43,57 +45,57 @@ macro_rules! lanes {
 
             const LANES: usize = $count;
 
-            #[inline]
+            #[inline(always)]
             fn of(value: f64) -> Self {
                 <$lanes as SimdValue>::splat(value as $real)
             }
 
-            #[inline]
+            #[inline(always)]
             fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
                 Self::from(core::array::from_fn::<$real, $count, _>(|lane| value(lane) as $real))
             }
 
-            #[inline]
+            #[inline(always)]
             fn lane(self, index: usize) -> f64 {
                 if index < $count { self.extract(index).into() } else { f64::NAN }
             }
 
-            #[inline]
+            #[inline(always)]
             fn from_reals(value: impl FnMut(usize) -> f64) -> Self {
                 Self::from_lanes(value)
             }
 
-            #[inline]
+            #[inline(always)]
             fn real(self, index: usize) -> f64 {
                 self.lane(index)
             }
 
-            #[inline]
+            #[inline(always)]
             fn tiny() -> Self {
                 <$lanes as SimdValue>::splat($real::MIN_POSITIVE)
             }
 
-            #[inline]
+            #[inline(always)]
             fn least() -> Self {
                 <$lanes as SimdValue>::splat($real::from_bits(1))
             }
 
-            #[inline]
+            #[inline(always)]
             fn largest() -> Self {
                 <$lanes as SimdValue>::splat($real::MAX)
             }
 
-            #[inline]
+            #[inline(always)]
             fn epsilon() -> Self {
                 <$lanes as SimdValue>::splat($real::EPSILON)
             }
 
-            #[inline]
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 SimdComplexField::simd_sqrt(self)
             }
 
-            #[inline]
+            #[inline(always)]
             fn below(self, other: Self) -> $mask {
                 self.simd_lt(other)
             }
@@ -102,22 +104,22 @@ macro_rules! lanes {
         impl Signal for $lanes {
             type Scalar = $lanes;
 
-            #[inline]
+            #[inline(always)]
             fn splat(value: $lanes) -> Self {
                 value
             }
 
-            #[inline]
+            #[inline(always)]
             fn zip(self, other: Self, mut f: impl FnMut($lanes, $lanes) -> $lanes) -> Self {
                 f(self, other)
             }
 
-            #[inline]
+            #[inline(always)]
             fn sum(self) -> $lanes {
                 self
             }
 
-            #[inline]
+            #[inline(always)]
             fn choose(mask: $mask, yes: Self, no: Self) -> Self {
                 yes.select(mask, no)
             }
@@ -128,6 +130,7 @@ macro_rules! lanes {
 mask! {
     AutoBoolx4, AutoF64x4;
     AutoBoolx8, AutoF64x8;
+    AutoBoolx16, AutoF32x16;
     WideBoolF64x4, WideF64x4;
     WideBoolF32x8, WideF32x8;
 }
@@ -135,6 +138,7 @@ mask! {
 lanes! {
     AutoF32x4 of 4 f32, mask AutoBoolx4;
     AutoF32x8 of 8 f32, mask AutoBoolx8;
+    AutoF32x16 of 16 f32, mask AutoBoolx16;
     AutoF64x4 of 4 f64, mask AutoBoolx4;
     AutoF64x8 of 8 f64, mask AutoBoolx8;
     WideF64x4 of 4 f64, mask WideBoolF64x4;

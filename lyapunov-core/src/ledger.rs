@@ -25,12 +25,12 @@ pub trait Work: Copy + Debug {
 pub struct Held;
 
 impl Work for Held {
-    #[inline]
+    #[inline(always)]
     fn drive<V: Signal>(drive: &Drive<V>, _effort: V) -> Drive<V> {
         *drive
     }
 
-    #[inline]
+    #[inline(always)]
     fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, _most: T) -> T {
         sum.add(decrease);
         sum.value()
@@ -45,13 +45,13 @@ impl Work for Held {
 pub struct Sampled;
 
 impl Work for Sampled {
-    #[inline]
+    #[inline(always)]
     fn drive<V: Signal>(drive: &Drive<V>, effort: V) -> Drive<V> {
         let displacement = drive.velocity.scale(drive.period);
         Drive::new(drive.period, drive.position, drive.velocity, displacement, effort)
     }
 
-    #[inline]
+    #[inline(always)]
     fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T {
         // What α burns is exactly the debt, or the most it can where that is less, so the sum is raised by it here
         // instead of carrying α and v² to the next tick: the division leaves the chain from tick to tick.
@@ -99,14 +99,14 @@ impl<W: Work, A> Ledger<W, A> {
     }
 
     /// The drive that the candidate's terms see, given the effort of the port behind the stabilizer.
-    #[inline]
+    #[inline(always)]
     pub fn drive<V: Signal>(&self, drive: &Drive<V>, effort: V) -> Drive<V> {
         W::drive(drive, effort)
     }
 
     /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
     /// the sum `L(n)` between the two.
-    #[inline]
+    #[inline(always)]
     pub fn book<T: Scalar>(&mut self, decrease: T, most: T) -> T
     where
         A: Accumulator<T>,
@@ -115,7 +115,7 @@ impl<W: Work, A> Ledger<W, A> {
     }
 
     /// Where `decrease` can be booked and leaves the sum finite.
-    #[inline]
+    #[inline(always)]
     pub fn fits<T: Scalar>(&self, decrease: T) -> T::Mask
     where
         A: Accumulator<T>,

@@ -37,7 +37,7 @@ impl<C, W: Work, A> Observer<C, W, A> {
 
     /// What the drive lets the candidate lose, J; `effort` is what the port behind the observer answers to
     /// it, N.
-    #[inline]
+    #[inline(always)]
     pub fn decrease<V: Signal>(&mut self, drive: &Drive<V>, effort: V) -> V::Scalar
     where
         C: LyapunovCandidate<V>,
@@ -47,7 +47,7 @@ impl<C, W: Work, A> Observer<C, W, A> {
 
     /// Books what the drive tells; returns the observer sum `L(n)`, J. A decrease that is not finite, or
     /// that the sum has no room for, is left out.
-    #[inline]
+    #[inline(always)]
     pub fn observe<V: Signal>(&mut self, drive: &Drive<V>, effort: V) -> V::Scalar
     where
         C: LyapunovCandidate<V>,

@@ -11,7 +11,7 @@ pub trait OnePort<V: Signal> {
     fn respond(&mut self, drive: &Drive<V>) -> V;
 
     /// What the stabilizer inside did on the last tick; an adaptor hands on that of the port it owns.
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         Action::none(V::zero())
     }
@@ -28,12 +28,12 @@ pub trait OnePort<V: Signal> {
 }
 
 impl<V: Signal, P: OnePort<V> + ?Sized> OnePort<V> for &mut P {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         (**self).respond(drive)
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         (**self).action()
     }

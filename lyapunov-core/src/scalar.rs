@@ -68,7 +68,7 @@ pub trait Scalar:
     const LANES: usize;
 
     /// `value` in every lane, rounded to the element type.
-    #[inline]
+    #[inline(always)]
     fn of(value: f64) -> Self {
         Self::from_lanes(|_| value)
     }
@@ -104,31 +104,31 @@ pub trait Scalar:
     fn below(self, other: Self) -> Self::Mask;
 
     /// Where `self > other`; false where either is NaN.
-    #[inline]
+    #[inline(always)]
     fn above(self, other: Self) -> Self::Mask {
         other.below(self)
     }
 
     /// `self` where it is larger than `other`, else `other`: a NaN in `self` gives `other`.
-    #[inline]
+    #[inline(always)]
     fn larger(self, other: Self) -> Self {
         Self::choose(self.above(other), self, other)
     }
 
     /// `self` where it is smaller than `other`, else `other`: a NaN in `self` gives `other`.
-    #[inline]
+    #[inline(always)]
     fn smaller(self, other: Self) -> Self {
         Self::choose(self.below(other), self, other)
     }
 
     /// The magnitude.
-    #[inline]
+    #[inline(always)]
     fn magnitude(self) -> Self {
         Self::choose(self.above(Self::zero()), self, Self::zero() - self)
     }
 
     /// The nearest whole number, ties away from zero.
-    #[inline]
+    #[inline(always)]
     fn rounded(self) -> Self {
         // From 1 / epsilon on every number is whole, so adding it rounds, ties to even.
         let whole = Self::one() / Self::epsilon();
@@ -142,17 +142,17 @@ pub trait Scalar:
 }
 
 impl Mask for bool {
-    #[inline]
+    #[inline(always)]
     fn of(truth: bool) -> Self {
         truth
     }
 
-    #[inline]
+    #[inline(always)]
     fn lane(self, index: usize) -> bool {
         self && index == 0
     }
 
-    #[inline]
+    #[inline(always)]
     fn all(self) -> bool {
         self
     }
@@ -167,52 +167,52 @@ macro_rules! real {
 
             const LANES: usize = 1;
 
-            #[inline]
+            #[inline(always)]
             fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
                 value(0) as $real
             }
 
-            #[inline]
+            #[inline(always)]
             fn from_reals(value: impl FnMut(usize) -> f64) -> Self {
                 Self::from_lanes(value)
             }
 
-            #[inline]
+            #[inline(always)]
             fn real(self, index: usize) -> f64 {
                 self.lane(index)
             }
 
-            #[inline]
+            #[inline(always)]
             fn lane(self, index: usize) -> f64 {
                 if index == 0 { self.into() } else { f64::NAN }
             }
 
-            #[inline]
+            #[inline(always)]
             fn tiny() -> Self {
                 $real::MIN_POSITIVE
             }
 
-            #[inline]
+            #[inline(always)]
             fn least() -> Self {
                 $real::from_bits(1)
             }
 
-            #[inline]
+            #[inline(always)]
             fn largest() -> Self {
                 $real::MAX
             }
 
-            #[inline]
+            #[inline(always)]
             fn epsilon() -> Self {
                 $real::EPSILON
             }
 
-            #[inline]
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 num_traits::Float::sqrt(self)
             }
 
-            #[inline]
+            #[inline(always)]
             fn below(self, other: Self) -> bool {
                 self < other
             }
@@ -221,27 +221,27 @@ macro_rules! real {
         impl Signal for $real {
             type Scalar = $real;
 
-            #[inline]
+            #[inline(always)]
             fn splat(value: $real) -> Self {
                 value
             }
 
-            #[inline]
+            #[inline(always)]
             fn zip(self, other: Self, mut f: impl FnMut($real, $real) -> $real) -> Self {
                 f(self, other)
             }
 
-            #[inline]
+            #[inline(always)]
             fn sum(self) -> $real {
                 self
             }
 
-            #[inline]
+            #[inline(always)]
             fn choose(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }
 
-            #[inline]
+            #[inline(always)]
             fn finite(self) -> bool {
                 // Looks at the bits, in units of the processor that a step leaves idle.
                 self.is_finite()

@@ -36,31 +36,31 @@ pub trait Signal:
     fn choose(mask: <Self::Scalar as Scalar>::Mask, yes: Self, no: Self) -> Self;
 
     /// `f` of each axis.
-    #[inline]
+    #[inline(always)]
     fn map(self, mut f: impl FnMut(Self::Scalar) -> Self::Scalar) -> Self {
         self.zip(self, |axis, _| f(axis))
     }
 
     /// The products axis by axis: an effort times a displacement is the work on each axis, in joules.
-    #[inline]
+    #[inline(always)]
     fn times(self, other: Self) -> Self {
         self.zip(other, |a, b| a * b)
     }
 
     /// Every axis times `factor`.
-    #[inline]
+    #[inline(always)]
     fn scale(self, factor: Self::Scalar) -> Self {
         self.map(|axis| axis * factor)
     }
 
     /// The power product `Σ aᵢ bᵢ`: effort paired with flow, in watts.
-    #[inline]
+    #[inline(always)]
     fn pair(self, other: Self) -> Self::Scalar {
         self.times(other).sum()
     }
 
     /// Every axis limited to `±limit`; a NaN stays one.
-    #[inline]
+    #[inline(always)]
     fn limited(self, limit: Self::Scalar) -> Self {
         let choose = <Self::Scalar as Signal>::choose;
         self.map(|axis| {
@@ -70,7 +70,7 @@ pub trait Signal:
     }
 
     /// Where every axis is finite.
-    #[inline]
+    #[inline(always)]
     fn finite(self) -> <Self::Scalar as Scalar>::Mask {
         // Zero times a finite number is zero, times anything else NaN, which is below nothing.
         self.scale(Self::Scalar::zero()).sum().below(Self::Scalar::tiny())
@@ -80,17 +80,17 @@ pub trait Signal:
 impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
     type Scalar = T;
 
-    #[inline]
+    #[inline(always)]
     fn splat(value: T) -> Self {
         SVector::from_element(value)
     }
 
-    #[inline]
+    #[inline(always)]
     fn zip(self, other: Self, f: impl FnMut(T, T) -> T) -> Self {
         self.zip_map(&other, f)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sum(self) -> T {
         // Two sums side by side, even and odd axes, fit the processor's vectors; one after the other does not.
         let axes = self.data.0[0].as_slice();
@@ -108,7 +108,7 @@ impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
         even + odd
     }
 
-    #[inline]
+    #[inline(always)]
     fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
         yes.zip_map(&no, |a, b| T::choose(mask, a, b))
     }

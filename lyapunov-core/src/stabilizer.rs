@@ -15,7 +15,7 @@ pub trait Stabilizer<V: Signal> {
 }
 
 impl<V: Signal, S: Stabilizer<V> + ?Sized> Stabilizer<V> for &mut S {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
         (**self).stabilize(drive, effort)
     }
@@ -33,17 +33,23 @@ impl<P, S, V: Signal> Stabilized<P, S, V> {
     pub(crate) fn new(port: P, stabilizer: S) -> Self {
         Self { port, stabilizer, action: Action::none(V::zero()) }
     }
+
+    /// The port that is watched.
+    #[inline(always)]
+    pub fn port(&self) -> &P {
+        &self.port
+    }
 }
 
 impl<V: Signal, P: OnePort<V>, S: Stabilizer<V>> OnePort<V> for Stabilized<P, S, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         let effort = self.port.respond(drive);
         self.action = self.stabilizer.stabilize(drive, effort);
         self.action.effort
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         self.action
     }

@@ -81,7 +81,7 @@ impl<T: Scalar> DampingLimit<T> {
     }
 
     /// The most damping, N·s/m: always finite.
-    #[inline]
+    #[inline(always)]
     pub fn most(self) -> T {
         self.most
     }

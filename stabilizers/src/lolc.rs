@@ -113,7 +113,7 @@ where
     W: Work,
     A: Accumulator<V::Scalar>,
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
         let before = self.observer.ledger;
         let sample = Sample {
@@ -137,7 +137,7 @@ struct Sample<V: Signal> {
 }
 
 impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
-    #[inline]
+    #[inline(always)]
     fn correct<V: Signal<Scalar = T>>(&mut self, sample: Sample<V>) -> Action<V> {
         let Sample { decrease, square, velocity, effort } = sample;
         let limit = self.limit.most();
@@ -161,7 +161,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     ///
     /// A way of its own, because in the step it would be five more choices on every tick for what hardly ever
     /// happens; inlined, because a call would keep the sum and the action in memory instead of registers.
-    #[inline]
+    #[inline(always)]
     fn reject<V: Signal<Scalar = T>>(
         &mut self,
         before: Ledger<W, A>,

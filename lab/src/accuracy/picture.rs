@@ -3,7 +3,7 @@
 use super::Study;
 use super::setting::Number;
 use super::study::Row;
-use crate::chart::{Figure, Panel, Scale, Series};
+use crate::chart::{Figure, Numbering, Panel, Series};
 
 /// The propagators, in the order of their colours.
 const PROPAGATORS: [&str; 6] =
@@ -22,7 +22,7 @@ impl Study {
             }
             let mut panel =
                 Panel::new(number.name(), "time per simulated second, ns", "largest error, m")
-                    .with_scale(Scale::PowersOfTen)
+                    .with_numbers(Numbering::PowersOfTen, Numbering::PowersOfTen)
                     .with_x_range(x.0, x.1)
                     .with_y_range(y.0, y.1);
             for (colour, propagator) in PROPAGATORS.into_iter().enumerate() {

@@ -1,6 +1,6 @@
 //! What becomes of a run.
 
-use crate::compare::Boundedness;
+use crate::meters::{Boundedness, Criterion};
 use crate::{Row, Scene};
 
 /// How much faster the last quarter may be than the second: as the swings of a [`Boundedness`].
@@ -13,7 +13,8 @@ const REST: f64 = 0.05;
 /// anywhere and that has no answer.
 #[derive(Clone, Debug)]
 pub(crate) struct Fate {
-    swing: Boundedness,
+    criterion: Criterion,
+    swing: Boundedness<f64>,
     last: u64,
     rows: u64,
     quarters: [f64; 4],
@@ -21,11 +22,12 @@ pub(crate) struct Fate {
 
 impl Fate {
     pub(crate) fn new(scene: &Scene) -> Self {
-        Self { swing: Boundedness::new(scene), last: scene.ticks(), rows: 0, quarters: [0.0; 4] }
+        let (criterion, last) = (Criterion::of(scene), scene.ticks());
+        Self { criterion, swing: Boundedness::new(last), last, rows: 0, quarters: [0.0; 4] }
     }
 
     pub(crate) fn add(&mut self, row: &Row) {
-        self.swing.add(row);
+        self.swing.add(row.x);
         let quarter = (4 * self.rows / (self.last + 1)).min(3) as usize;
         self.quarters[quarter] = self.quarters[quarter].max(row.v.abs());
         self.rows += 1;
@@ -35,6 +37,7 @@ impl Fate {
     pub(crate) fn is_bounded(&self) -> bool {
         let [first, second, _, end] = self.quarters;
         let complete = self.rows == self.last + 1;
-        self.swing.verdict().unwrap_or(complete && end <= (GROWTH * second).max(REST * first))
+        let swing = self.swing.verdict(0, &self.criterion);
+        swing.unwrap_or(complete && end <= (GROWTH * second).max(REST * first))
     }
 }

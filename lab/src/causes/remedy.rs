@@ -3,7 +3,8 @@
 use super::trial::{Feel, Trial};
 use crate::bounds::LinearPart;
 use crate::scene::{
-    Candidate, Cap, Environment, Finite, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
+    Candidate, Cap, Environment, Finite, Ledger, Lolc, NonNegative, Popc, Positive, Scene,
+    Stabilizer, Work,
 };
 use crate::{Space, bounds::impedance};
 
@@ -132,10 +133,11 @@ fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
 
 /// Each stabilizer that holds, with the largest of some damping limits.
 fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
-    let popc = |damping_cap| Stabilizer::Popc(Popc { work: Work::Held, damping_cap });
+    let ledger = Ledger::default();
+    let popc = |damping_cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap });
     let lolc = |damping_cap| {
         let candidate = Candidate::DeviceDamping;
-        Stabilizer::Lolc(Lolc { work: Work::Held, candidate, damping_cap })
+        Stabilizer::Lolc(Lolc { work: Work::Held, candidate, ledger, damping_cap })
     };
     let named =
         |key: &str, cap: f64| (format!("stabilizer.{key}.damping_cap"), Change::Number(cap));

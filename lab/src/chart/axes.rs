@@ -3,12 +3,12 @@
 use super::geometry::{Place, Rect};
 use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, FRAME, GRID, INK, Stroke};
-use super::scale::Scale;
+use super::panel::Numbering;
 use super::span::Span;
 use super::text::{self, Weight};
 use super::ticks::Ticks;
 
-const TICK_LENGTH: f64 = 3.5;
+pub(super) const TICK_LENGTH: f64 = 3.5;
 
 /// On which side of the frame the numbers of the ordinate stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,10 +47,13 @@ pub(super) struct Numbers {
 }
 
 /// Numbers of the abscissa, as many as stand apart from each other.
-pub(super) fn x_ticks(span: Span, scale: Scale, width: f64, size: f64) -> Ticks {
+pub(super) fn x_ticks(span: Span, numbering: Numbering, width: f64, size: f64) -> Ticks {
     let mut count = ((width / (5.0 * size)) as usize).clamp(2, 12);
+    if numbering == Numbering::PowersOfTen {
+        return Ticks::powers(span, count);
+    }
     loop {
-        let mut ticks = Ticks::of(span, scale, count);
+        let mut ticks = Ticks::within(span, count);
         if stand_apart(&ticks, span, width, size) {
             return ticks;
         }
@@ -63,8 +66,12 @@ pub(super) fn x_ticks(span: Span, scale: Scale, width: f64, size: f64) -> Ticks 
 }
 
 /// Numbers of the ordinate, as many as stand apart from each other.
-pub(super) fn y_ticks(span: Span, scale: Scale, height: f64, size: f64) -> Ticks {
-    Ticks::of(span, scale, ((height / (2.1 * size)) as usize).clamp(2, 12))
+pub(super) fn y_ticks(span: Span, numbering: Numbering, height: f64, size: f64) -> Ticks {
+    let count = ((height / (2.1 * size)) as usize).clamp(2, 12);
+    match numbering {
+        Numbering::Plain => Ticks::within(span, count),
+        Numbering::PowersOfTen => Ticks::powers(span, count),
+    }
 }
 
 fn stand_apart(ticks: &Ticks, span: Span, width: f64, size: f64) -> bool {
@@ -158,7 +165,7 @@ mod tests {
         {
             let span = Span { low, high };
             for width in [20.0, 60.0, 150.0, 700.0] {
-                let ticks = x_ticks(span, Scale::Plain, width, 11.0);
+                let ticks = x_ticks(span, Numbering::Plain, width, 11.0);
                 assert!(!ticks.marks.is_empty());
                 assert!(stand_apart(&ticks, span, width, 11.0), "{low} {high} {width}");
             }

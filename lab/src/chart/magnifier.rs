@@ -8,7 +8,6 @@ use super::markup::Markup;
 use super::palette::{PAPER, Stroke};
 use super::panel::Panel;
 use super::reference;
-use super::scale::Scale;
 use super::span::Span;
 
 const SIZE: f64 = 9.5;
@@ -39,7 +38,7 @@ pub(super) fn arrange(panel: &Panel, whole: Axes) -> (Axes, Option<Magnifier>) {
             return (whole, Some(magnifier));
         }
     }
-    let (main, magnifier) = beside(&whole, x, y);
+    let (main, magnifier) = beside(panel, &whole, x, y);
     (main, Some(magnifier))
 }
 
@@ -68,24 +67,24 @@ fn inside(panel: &Panel, whole: &Axes, x: Span, y: Span) -> (Magnifier, usize) {
                 hidden += 100_000;
             }
             if best.as_ref().is_none_or(|(_, least)| hidden < *least) {
-                best = Some((within(outer, x, y, mark), hidden));
+                best = Some((within(panel, outer, x, y, mark), hidden));
             }
         }
     }
-    best.unwrap_or_else(|| (within(room, x, y, mark), usize::MAX))
+    best.unwrap_or_else(|| (within(panel, room, x, y, mark), usize::MAX))
 }
 
-fn within(outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> Magnifier {
+fn within(panel: &Panel, outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> Magnifier {
     let (above, below, right) = (7.0, SIZE + 8.0, 12.0);
     let height = (outer.height - above - below).max(10.0);
-    let y_ticks = axes::y_ticks(y, Scale::Plain, height, SIZE);
+    let y_ticks = axes::y_ticks(y, panel.y_numbers, height, SIZE);
     let left = axes::widest(&y_ticks, SIZE) + 11.0;
     let width = (outer.width - left - right).max(10.0);
     let area = Rect::new(outer.left + left, outer.top + above, width, height);
     Magnifier {
         axes: Axes { area, x, y },
         numbers: Numbers {
-            x: axes::x_ticks(x, Scale::Plain, width, SIZE),
+            x: axes::x_ticks(x, panel.x_numbers, width, SIZE),
             y: y_ticks,
             size: SIZE,
             side: Side::Left,
@@ -97,9 +96,9 @@ fn within(outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> Magnifier {
 }
 
 /// The panel made narrower, and the magnified part to its right.
-fn beside(whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
+fn beside(panel: &Panel, whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
     const GAP: f64 = 40.0;
-    let y_ticks = axes::y_ticks(y, Scale::Plain, whole.area.height, SIZE);
+    let y_ticks = axes::y_ticks(y, panel.y_numbers, whole.area.height, SIZE);
     let numbers_width = axes::widest(&y_ticks, SIZE) + 8.0;
     let room = (whole.area.width - GAP - numbers_width).max(40.0);
     let main = Axes { area: Rect { width: 0.6 * room, ..whole.area }, ..*whole };
@@ -107,7 +106,7 @@ fn beside(whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
     let magnifier = Magnifier {
         axes: Axes { area, x, y },
         numbers: Numbers {
-            x: axes::x_ticks(x, Scale::Plain, area.width, SIZE),
+            x: axes::x_ticks(x, panel.x_numbers, area.width, SIZE),
             y: y_ticks,
             size: SIZE,
             side: Side::Right,

@@ -65,6 +65,18 @@ impl Markup {
         ));
     }
 
+    /// A picture that fills an area, element by element with sharp edges; `link` is a `data:` link.
+    pub(super) fn picture(&mut self, area: Rect, link: &str) {
+        self.push(format_args!(
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+             style=\"image-rendering:pixelated\" href=\"{link}\"/>\n",
+            number(area.left),
+            number(area.top),
+            number(area.width),
+            number(area.height),
+        ));
+    }
+
     pub(super) fn outline(&mut self, area: Rect, stroke: Stroke) {
         self.push(format_args!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\"{}/>\n",

@@ -4,11 +4,12 @@ use super::axes::{self, Axes, Numbers, Side};
 use super::curve::Curve;
 use super::figure::Figure;
 use super::geometry::Rect;
+use super::heat;
 use super::legend::{Heading, Legend};
 use super::magnifier;
 use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, INK, Stroke};
-use super::panel::Panel;
+use super::panel::{Numbering, Panel};
 use super::reference;
 use super::series::{Series, Trace};
 use super::span::Span;
@@ -164,7 +165,7 @@ impl<'a> Cell<'a> {
     fn of(panel: &'a Panel, frame_height: f64) -> Self {
         let x = panel.x_span();
         let y = panel.y_span(x);
-        let y_ticks = axes::y_ticks(y, panel.scale, frame_height, NUMBER_SIZE);
+        let y_ticks = axes::y_ticks(y, panel.y_numbers, frame_height, NUMBER_SIZE);
         let label = if panel.y_label.trim().is_empty() { 0.0 } else { LABEL_SIZE + 7.0 };
         let numbers = axes::widest(&y_ticks, NUMBER_SIZE) + 8.0;
         let note = text::width(&y_ticks.note, NUMBER_SIZE, Weight::Regular) + 10.0;
@@ -183,24 +184,33 @@ impl<'a> Cell<'a> {
 
     fn room_below(&self) -> f64 {
         // The finest numbers are the likeliest to need a factor beside the label.
-        let has_note = !Ticks::of(self.x, self.panel.scale, 12).note.is_empty();
+        let is_plain = self.panel.x_numbers == Numbering::Plain;
+        let has_note = is_plain && !Ticks::within(self.x, 12).note.is_empty();
         let has_label = has_note || !self.panel.x_label.trim().is_empty();
         let label = if has_label { LABEL_SIZE + 6.0 } else { 0.0 };
         NUMBER_SIZE + 8.0 + label
     }
 
     fn draw(&self, markup: &mut Markup, area: Rect, numbers_width: f64) {
+        let room = if self.panel.heat.is_some() { heat::KEY_ROOM } else { 0.0 };
+        let area = Rect { width: area.width - room, ..area };
         let whole = Axes { area, x: self.x, y: self.y };
         let (main, magnifier) = magnifier::arrange(self.panel, whole);
         let numbers = Numbers {
-            x: axes::x_ticks(self.x, self.panel.scale, main.area.width, NUMBER_SIZE),
+            x: axes::x_ticks(self.x, self.panel.x_numbers, main.area.width, NUMBER_SIZE),
             y: self.y_ticks.clone(),
             size: NUMBER_SIZE,
             side: Side::Left,
             halo: false,
         };
         let curves = Curve::all(&self.panel.series, &main);
-        axes::draw_grid(markup, &main, &numbers);
+        match &self.panel.heat {
+            Some(heat) => {
+                heat.draw(markup, main.area);
+                heat.draw_key(markup, main.area);
+            }
+            None => axes::draw_grid(markup, &main, &numbers),
+        }
         reference::draw_lines(markup, &self.panel.guides, &main);
         if let Some(magnifier) = &magnifier {
             magnifier.draw_connections(markup);
@@ -216,7 +226,8 @@ impl<'a> Cell<'a> {
             taken.extend(magnifier.mark);
         }
         reference::draw_labels(markup, &self.panel.guides, &main, &curves, taken);
-        if curves.iter().all(Curve::is_empty) {
+        let has_heat = self.panel.heat.as_ref().is_some_and(|heat| !heat.is_empty());
+        if curves.iter().all(Curve::is_empty) && !has_heat {
             let centre = (area.left + 0.5 * area.width, area.top + 0.5 * area.height);
             let lettering = Lettering::new(LABEL_SIZE, FAINT_INK, Anchor::Middle);
             markup.text(centre, lettering, "no data in this range");

@@ -1,10 +1,20 @@
 //! One pair of axes and what is drawn on it.
 
 use super::guide::{Direction, Guide};
+use super::heat::HeatMap;
 use super::inset::Inset;
-use super::scale::Scale;
 use super::series::{Series, Trace};
 use super::span::Span;
+
+/// How the numbers of an axis are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Numbering {
+    /// As they are.
+    #[default]
+    Plain,
+    /// The data are exponents of ten, and what stands at the axis are the powers: a logarithmic axis.
+    PowersOfTen,
+}
 
 /// One pair of axes and what is drawn on it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -19,8 +29,12 @@ pub struct Panel {
     pub x_range: Option<(f64, f64)>,
     /// Range of the ordinate; by default what series and guides cover, with a little room.
     pub y_range: Option<(f64, f64)>,
-    /// What the numbers along both axes say.
-    pub scale: Scale,
+    /// How the numbers of the abscissa are written.
+    pub x_numbers: Numbering,
+    /// How the numbers of the ordinate are written.
+    pub y_numbers: Numbering,
+    /// A field of colours below everything else, over the whole frame.
+    pub heat: Option<HeatMap>,
     /// Curves, the first one lowest.
     pub series: Vec<Series>,
     /// Reference lines.
@@ -58,17 +72,23 @@ impl Panel {
         self
     }
 
+    /// The same panel on a field of colours.
+    #[must_use]
+    pub fn with_heat(mut self, heat: HeatMap) -> Self {
+        self.heat = Some(heat);
+        self
+    }
+
+    /// The same panel with the numbers of both axes written so.
+    #[must_use]
+    pub fn with_numbers(self, x_numbers: Numbering, y_numbers: Numbering) -> Self {
+        Self { x_numbers, y_numbers, ..self }
+    }
+
     /// The same panel with a magnified part.
     #[must_use]
     pub fn with_inset(mut self, inset: Inset) -> Self {
         self.inset = Some(inset);
-        self
-    }
-
-    /// The same panel with other numbers along both axes.
-    #[must_use]
-    pub fn with_scale(mut self, scale: Scale) -> Self {
-        self.scale = scale;
         self
     }
 

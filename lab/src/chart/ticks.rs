@@ -1,6 +1,5 @@
 //! Round numbers along an axis, and how they are written.
 
-use super::scale::Scale;
 use super::span::Span;
 
 /// A round number on an axis.
@@ -48,27 +47,6 @@ impl Step {
 }
 
 impl Ticks {
-    /// About `count` numbers within the span, as `scale` says them.
-    pub(super) fn of(span: Span, scale: Scale, count: usize) -> Self {
-        match scale {
-            Scale::Plain => Self::within(span, count),
-            Scale::PowersOfTen => Self::powers(span, count),
-        }
-    }
-
-    /// At most `count` powers of ten, at even distances; the span is of their exponents.
-    fn powers(span: Span, count: usize) -> Self {
-        let (first, last) = (span.low.ceil() as i32, span.high.floor() as i32);
-        let powers = last.saturating_sub(first).max(0) as usize;
-        let stride = (powers / count.max(1) + 1) as i32;
-        let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(stride) == 0);
-        let mark = |exponent: i32| Tick {
-            value: exponent.into(),
-            label: format!("10{}", superscript(exponent)),
-        };
-        Self { marks: exponents.map(mark).collect(), note: String::new() }
-    }
-
     /// About `count` round numbers within the span, two at least.
     pub(super) fn within(span: Span, count: usize) -> Self {
         const ENOUGH: usize = 10;
@@ -81,6 +59,28 @@ impl Ticks {
             }
             wanted += 1;
         }
+    }
+
+    /// Powers of ten where the span is of their exponents: `count` at most, and between few of them their double and fivefold.
+    pub(super) fn powers(span: Span, count: usize) -> Self {
+        const FEW: f64 = 1.5;
+        let (first, last) = (span.low.floor() as i32, span.high.ceil() as i32);
+        let between: &[i64] = if span.half_width() < FEW { &[1, 2, 5] } else { &[1] };
+        let stride = (last.saturating_sub(first).max(0) as usize / count.max(1) + 1) as i32;
+        let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(stride) == 0);
+        let all = exponents
+            .flat_map(|exponent| between.iter().map(move |&multiple| (multiple, exponent)));
+        let marks = all
+            .map(|(multiple, exponent)| Tick {
+                value: f64::from(exponent) + libm::log10(multiple as f64),
+                label: match multiple {
+                    1 if !(-2..=4).contains(&exponent) => format!("10{}", superscript(exponent)),
+                    _ => complete(multiple, exponent),
+                },
+            })
+            .filter(|tick| span.low - 1e-9 <= tick.value && tick.value <= span.high + 1e-9)
+            .collect();
+        Self { marks, note: String::new() }
     }
 
     fn written(span: Span, multiples: &[i64], exponent: i32) -> Self {
@@ -189,16 +189,16 @@ mod tests {
     #[test]
     fn powers_of_ten_are_written_as_such() {
         let labels = |low, high, count| {
-            let ticks = Ticks::of(Span { low, high }, Scale::PowersOfTen, count);
+            let ticks = Ticks::powers(Span { low, high }, count);
             ticks.marks.into_iter().map(|tick| (tick.value, tick.label)).collect::<Vec<_>>()
         };
         let mark = |value: i32, label: &str| (f64::from(value), label.to_owned());
-        assert_eq!(labels(-2.2, 0.3, 9), [mark(-2, "10⁻²"), mark(-1, "10⁻¹"), mark(0, "10⁰")]);
         assert_eq!(
             labels(-15.0, 3.0, 5),
-            [mark(-12, "10⁻¹²"), mark(-8, "10⁻⁸"), mark(-4, "10⁻⁴"), mark(0, "10⁰")]
+            [mark(-12, "10⁻¹²"), mark(-8, "10⁻⁸"), mark(-4, "10⁻⁴"), mark(0, "1")]
         );
-        assert_eq!(labels(0.2, 0.8, 5), []);
+        let near: Vec<String> = labels(0.2, 1.1, 5).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(near, ["2", "5", "10"]);
     }
 
     fn ticks(low: f64, high: f64) -> Ticks {

@@ -7,6 +7,7 @@ mod effects;
 mod explain;
 mod folder;
 mod hard;
+mod map;
 mod observe;
 mod paper;
 mod run;
@@ -37,6 +38,7 @@ use lyapunov_lab::OutputError;
 pub(crate) enum Command {
     Run(run::Run),
     Compare(compare::Compare),
+    Map(Box<map::Map>),
     Bound(bound::Bound),
     Explain(explain::Explain),
     Paper(paper::Paper),
@@ -53,6 +55,7 @@ impl Command {
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
+            Self::Map(map) => map.run(),
             Self::Bound(bound) => bound.run(),
             Self::Explain(explain) => explain.run(),
             Self::Paper(paper) => paper.run(),
@@ -119,6 +122,8 @@ pub(crate) enum End {
     /// Something here is not right.
     Internal(String),
     Interrupted,
+    /// Interrupted, with something left to go on from; the message says what.
+    Kept(String),
 }
 
 impl End {
@@ -157,6 +162,10 @@ impl End {
             }
             Self::Interrupted => {
                 say("interrupted; no file was written");
+                130
+            }
+            Self::Kept(message) => {
+                say(message);
                 130
             }
         }

@@ -4,15 +4,13 @@ use std::ops::ControlFlow;
 
 use lyapunov::{ParameterError, Scalar};
 
-use super::boundedness::Boundedness;
-use super::chatter::Chatter;
 use super::contacts::Contacts;
 use super::contestants::Contestant;
 use super::cost::{KEPT, Samples};
-use super::energies::Energies;
 use super::score::Score;
 use super::tick::{Share, Tick, wall};
 use super::trace::Trace;
+use crate::meters::{Boundedness, Chatter, Criterion, Energies};
 use crate::{Rollout, Row, Scene, Space, Summary};
 
 /// Ticks between two reports of progress.
@@ -89,10 +87,11 @@ impl<V: Space> Bout<V> {
 struct Meters {
     stiffness: Option<f64>,
     summary: Summary,
-    boundedness: Boundedness,
+    criterion: Criterion,
+    boundedness: Boundedness<f64>,
     contacts: Contacts,
-    energies: Energies,
-    chatter: Option<Chatter>,
+    energies: Energies<f64>,
+    chatter: Option<Chatter<f64>>,
     position: Trace,
     observer: Trace,
 }
@@ -102,9 +101,10 @@ impl Meters {
         Self {
             stiffness: wall(scene).map(|wall| wall.stiffness.get()),
             summary: Summary::new(scene),
-            boundedness: Boundedness::new(scene),
+            criterion: Criterion::of(scene),
+            boundedness: Boundedness::new(scene.ticks()),
             contacts: Contacts::new(scene),
-            energies: Energies::default(),
+            energies: Energies::new(),
             chatter: Chatter::new(scene.servo_rate.get()),
             position: Trace::new(scene.ticks()),
             observer: Trace::new(scene.ticks()),
@@ -114,9 +114,9 @@ impl Meters {
     fn add(&mut self, tick: &Tick) {
         let Row { t, x, observer, f_act, .. } = tick.row;
         self.summary.add(&tick.row, &[]);
-        self.boundedness.add(&tick.row);
+        self.boundedness.add(x);
         self.contacts.add(tick);
-        self.energies.add(tick);
+        self.energies.add(x, tick.environment, tick.controller());
         if let Some(chatter) = &mut self.chatter {
             chatter.add(f_act);
         }
@@ -127,7 +127,7 @@ impl Meters {
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
         self.contacts.end();
         let Self { summary, contacts, energies, .. } = &self;
-        let stable = self.boundedness.verdict();
+        let stable = self.boundedness.verdict(0, &self.criterion);
         let told = |value: Option<f64>| value.filter(|value| value.is_finite());
         let millijoules = |energy: f64| told(Some(1e3 * energy));
         let felt = told(contacts.stiffness());

@@ -4,19 +4,16 @@
 //! each of the [`Column`]s that docs/compare.md defines, and shows itself as a table. [`document`] writes
 //! comparisons as JSON.
 
-mod boundedness;
 mod bout;
-mod chatter;
 mod column;
 mod comparison;
 mod contacts;
 mod contestants;
 mod cost;
 mod document;
-mod energies;
 mod picture;
 #[cfg(test)]
-mod samples;
+pub(crate) mod samples;
 mod score;
 mod setting;
 mod table;
@@ -25,9 +22,9 @@ mod tests;
 mod tick;
 mod trace;
 
-pub(crate) use boundedness::Boundedness;
 pub use column::{Column, NoColumn};
 pub use comparison::{CompareError, Comparison};
 pub use contestants::{Contestants, Settings};
 pub use document::document;
 pub use score::{Score, StepTime};
+pub(crate) use tick::{Share, Tick};

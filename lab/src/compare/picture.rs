@@ -1,11 +1,11 @@
 //! The curves of all contestants over each other.
 
-use super::boundedness::start;
 use super::comparison::{Comparison, Outcome};
 use super::tick::wall;
 use crate::chart::{Figure, Guide, Panel, Series};
 use crate::compare::setting::Setting;
 use crate::equilibrium::equilibrium;
+use crate::meters::Criterion;
 
 /// How many times the starting swing is shown where nobody is stable.
 const SHOWN: f64 = 3.0;
@@ -89,7 +89,7 @@ fn shown_until(comparison: &Comparison, outcome: &Outcome, outcomes: &[&Outcome]
     if !outcomes.iter().all(|outcome| is_unstable(outcome)) {
         return f64::NEG_INFINITY;
     }
-    let reach = SHOWN * start(&comparison.scene);
+    let reach = SHOWN * Criterion::of(&comparison.scene).start();
     let rest = equilibrium(&comparison.scene).unwrap_or(0.0);
     let points = &outcome.curves.position;
     let left = points.iter().find(|point| (point.1 - rest).abs() > reach);

@@ -29,7 +29,7 @@ pub(super) fn tick(x: f64, environment: f64, controller: f64) -> Tick {
 
 /// A second at 100 Hz before a wall of 1 kN/m and 2 N·s/m at 1 mm, starting 4 mm off a spring at rest at 0;
 /// with more keys, or other values of these.
-pub(super) fn scene(more: &str) -> Scene {
+pub(crate) fn scene(more: &str) -> Scene {
     let usual = [
         ("duration", "1.0"),
         ("servo_rate", "100.0"),

@@ -7,18 +7,18 @@ use crate::scene::{Environment, Scene, Wall};
 
 /// One row, and what it does not tell: the plant's own velocity, and the environment's share of what acts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tick {
-    pub(super) row: Row,
+pub(crate) struct Tick {
+    pub(crate) row: Row,
     /// The plant's own velocity at the tick, m/s.
-    pub(super) velocity: f64,
+    pub(crate) velocity: f64,
     /// What would act now were there no controller behind the saturation and the delay, N:
     /// `f_e(n) = clip(f_env(n − d))`, 0 for `n < d`. The rest of `f_act` is the controller's.
-    pub(super) environment: f64,
+    pub(crate) environment: f64,
 }
 
 impl Tick {
     /// The controller's share of the force on the plant, N.
-    pub(super) fn controller(&self) -> f64 {
+    pub(crate) fn controller(&self) -> f64 {
         self.row.f_act - self.environment
     }
 
@@ -38,19 +38,19 @@ impl Tick {
 
 /// Makes ticks out of rows, with the environment's force saturated and delayed as the whole force is.
 #[derive(Clone, Debug)]
-pub(super) struct Share {
+pub(crate) struct Share {
     most: f64,
     waiting: VecDeque<f64>,
 }
 
 impl Share {
     /// The share in `scene`, whose saturation is at `most` N.
-    pub(super) fn new(scene: &Scene, most: f64) -> Self {
+    pub(crate) fn new(scene: &Scene, most: f64) -> Self {
         let ticks = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
         Self { most, waiting: VecDeque::from(vec![0.0; ticks.into()]) }
     }
 
-    pub(super) fn tick(&mut self, row: Row, velocity: f64) -> Tick {
+    pub(crate) fn tick(&mut self, row: Row, velocity: f64) -> Tick {
         self.waiting.push_back(row.f_env.clamp(-self.most, self.most));
         Tick { row, velocity, environment: self.waiting.pop_front().unwrap_or_default() }
     }

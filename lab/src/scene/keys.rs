@@ -217,6 +217,11 @@ impl Key {
     }
 }
 
+/// The keys of values that have a unit or are known to be numbers, tables and words apart.
+pub(crate) fn number_keys() -> impl Iterator<Item = &'static str> {
+    KEYS.iter().filter(|key| !key.is_table() && !key.example.contains('"')).map(|key| key.path)
+}
+
 /// The entry of a key with this table path.
 pub(super) fn find(path: &str) -> Option<&'static Key> {
     // What is said of a list is said of each number in it.

@@ -7,6 +7,7 @@ use std::fmt;
 use crate::Row;
 use crate::described::{self, Described};
 use crate::equilibrium::{equilibrium, never_rests, swing};
+use crate::meters::Settling;
 use crate::row::FURTHER;
 use crate::scene::{
     Candidate, Cap, Environment, Ledger, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
@@ -37,6 +38,7 @@ pub struct Summary {
     pub band: f64,
     /// Since when the plant has been in the band without a break, s; none if it is outside.
     pub settled: Option<f64>,
+    settling: Settling<f64>,
     /// Largest magnitude of the environment's force, N.
     pub environment_peak: f64,
     /// Largest magnitude of the force that acted on the plant, N.
@@ -70,6 +72,7 @@ impl Summary {
             equilibrium,
             band: band.unwrap_or_default(),
             settled: None,
+            settling: rest_of(equilibrium.zip(band)),
             environment_peak: 0.0,
             acting_peak: 0.0,
             absorbed: 0.0,
@@ -97,8 +100,8 @@ impl Summary {
                 self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
             }
         }
-        let inside = self.equilibrium.is_some_and(|rest| (row.x - rest).abs() <= self.band);
-        self.settled = if inside { self.settled.or(Some(row.t)) } else { None };
+        self.settling.add(row.x);
+        self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
         self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
         self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));
@@ -119,6 +122,12 @@ impl Summary {
         let complete = self.rows == self.scene.ticks() + 1;
         (!complete).then(|| self.last.map_or(0.0, |row| row.t))
     }
+}
+
+/// Never at rest where there is no place to rest at.
+fn rest_of(rest: Option<(f64, f64)>) -> Settling<f64> {
+    let (rest, band) = rest.unwrap_or((0.0, -1.0));
+    Settling::new(rest, band)
 }
 
 /// A row along one axis.

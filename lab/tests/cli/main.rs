@@ -11,6 +11,7 @@ mod effects;
 mod hard;
 mod interrupt;
 mod json;
+mod map;
 mod paper;
 mod place;
 mod range;

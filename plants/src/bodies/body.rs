@@ -37,7 +37,7 @@ impl<T: Scalar> Row<T> {
         self.deflection.finite() & self.velocity.finite() & self.effort.finite()
     }
 
-    #[inline]
+    #[inline(always)]
     fn gain<V: Signal<Scalar = T>>(&self, deflection: V, velocity: V, effort: V) -> V {
         deflection.scale(self.deflection)
             + velocity.scale(self.velocity)
@@ -120,12 +120,12 @@ fn keeping_area<T: Scalar>(mut increments: Matrix3<T::Real>) -> Matrix3<T::Real>
 }
 
 impl<V: Signal> Plant<V> for Body<V> {
-    #[inline]
+    #[inline(always)]
     fn start(&self) -> Drive<V> {
         Drive::starting(self.period, self.position, self.velocity)
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> Drive<V> {
         let deflection = self.position - self.rest;
         let before = self.position;
@@ -139,7 +139,7 @@ impl<V: Signal> Plant<V> for Body<V> {
 impl<V: Signal> Tethered<V> for Body<V> {
     type Parts = Impedance<V::Scalar>;
 
-    #[inline]
+    #[inline(always)]
     fn rest_at(&mut self, rest: V) {
         self.rest = rest;
     }
@@ -162,17 +162,17 @@ impl<T: Scalar> Linear<T, 2> for Body<T> {
         parts.mass.lane(lane)
     }
 
-    #[inline]
+    #[inline(always)]
     fn rest(&self) -> T {
         self.rest
     }
 
-    #[inline]
+    #[inline(always)]
     fn state(&self) -> [T; 2] {
         [self.position, self.velocity]
     }
 
-    #[inline]
+    #[inline(always)]
     fn place(&mut self, of: T::Mask, [position, velocity]: [T; 2]) {
         self.position = T::choose(of, position, self.position);
         self.velocity = T::choose(of, velocity, self.velocity);

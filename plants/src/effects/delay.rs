@@ -21,7 +21,7 @@ impl<P, V: Signal, const N: usize> Delay<P, V, N> {
 }
 
 impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for Delay<P, V, N> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         let effort = self.port.respond(drive);
         let Some(slot) = self.waiting[..self.ticks].get_mut(self.next) else {
@@ -32,7 +32,7 @@ impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for Delay<P, V, N> {
         core::mem::replace(slot, effort)
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         self.port.action()
     }

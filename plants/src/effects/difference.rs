@@ -12,16 +12,22 @@ impl<P> Difference<P> {
     pub(crate) fn new(port: P) -> Self {
         Self { port }
     }
+
+    /// The port that is told them.
+    #[inline(always)]
+    pub fn port(&self) -> &P {
+        &self.port
+    }
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Difference<P> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         let velocity = drive.displacement.map(|moved| moved / drive.period);
         self.port.respond(&Drive { velocity, ..*drive })
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         self.port.action()
     }

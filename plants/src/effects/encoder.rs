@@ -24,13 +24,13 @@ impl<P, V: Signal> Encoder<P, V> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Encoder<P, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         let position = drive.position.map(|x| (x / self.resolution).rounded() * self.resolution);
         self.port.respond(&self.retold.drive(drive, position))
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         self.port.action()
     }

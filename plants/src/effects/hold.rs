@@ -23,7 +23,7 @@ struct Missed<V: Signal> {
 }
 
 impl<V: Signal> Missed<V> {
-    #[inline]
+    #[inline(always)]
     fn nothing() -> Self {
         // Added to a number, -0 is what changes no bit of it.
         let nothing = -V::Scalar::of(0.0);
@@ -36,10 +36,16 @@ impl<P, V: Signal> Hold<P, V> {
         Requirement::Positive.check("hold ticks", f64::from(ticks))?;
         Ok(Self { port, ticks, left: 0, missed: Missed::nothing(), effort: V::zero() })
     }
+
+    /// The effort that is held, N.
+    #[inline(always)]
+    pub fn effort(&self) -> V {
+        self.effort
+    }
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Hold<P, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         let period = self.missed.period + drive.period;
         let displacement = self.missed.displacement + drive.displacement;
@@ -54,7 +60,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Hold<P, V> {
         self.effort
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         self.port.action()
     }

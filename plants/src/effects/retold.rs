@@ -15,7 +15,7 @@ impl<V: Signal> Retold<V> {
 
     /// `drive` at `position`: with the displacement since the last one, 0 at first, and the work the acting effort's
     /// over that.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn drive(&mut self, drive: &Drive<V>, position: V) -> Drive<V> {
         let displacement = position - self.last.unwrap_or(position);
         self.last = Some(position);

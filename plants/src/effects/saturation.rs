@@ -18,12 +18,12 @@ impl<P, T: Scalar> Saturation<P, T> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Saturation<P, V::Scalar> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<V>) -> V {
         self.port.respond(drive).limited(self.force)
     }
 
-    #[inline]
+    #[inline(always)]
     fn action(&self) -> Action<V> {
         self.port.action()
     }

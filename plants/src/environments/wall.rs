@@ -33,7 +33,7 @@ impl<T: Scalar> Wall<T> {
     }
 
     /// The same wall with its surface `offset` m farther.
-    #[inline]
+    #[inline(always)]
     pub(super) fn shifted(self, offset: T) -> Self {
         Self { position: self.position + offset, ..self }
     }
@@ -50,7 +50,7 @@ impl<T: Scalar> Wall<T> {
 }
 
 impl<T: Scalar> OnePort<T> for Wall<T> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, drive: &Drive<T>) -> T {
         let depth = drive.position - self.position;
         one_sided(depth, self.stiffness * depth + self.damper.damping() * drive.velocity)

@@ -1,49 +1,71 @@
 //! Who gave energy and who took it.
 
-use super::tick::Tick;
+use lyapunov::Scalar;
 
 /// Sums the work of both parts of the force over the plant's true displacements.
 ///
 /// `W_e(n) = Σ f_e(i) (x(i+1) − x(i))` over `i < n`, and `W_c` likewise; together they are the work at the port.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Energies {
-    last: Option<Tick>,
-    environment: f64,
-    least: f64,
-    controller: f64,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Energies<T> {
+    position: T,
+    environment: T,
+    controller: T,
+    given: T,
+    least: T,
+    taken: T,
 }
 
-impl Energies {
-    pub(super) fn add(&mut self, tick: &Tick) {
-        if let Some(last) = self.last {
-            let moved = tick.row.x - last.row.x;
-            self.environment += last.environment * moved;
-            self.controller += last.controller() * moved;
-            self.least = self.least.min(self.environment);
+impl<T: Scalar> Energies<T> {
+    /// Nothing summed yet.
+    pub(crate) fn new() -> Self {
+        let zero = T::zero();
+        // Before the first tick no force acts, so that wherever the plant starts no work is done.
+        Self {
+            position: zero,
+            environment: zero,
+            controller: zero,
+            given: zero,
+            least: zero,
+            taken: zero,
         }
-        self.last = Some(*tick);
+    }
+
+    /// One more tick: where the plant truly is, and the two parts of the force from here on.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, position: T, environment: T, controller: T) {
+        let moved = position - self.position;
+        self.given += self.environment * moved;
+        self.taken += self.controller * moved;
+        self.least = self.given.smaller(self.least);
+        *self = Self { position, environment, controller, ..*self };
     }
 
     /// `max(0, −min W_e(n))`, J: what the environment gave beyond all it had been given. No passive wall gives
     /// any, so it comes from sampling, hold, encoder, saturation and delay.
-    pub(super) fn injected(&self) -> f64 {
+    pub(crate) fn injected(&self) -> T {
         -self.least
     }
 
     /// `W_c` at the end, J: what the controller's force took out of the motion; negative if it fed it.
-    pub(super) fn taken(&self) -> f64 {
-        self.controller
+    pub(crate) fn taken(&self) -> T {
+        self.taken
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::tick;
     use super::*;
 
-    fn after(ticks: &[Tick]) -> Energies {
-        let mut energies = Energies::default();
-        ticks.iter().for_each(|tick| energies.add(tick));
+    /// A tick at `x`, with the wall's and the controller's force.
+    type Tick = (f64, f64, f64);
+
+    fn tick(x: f64, environment: f64, controller: f64) -> Tick {
+        (x, environment, controller)
+    }
+
+    fn after(ticks: &[Tick]) -> Energies<f64> {
+        let mut energies = Energies::new();
+        ticks.iter().for_each(|&(x, wall, control)| energies.add(x, wall, control));
         energies
     }
 

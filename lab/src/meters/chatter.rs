@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use lyapunov::Scalar;
+
 /// The band, Hz: what the hand feels as buzzing.
 const BAND: (f64, f64) = (5.0, 50.0);
 
@@ -12,28 +14,50 @@ const BAND: (f64, f64) = (5.0, 50.0);
 /// sums run along with the ticks, one turning phasor for each frequency, and keep no sample: a transform of
 /// the whole run would need as much memory as the run is long.
 #[derive(Clone, Debug)]
-pub(super) struct Chatter {
+pub(crate) struct Chatter<T> {
     length: u64,
     hop: u64,
     tick: u64,
-    lines: Vec<Line>,
-    power: f64,
+    windows: [Phasor; 2],
+    lines: Vec<Line<T>>,
+    power: T,
     segments: u64,
 }
 
 /// One frequency: its phasor, and the sums of the two segments that overlap.
 #[derive(Clone, Copy, Debug)]
-struct Line {
-    turn: (f64, f64),
-    phasor: (f64, f64),
-    sums: [(f64, f64); 2],
+struct Line<T> {
+    phasor: Phasor,
+    sums: [(T, T); 2],
     /// 2 for a line that stands for its mirror image as well.
     weight: f64,
 }
 
-impl Chatter {
+/// `e^(−i angle n)`, kept by turning it.
+#[derive(Clone, Copy, Debug)]
+struct Phasor {
+    turn: (f64, f64),
+    now: (f64, f64),
+}
+
+impl Phasor {
+    fn new(angle: f64) -> Self {
+        Self { turn: (libm::cos(angle), -libm::sin(angle)), now: (1.0, 0.0) }
+    }
+
+    /// Its value, or 1 if it starts `anew`; then turns it.
+    #[inline(always)]
+    fn next(&mut self, anew: bool) -> (f64, f64) {
+        let (cos, sin) = if anew { (1.0, 0.0) } else { self.now };
+        let turn = self.turn;
+        self.now = (cos * turn.0 - sin * turn.1, cos * turn.1 + sin * turn.0);
+        (cos, sin)
+    }
+}
+
+impl<T: Scalar> Chatter<T> {
     /// A meter of a force at `rate` samples a second; none below 100, where the band is not in the samples.
-    pub(super) fn new(rate: f64) -> Option<Self> {
+    pub(crate) fn new(rate: f64) -> Option<Self> {
         // Above 1e9 no scene lasts a second.
         if !(2.0 * BAND.1..=1e9).contains(&rate) {
             return None;
@@ -45,26 +69,33 @@ impl Chatter {
         let line = |index: u64| {
             let angle = TAU * index as f64 / length;
             let weight = if 2.0 * index as f64 == length { 1.0 } else { 2.0 };
-            let turn = (angle.cos(), -angle.sin());
-            Line { turn, phasor: (1.0, 0.0), sums: [(0.0, 0.0); 2], weight }
+            Line { phasor: Phasor::new(angle), sums: [(T::zero(), T::zero()); 2], weight }
         };
         let lines = (first..=last).map(line).collect();
+        let windows = [Phasor::new(TAU / length); 2];
         let length = length as u64;
-        Some(Self { length, hop: length.div_ceil(2), tick: 0, lines, power: 0.0, segments: 0 })
+        Some(Self {
+            length,
+            hop: length.div_ceil(2),
+            tick: 0,
+            windows,
+            lines,
+            power: T::zero(),
+            segments: 0,
+        })
     }
 
-    pub(super) fn add(&mut self, force: f64) {
+    #[inline(always)]
+    pub(crate) fn add(&mut self, force: T) {
         let parts = [0, 1].map(|which| self.windowed(which, force));
         // Every line comes round within a segment; starting anew there keeps rounding from adding up.
         let anew = self.tick.is_multiple_of(self.length);
         for line in &mut self.lines {
-            let (cos, sin) = if anew { (1.0, 0.0) } else { line.phasor };
+            let (cos, sin) = line.phasor.next(anew);
             for (sum, part) in line.sums.iter_mut().zip(parts) {
-                sum.0 += part * cos;
-                sum.1 += part * sin;
+                sum.0 += part * T::of(cos);
+                sum.1 += part * T::of(sin);
             }
-            let turn = line.turn;
-            line.phasor = (cos * turn.0 - sin * turn.1, cos * turn.1 + sin * turn.0);
         }
         for which in [0, 1] {
             if self.place(which) == Some(self.length - 1) {
@@ -80,26 +111,28 @@ impl Chatter {
         (since < self.length).then_some(since)
     }
 
-    fn windowed(&self, which: u64, force: f64) -> f64 {
-        self.place(which).map_or(0.0, |place| {
-            force * (0.5 - 0.5 * (TAU * place as f64 / self.length as f64).cos())
-        })
+    /// The force under the Hann window of the segment of even or odd number that the tick is in.
+    #[inline(always)]
+    fn windowed(&mut self, which: u64, force: T) -> T {
+        let Some(place) = self.place(which) else { return T::zero() };
+        let (cos, _) = self.windows[which as usize].next(place == 0);
+        force * T::of(0.5 - 0.5 * cos)
     }
 
     fn close(&mut self, which: usize) {
         for line in &mut self.lines {
-            let (re, im) = std::mem::take(&mut line.sums[which]);
-            self.power += line.weight * (re * re + im * im);
+            let (re, im) = std::mem::replace(&mut line.sums[which], (T::zero(), T::zero()));
+            self.power += T::of(line.weight) * (re * re + im * im);
         }
         self.segments += 1;
     }
 
     /// The root mean square in the band, N; none before a whole second.
-    pub(super) fn root_mean_square(&self) -> Option<f64> {
+    pub(crate) fn root_mean_square(&self) -> Option<T> {
         let length = self.length as f64;
         // The squares of a Hann window of this length add up to 3/8 of it.
         let scale = length * 0.375 * length * self.segments as f64;
-        (self.segments > 0).then(|| (self.power / scale).sqrt())
+        (self.segments > 0).then(|| (self.power / T::of(scale)).sqrt())
     }
 }
 
@@ -108,7 +141,7 @@ mod tests {
     use super::*;
 
     fn chatter(rate: f64, count: u32, force: impl Fn(f64) -> f64) -> Option<f64> {
-        let mut meter = Chatter::new(rate)?;
+        let mut meter = Chatter::<f64>::new(rate)?;
         (0..count).for_each(|n| meter.add(force(f64::from(n) / rate)));
         meter.root_mean_square()
     }
@@ -177,7 +210,7 @@ mod tests {
         let noise = |n: u32| f64::from(n.wrapping_mul(2_654_435_761) >> 8) / 1e7;
         for (rate, count) in [(100.0, 350), (100.4, 350), (101.0, 420), (333.3, 1500)] {
             let samples: Vec<f64> = (0..count).map(noise).collect();
-            let mut meter = Chatter::new(rate).unwrap();
+            let mut meter = Chatter::<f64>::new(rate).unwrap();
             samples.iter().for_each(|&sample| meter.add(sample));
             let (ours, expected) = (meter.root_mean_square().unwrap(), welch(rate, &samples));
             assert!((ours / expected - 1.0).abs() < 1e-9, "{rate}: {ours} {expected}");
@@ -189,6 +222,6 @@ mod tests {
         assert_eq!(chatter(99.0, 1000, |_| 1.0), None);
         assert_eq!(chatter(100.0, 99, |_| 1.0), None);
         assert_eq!(chatter(100.0, 100, |_| 0.0), Some(0.0));
-        assert!(Chatter::new(1e300).is_none() && Chatter::new(1e9).is_some());
+        assert!(Chatter::<f64>::new(1e300).is_none() && Chatter::<f64>::new(1e9).is_some());
     }
 }

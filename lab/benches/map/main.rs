@@ -1,0 +1,59 @@
+//! Rollout-steps per second of a stability map, on one core: the paper's wall, a 1 kHz servo over a 100 Hz
+//! environment, 2 s, LOLC with a cap of 0.5, stiffness 100 to 50,000 N/m by damping 0 to 100 N·s/m.
+//!
+//! `map/scalar` runs the cells one by one, `map/lanes` as many at once as fill a vector, on the best instructions that
+//! the processor has; both to their ends, but for cells whose fate is sealed.
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use lyapunov_lab::Scene;
+use lyapunov_lab::map::{Contender, Grid, Instructions, Kernel, Lanes};
+
+const SIDE: u64 = 256;
+
+fn scene(scalar: &str) -> Scene {
+    let text = format!(
+        "duration = 2.0\nservo_rate = 1000.0\nenvironment_rate = 100.0\nscalar = \"{scalar}\"\n\
+         operator = {{ mass = 0.1, damping = 0.2, stiffness = 50.0 }}\n\
+         device = {{ mass = 0.2, damping = 0.001 }}\ninitial.position = -0.004\n\
+         environment.wall = {{ stiffness = 8000.0, damping = 2.0 }}\n\
+         stabilizer.lolc.damping_cap = 0.5\n"
+    );
+    Scene::parse(&text, "map").expect("a scene")
+}
+
+fn kernel(scalar: &str, lanes: Lanes, instructions: Instructions) -> Kernel {
+    let x = format!("environment.wall.stiffness=100..50000:{SIDE}").parse().expect("an axis");
+    let y = format!("environment.wall.damping=0..100:{SIDE}").parse().expect("an axis");
+    let grid = Grid::new(scene(scalar), x, y, vec![Contender::Lolc]).expect("a grid");
+    Kernel::of(&grid, instructions, lanes).expect("values").expect("a scene of the kernel")
+}
+
+fn map(c: &mut Criterion) {
+    let mut group = c.benchmark_group("map");
+    group.sample_size(10);
+    for scalar in ["f32", "f64"] {
+        for (name, lanes) in [("scalar", Lanes::One), ("lanes", Lanes::Many)] {
+            // One by one, a strip of every sixteenth row does.
+            let step = if lanes == Lanes::One { 16 } else { 1 };
+            let rows = (0..SIDE).step_by(step);
+            let cells: Vec<u64> = rows.flat_map(|row| row * SIDE..(row + 1) * SIDE).collect();
+            group.throughput(Throughput::Elements(cells.len() as u64 * 2001));
+            let instructions = match lanes {
+                Lanes::One => vec![Instructions::Base],
+                Lanes::Many => Instructions::all(),
+            };
+            for (index, set) in instructions.into_iter().enumerate() {
+                let kernel = kernel(scalar, lanes, set);
+                let id =
+                    if index == 0 { scalar.to_owned() } else { format!("{scalar}/{}", set.name()) };
+                group.bench_function(BenchmarkId::new(name, id), |b| {
+                    b.iter(|| kernel.verdicts(Contender::Lolc, &cells, &|| true));
+                });
+            }
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, map);
+criterion_main!(benches);

@@ -1,0 +1,101 @@
+//! What the formulas say, over a map.
+
+use rayon::prelude::*;
+
+use super::axis::Axis;
+use super::grid::Grid;
+use super::survey::Survey;
+use crate::bounds::Limits;
+use crate::scene::Scene;
+
+/// The most values of the other axis at which the formulas are evaluated.
+const SAMPLES: u64 = 97;
+
+/// The bounds on the stiffness of the environment, where that is an axis, for values of the other one.
+#[derive(Clone, Debug)]
+pub struct Bounds {
+    /// Whether the stiffness is the axis upwards.
+    upwards: bool,
+    /// The number of each value of the other axis, the value, and the bounds there.
+    samples: Vec<(u64, f64, Limits)>,
+}
+
+/// A bound along one axis for each value of the other.
+#[derive(Clone, Debug)]
+pub(super) struct Curve {
+    pub(super) label: &'static str,
+    pub(super) colour: usize,
+    pub(super) is_dashed: bool,
+    /// Values of x and y.
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+impl Bounds {
+    /// Those of `grid`; none if no axis is the stiffness of the environment.
+    pub fn of(grid: &Grid) -> Option<Self> {
+        let key = format!("environment.{}.stiffness", grid.scene.environment.name());
+        let upwards = match (grid.x.key == key, grid.y.key == key) {
+            (true, _) => false,
+            (_, true) => true,
+            _ => return None,
+        };
+        let (which, other) = if upwards { (0, &grid.x) } else { (1, &grid.y) };
+        let count = other.count.min(SAMPLES);
+        let sample = |number: u64| {
+            let index = number * (other.count - 1) / (count - 1);
+            let value = other.value(index);
+            let scene: Scene = grid.with(which, value).ok()?;
+            Some((index, value, Limits::of(&scene)))
+        };
+        let samples = (0..count).into_par_iter().filter_map(sample).collect();
+        Some(Self { upwards, samples })
+    }
+
+    /// A curve for each bound that applies.
+    pub(super) fn curves(&self) -> Vec<Curve> {
+        let Some((.., first)) = self.samples.first() else { return Vec::new() };
+        let names = first.named().map(|(_, words, _)| words);
+        let curve = |(number, label): (usize, &'static str)| {
+            let points: Vec<(f64, f64)> = self
+                .samples
+                .iter()
+                .map(|(_, other, limits)| {
+                    let bound = limits.named()[number].2.unwrap_or(f64::NAN);
+                    if self.upwards { (*other, bound) } else { (bound, *other) }
+                })
+                .collect();
+            let applies = points.iter().any(|(x, y)| x.is_finite() && y.is_finite());
+            let colour = COLOURS[number % COLOURS.len()];
+            applies.then_some(Curve {
+                label,
+                colour,
+                is_dashed: label != "exact, this operator",
+                points,
+            })
+        };
+        names.into_iter().enumerate().filter_map(curve).collect()
+    }
+
+    /// The middle one of the ratios of what stabilizer `index` renders stably, from the first stiffness on without a break,
+    /// to the exact bound of the loop without a stabilizer; over the values of the other axis at which both are within
+    /// the map. None if there is no such value.
+    pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<f64> {
+        let grid = survey.grid();
+        let (axis, counts): (&Axis, &[u64]) = if self.upwards {
+            (&grid.y, survey.along_y(index))
+        } else {
+            (&grid.x, survey.along_x(index))
+        };
+        let ratio = |(other, _, limits): &(u64, f64, Limits)| {
+            let (count, exact) = (counts[*other as usize], limits.exact?);
+            let seen = (1..axis.count).contains(&count) && (axis.from..axis.to).contains(&exact);
+            seen.then(|| axis.value(count - 1) / exact)
+        };
+        let mut ratios: Vec<f64> = self.samples.iter().filter_map(ratio).collect();
+        ratios.sort_by(f64::total_cmp);
+        ratios.get(ratios.len() / 2).copied()
+    }
+}
+
+/// Numbers of colours that stand out on the ramp of a heat map.
+const COLOURS: [usize; 4] = [4, 3, 1, 6];

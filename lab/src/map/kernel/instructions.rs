@@ -1,0 +1,53 @@
+//! The instructions of the processor that this runs on.
+
+use pulp::NullaryFnOnce;
+
+/// A set of vector instructions, known to be there.
+#[derive(Clone, Copy, Debug)]
+pub enum Instructions {
+    /// What every processor of this kind has.
+    Base,
+    /// AVX2, 256 bits.
+    #[cfg(target_arch = "x86_64")]
+    Avx2(pulp::x86::V3),
+    /// AVX-512, 512 bits.
+    #[cfg(target_arch = "x86_64")]
+    Avx512(pulp::x86::V4),
+}
+
+impl Instructions {
+    /// All that this processor has, the best first.
+    pub fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        #[cfg(target_arch = "x86_64")]
+        {
+            all.extend(pulp::x86::V4::try_new().map(Self::Avx512));
+            all.extend(pulp::x86::V3::try_new().map(Self::Avx2));
+        }
+        all.push(Self::Base);
+        all
+    }
+
+    /// Its name in `map.json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Base => "base",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(_) => "avx2",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(_) => "avx512",
+        }
+    }
+
+    /// Runs `job` compiled for these instructions. No multiplication is fused with an addition by that: the bits are
+    /// the same on all of them.
+    pub(super) fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {
+        match self {
+            Self::Base => job.call(),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(token) => token.vectorize(job),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(token) => token.vectorize(job),
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! Many cells at once: lanes of one generic rollout, on the vector instructions that the processor has.
+//!
+//! The rollout is made of the library's own parts: a [`Body`](lyapunov::Body), a [`Wall`](lyapunov::Wall) behind a hold,
+//! backward differences and any of the stabilizers of a scene. Every lane has the bits of a run by itself. Scenes with
+//! other parts are run one by one, see [`single`](super::single).
+
+mod field;
+mod instructions;
+mod meter;
+mod parts;
+mod rollout;
+mod seats;
+
+pub use instructions::Instructions;
+
+use lyapunov::lanes::{AutoF32x16, AutoF64x8};
+use lyapunov::{Beyond, Dissipation, Held, Lolc, ParameterError, PortEnergy, Sampled, Scalar};
+
+use pulp::NullaryFnOnce;
+
+use super::contender::Contender;
+use super::grid::{Grid, GridError};
+use super::outcome::Measures;
+use crate::compare::Settings;
+use crate::scene::{
+    Candidate, Environment, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
+};
+use meter::{Everything, Meter, Verdicts};
+use parts::{Laned, Nobody};
+use rollout::Rollouts;
+use seats::{Along, Seats};
+
+/// The most ticks of a run in `f32`: beyond, it cannot count them.
+const COUNTED: u64 = 1 << 24;
+
+/// The rollouts of a map on lanes.
+#[derive(Debug)]
+pub struct Kernel {
+    along: Along,
+    instructions: Instructions,
+    lanes: Lanes,
+}
+
+/// How many rollouts travel together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lanes {
+    /// One at a time: what the lanes are measured against.
+    One,
+    /// As many as fill a vector of 512 bits.
+    Many,
+}
+
+impl Kernel {
+    /// The kernel for `grid`; none if its scene has parts that the kernel does not.
+    ///
+    /// # Errors
+    /// A value of an axis that the scene does not allow.
+    pub fn of(
+        grid: &Grid,
+        instructions: Instructions,
+        lanes: Lanes,
+    ) -> Result<Option<Self>, GridError> {
+        let (Some(x), Some(y)) = (field::copier(&grid.x.key), field::copier(&grid.y.key)) else {
+            return Ok(None);
+        };
+        if !covers(&grid.scene) {
+            return Ok(None);
+        }
+        let along =
+            Along { base: grid.scene.clone(), x: (grid.along(0)?, x), y: (grid.along(1)?, y) };
+        let counted = |scenes: &[Scene]| scenes.iter().all(|scene| scene.ticks() < COUNTED);
+        let fits = grid.scene.scalar == Width::F64 || counted(&along.x.0) && counted(&along.y.0);
+        Ok(fits.then_some(Self { along, instructions, lanes }))
+    }
+
+    /// How many rollouts travel together.
+    pub fn lanes(&self) -> usize {
+        match (self.lanes, self.along.base.scalar) {
+            (Lanes::One, _) => 1,
+            (Lanes::Many, Width::F64) => AutoF64x8::LANES,
+            (Lanes::Many, Width::F32) => AutoF32x16::LANES,
+        }
+    }
+
+    /// The instructions it runs on.
+    pub fn instructions(&self) -> Instructions {
+        self.instructions
+    }
+
+    /// Whether the run of each of `cells` under `contender` is bounded. A run whose fate is sealed is not run to its end.
+    ///
+    /// `go_on` is asked now and then; none if it said so.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar.
+    pub fn verdicts(
+        &self,
+        contender: Contender,
+        cells: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Vec<Option<bool>>>, ParameterError> {
+        self.run(Run { kernel: self, contender, cells, go_on }, Judge)
+    }
+
+    /// What the runs of `cells` under `contender` come to.
+    ///
+    /// `go_on` is asked now and then; none if it said so.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar.
+    pub fn measures(
+        &self,
+        contender: Contender,
+        cells: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Vec<Measures>>, ParameterError> {
+        self.run(Run { kernel: self, contender, cells, go_on }, MeasureAll)
+    }
+
+    fn run<W: Watching>(
+        &self,
+        run: Run<'_>,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        match (self.lanes, self.along.base.scalar) {
+            (Lanes::One, Width::F64) => run.on::<f64, W>(watching),
+            (Lanes::One, Width::F32) => run.on::<f32, W>(watching),
+            (Lanes::Many, Width::F64) => run.on::<AutoF64x8, W>(watching),
+            (Lanes::Many, Width::F32) => run.on::<AutoF32x16, W>(watching),
+        }
+    }
+}
+
+/// Whether the kernel has all parts of a scene.
+fn covers(scene: &Scene) -> bool {
+    let plain = Scene {
+        duration: scene.duration,
+        servo_rate: scene.servo_rate,
+        environment_rate: scene.environment_rate,
+        velocity: Velocity::BackwardDifference,
+        scalar: scene.scalar,
+        integrator: Integrator::Exact,
+        operator: crate::scene::Operator { motion: None, grip: None, ..scene.operator.clone() },
+        device: scene.device,
+        link: None,
+        space: None,
+        initial: scene.initial.clone(),
+        environment: scene.environment.clone(),
+        stabilizer: scene.stabilizer,
+        effects: Default::default(),
+    };
+    let has_wall = matches!(scene.environment, Environment::Wall(_));
+    has_wall && Settings::of(scene).ledger == Ledger::Plain && plain == *scene
+}
+
+/// Some cells under one stabilizer.
+struct Run<'a> {
+    kernel: &'a Kernel,
+    contender: Contender,
+    cells: &'a [u64],
+    go_on: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// What the rollouts are watched by, on lanes of any scalar.
+trait Watching: std::marker::Copy {
+    type Reading: std::marker::Copy + Send;
+    type Meter<T: Scalar>: Meter<T, Reading = Self::Reading>;
+
+    fn empty(self) -> Self::Reading;
+}
+
+#[derive(Clone, Copy)]
+struct Judge;
+
+impl Watching for Judge {
+    type Reading = Option<bool>;
+    type Meter<T: Scalar> = Verdicts<T>;
+
+    fn empty(self) -> Option<bool> {
+        None
+    }
+}
+
+#[derive(Clone, Copy)]
+struct MeasureAll;
+
+impl Watching for MeasureAll {
+    type Reading = Measures;
+    type Meter<T: Scalar> = Everything<T>;
+
+    fn empty(self) -> Measures {
+        Measures::default()
+    }
+}
+
+impl Run<'_> {
+    /// The rollouts with the type that the stabilizer has.
+    fn on<T: Scalar, W: Watching>(
+        self,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
+        type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
+        let (candidate, work) = match self.contender.on(&self.kernel.along.base) {
+            None => return self.under::<T, Nobody, W>(watching),
+            Some(Stabilizer::Popc(popc)) => (Candidate::Spring, popc.work),
+            Some(Stabilizer::Lolc(lolc)) => (lolc.candidate, lolc.work),
+        };
+        match (candidate, work) {
+            (Candidate::Spring, Work::Held) => {
+                self.under::<T, Lolc<T, PortEnergy, Held>, W>(watching)
+            }
+            (Candidate::Spring, Work::Sampled) => {
+                self.under::<T, Lolc<T, PortEnergy, Sampled>, W>(watching)
+            }
+            (Candidate::DeviceDamping, Work::Held) => {
+                self.under::<T, Lolc<T, DeviceDamped<T>, Held>, W>(watching)
+            }
+            (Candidate::DeviceDamping, Work::Sampled) => {
+                self.under::<T, Lolc<T, DeviceDamped<T>, Sampled>, W>(watching)
+            }
+            (Candidate::MassSpringDamper, Work::Held) => {
+                self.under::<T, Lolc<T, WallDamped<T>, Held>, W>(watching)
+            }
+            (Candidate::MassSpringDamper, Work::Sampled) => {
+                self.under::<T, Lolc<T, WallDamped<T>, Sampled>, W>(watching)
+            }
+        }
+    }
+
+    fn under<T: Scalar, S: Laned<T>, W: Watching>(
+        self,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        let seats = Seats::new(&self.kernel.along, self.cells);
+        let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, watching.empty(), self.go_on);
+        // One rollout at a time has nothing to gain from vectors.
+        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
+    }
+}

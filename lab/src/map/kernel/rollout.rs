@@ -1,0 +1,135 @@
+//! Rollouts on lanes: the loop over the ticks.
+
+use lyapunov::{Body, Drive, Mask, OnePort, ParameterError, Plant, Scalar};
+use pulp::NullaryFnOnce;
+
+use super::meter::Meter;
+use super::parts::{Bodies, Laned, Watched};
+use super::seats::Seats;
+
+/// Groups that run side by side, so that one computes while another waits for a quotient.
+const BESIDE: usize = 4;
+
+/// Ticks between two looks at what is decided.
+const STRETCH: u64 = 64;
+
+/// Rollouts of some cells, one lane each, watched by an `M`; a group of lanes that is decided makes room for the next.
+///
+/// Everything on the way from here to the arithmetic is inlined always: what is called instead of inlined is compiled
+/// for the base set of instructions, whatever this is compiled for.
+pub(super) struct Rollouts<'a, T: Scalar, S, M: Meter<T>> {
+    seats: Seats<'a>,
+    readings: Vec<M::Reading>,
+    bodies: Bodies<T>,
+    go_on: &'a (dyn Fn() -> bool + Sync),
+    ports: std::marker::PhantomData<S>,
+}
+
+/// A group of lanes on its way.
+struct Group<T: Scalar, S, M> {
+    plant: Body<T>,
+    port: Watched<T, S>,
+    drive: Drive<T>,
+    meter: M,
+    /// Ticks to come.
+    left: u64,
+    first: usize,
+    count: usize,
+}
+
+impl<T: Scalar, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
+    #[inline(always)]
+    fn tick(&mut self) {
+        let effort = self.port.respond(&self.drive);
+        self.meter.add(&self.drive, effort, &self.port);
+        self.drive = self.plant.advance(effort);
+    }
+
+    /// The last tick, after which nothing moves; where its row is finite.
+    #[inline(always)]
+    fn finish(&mut self) -> T::Mask {
+        let effort = self.port.respond(&self.drive);
+        self.meter.add(&self.drive, effort, &self.port);
+        self.drive.position.finite() & self.drive.velocity.finite() & effort.finite()
+    }
+}
+
+impl<'a, T: Scalar, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
+    pub(super) fn new(
+        seats: Seats<'a>,
+        empty: M::Reading,
+        go_on: &'a (dyn Fn() -> bool + Sync),
+    ) -> Self {
+        let readings = vec![empty; seats.len()];
+        Self { seats, readings, bodies: Bodies::none(), go_on, ports: std::marker::PhantomData }
+    }
+
+    #[inline(never)]
+    fn next(&mut self) -> Result<Option<Group<T, S, M>>, ParameterError> {
+        let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(None) };
+        let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
+        let (meter, plant, port) = (M::new(lanes), lanes.body(&mut self.bodies)?, lanes.port()?);
+        let drive = plant.start();
+        Ok(Some(Group { plant, port, drive, meter, left, first, count }))
+    }
+
+    #[inline(never)]
+    fn put(&mut self, group: &Group<T, S, M>, sound: T::Mask) {
+        for lane in 0..group.count {
+            self.readings[group.first + lane] = group.meter.read(lane, sound.lane(lane));
+        }
+    }
+
+    /// Whether the group is done; then its readings are put down.
+    #[inline(always)]
+    fn settle(&mut self, group: &mut Group<T, S, M>) -> bool {
+        let is_last = group.left == 1;
+        if !is_last && !group.meter.is_decided() {
+            return false;
+        }
+        let sound = if is_last { group.finish() } else { Mask::of(true) };
+        self.put(group, sound);
+        true
+    }
+}
+
+impl<T: Scalar, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> {
+    type Output = Result<Option<Vec<M::Reading>>, ParameterError>;
+
+    #[inline(always)]
+    fn call(mut self) -> Self::Output {
+        let mut groups = Vec::with_capacity(BESIDE);
+        loop {
+            while groups.len() < BESIDE {
+                match self.next()? {
+                    Some(group) => groups.push(group),
+                    None => break,
+                }
+            }
+            if groups.is_empty() {
+                return Ok(Some(self.readings));
+            }
+            if !(self.go_on)() {
+                return Ok(None);
+            }
+            let before = groups.len();
+            let mut at = 0;
+            while at < groups.len() {
+                if self.settle(&mut groups[at]) { drop(groups.swap_remove(at)) } else { at += 1 }
+            }
+            if groups.len() < before {
+                continue;
+            }
+            let ticks = groups.iter().map(|group| group.left - 1).min().unwrap_or_default();
+            let stretch = ticks.min(STRETCH);
+            for _ in 0..stretch {
+                for group in &mut groups {
+                    group.tick();
+                }
+            }
+            for group in &mut groups {
+                group.left -= stretch;
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! The shards of a map, put together.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{BufReader, Write};
+use std::path::{Path, PathBuf};
+
+use super::book::BookError;
+use super::grid::Grid;
+use super::shard::Shard;
+use super::survey::Survey;
+use super::table::{self, Head, Rows, TableError};
+use crate::Output;
+
+/// Why shards do not make a map.
+#[derive(Debug)]
+pub enum MergeError {
+    /// A shard that cannot be read, or a place that cannot be written to.
+    Book(BookError),
+    /// Two tables that are not of the same map.
+    Strangers(PathBuf, PathBuf),
+    /// A shard that is there twice.
+    Twice(PathBuf, Shard),
+    /// A shard that is not there.
+    Missing(Shard),
+    /// A shard that is not finished.
+    Unfinished(PathBuf, u64, u64),
+}
+
+impl fmt::Display for MergeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Book(error) => error.fmt(f),
+            Self::Strangers(one, other) => write!(
+                f,
+                "{} and {} are not of the same map\n  = merge shards of one scene with the same axes and stabilizers",
+                one.display(),
+                other.display()
+            ),
+            Self::Twice(path, shard) => {
+                write!(f, "{} is shard {shard} once more\n  = name each shard once", path.display())
+            }
+            Self::Missing(shard) => {
+                write!(f, "shard {shard} is missing\n  = name all of them, or run what is not done")
+            }
+            Self::Unfinished(path, done, all) => write!(
+                f,
+                "{} has {done} of {all} cells\n  = finish it with --resume, then merge",
+                path.display()
+            ),
+        }
+    }
+}
+
+impl std::error::Error for MergeError {}
+
+impl<E: Into<BookError>> From<E> for MergeError {
+    fn from(error: E) -> Self {
+        Self::Book(error.into())
+    }
+}
+
+/// Writes the map of all shards at `paths` to `out`, and tells what it comes to.
+///
+/// # Errors
+/// Tables that do not make a whole map; a place that cannot be written to.
+pub fn merge(paths: &[PathBuf], out: &mut Output) -> Result<Survey, MergeError> {
+    let mut shards = Vec::new();
+    for path in paths {
+        let (_, head) = open(path)?;
+        let (grid, shard) = head.parse().map_err(|error| BookError::Table(path.clone(), error))?;
+        shards.push((path, head, grid, shard));
+    }
+    let Some((first, head, grid, shard)) = shards.first() else {
+        return Err(MergeError::Missing(Shard::WHOLE));
+    };
+    for (path, other, _, other_shard) in &shards {
+        if !head.is_kin(other) || shard.count != other_shard.count {
+            return Err(MergeError::Strangers((*first).clone(), (*path).clone()));
+        }
+    }
+    let mut survey = Survey::of(grid);
+    let whole = Head::of(grid, Shard::WHOLE);
+    let count = shard.count;
+    out.write_all(whole.text().as_bytes()).map_err(|error| out.blame(error))?;
+    for index in 0..count {
+        let shard = Shard { index, count };
+        let mut these = shards.iter().filter(|(.., one)| *one == shard);
+        let Some((path, ..)) = these.next() else { return Err(MergeError::Missing(shard)) };
+        if let Some((path, ..)) = these.next() {
+            return Err(MergeError::Twice((*path).clone(), shard));
+        }
+        append(path, grid, shard, out, &mut survey)?;
+    }
+    Ok(survey)
+}
+
+fn append(
+    path: &Path,
+    grid: &Grid,
+    shard: Shard,
+    out: &mut Output,
+    survey: &mut Survey,
+) -> Result<(), MergeError> {
+    let (lines, _) = open(path)?;
+    let cells = shard.cells(grid.cells());
+    let mut rows = Rows::new(lines, grid.clone(), cells.start);
+    for cell in cells.clone() {
+        let row = rows.next().map_err(|error| BookError::Table(path.to_owned(), error))?;
+        let Some((_, outcomes)) = row else {
+            let (done, all) = (cell - cells.start, cells.end - cells.start);
+            return Err(MergeError::Unfinished(path.to_owned(), done, all));
+        };
+        survey.add(cell, &outcomes);
+        table::write(out, grid, cell, &outcomes).map_err(|error| out.blame(error))?;
+    }
+    Ok(())
+}
+
+fn open(path: &Path) -> Result<(BufReader<File>, Head), BookError> {
+    let wrong = |error: TableError| BookError::Table(path.to_owned(), error);
+    let file = File::open(path).map_err(|error| wrong(TableError::Unreadable(error)))?;
+    let mut lines = BufReader::new(file);
+    let head = Head::read(&mut lines).map_err(wrong)?;
+    Ok((lines, head))
+}

@@ -1,0 +1,37 @@
+//! Stability maps: any two numbers of a scene on a grid, under several stabilizers.
+
+mod axis;
+mod book;
+mod bounds;
+mod contender;
+mod document;
+mod files;
+mod grid;
+mod kernel;
+mod merge;
+mod outcome;
+mod picture;
+mod report;
+mod run;
+mod shard;
+mod single;
+mod survey;
+mod table;
+mod tick;
+mod vary;
+
+pub use axis::{Axis, NoAxis, Spacing};
+pub use book::{Book, BookError};
+pub use bounds::Bounds;
+pub use contender::{Contender, NoContender};
+pub use document::{Computation, document};
+pub use files::files;
+pub use grid::{Grid, GridError};
+pub use kernel::{Instructions, Kernel, Lanes};
+pub use merge::{MergeError, merge};
+pub use outcome::{Measure, Measures, Outcome};
+pub use run::{Effort, Method, Run, RunError};
+pub use shard::{NoShard, Shard};
+pub use survey::{Area, Survey};
+pub use table::{Head, Rows, TableError};
+pub use vary::VaryError;

@@ -1,0 +1,105 @@
+//! Cells run one by one, for scenes with parts that the kernel does not have.
+
+use lyapunov::{ParameterError, Scalar};
+
+use super::contender::Contender;
+use super::outcome::{Measures, Outcome};
+use crate::compare::{Share, Tick};
+use crate::meters::{Boundedness, Chatter, Criterion, Energies, Settling};
+use crate::scene::{Scalar as Width, Scene};
+use crate::{Rollout, Space};
+
+/// Ticks between two looks at what is decided.
+const STRETCH: u64 = 64;
+
+/// What the run of `scene` under `contender` comes to. A run whose fate is sealed is not run to its end.
+/// None if `go_on` said so.
+pub(super) fn outcome(
+    scene: &Scene,
+    contender: Contender,
+    go_on: &(dyn Fn() -> bool + Sync),
+) -> Result<Option<Outcome>, ParameterError> {
+    let scene = Scene { stabilizer: contender.on(scene), ..scene.clone() };
+    match scene.scalar {
+        Width::F64 => run::<f64>(&scene, go_on),
+        Width::F32 => run::<f32>(&scene, go_on),
+    }
+}
+
+fn run<V: Space>(
+    scene: &Scene,
+    go_on: &(dyn Fn() -> bool + Sync),
+) -> Result<Option<Outcome>, ParameterError> {
+    let criterion = Criterion::of(scene);
+    let mut boundedness = Boundedness::<f64>::new(scene.ticks());
+    let mut meters = Meters::new(scene, &criterion);
+    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| {
+        // As the loop rounds it.
+        V::Scalar::of(limit.force.get()).lane(0)
+    });
+    let mut share = Share::new(scene, most);
+    let mut ticks = 0;
+    for row in Rollout::<V>::of(scene)? {
+        boundedness.add(row.x);
+        meters.add(&share.tick(row, 0.0));
+        ticks += 1;
+        if ticks % STRETCH == 0 {
+            if boundedness.is_lost(0, &criterion) {
+                break;
+            }
+            if !go_on() {
+                return Ok(None);
+            }
+        }
+    }
+    let stable = boundedness.verdict(0, &criterion);
+    let measures = if stable == Some(false) { Measures::default() } else { meters.finish(scene) };
+    Ok(Some(Outcome { stable, measures }))
+}
+
+struct Meters {
+    ticks: u64,
+    active: u64,
+    peak: f64,
+    settling: Settling<f64>,
+    energies: Energies<f64>,
+    chatter: Option<Chatter<f64>>,
+}
+
+impl Meters {
+    fn new(scene: &Scene, criterion: &Criterion) -> Self {
+        let (rest, band) = criterion.rest();
+        Self {
+            ticks: 0,
+            active: 0,
+            peak: 0.0,
+            settling: Settling::new(rest, band),
+            energies: Energies::new(),
+            chatter: Chatter::new(scene.servo_rate.get()),
+        }
+    }
+
+    fn add(&mut self, tick: &Tick) {
+        let force = tick.row.f_act;
+        self.ticks += 1;
+        self.active += u64::from(tick.row.alpha > 0.0);
+        self.peak = self.peak.max(force.abs());
+        self.settling.add(tick.row.x);
+        self.energies.add(tick.row.x, tick.environment, tick.controller());
+        if let Some(chatter) = &mut self.chatter {
+            chatter.add(force);
+        }
+    }
+
+    fn finish(&self, scene: &Scene) -> Measures {
+        Measures {
+            peak_force: Some(self.peak),
+            settling_time: self.settling.since(0).map(|tick| tick / scene.servo_rate.get()),
+            energy_injected: Some(1e3 * self.energies.injected()),
+            energy_taken: Some(1e3 * self.energies.taken()),
+            active: Some(100.0 * self.active as f64 / self.ticks as f64),
+            chatter: self.chatter.as_ref().and_then(Chatter::root_mean_square),
+        }
+        .in_range()
+    }
+}

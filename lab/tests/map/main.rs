@@ -1,0 +1,163 @@
+//! Maps from outside: lanes against runs by themselves, and both against the comparison of stabilizers.
+
+use lyapunov_lab::Scene;
+use lyapunov_lab::compare::{Comparison, Contestants};
+use lyapunov_lab::map::{Contender, Grid, Instructions, Kernel, Lanes, Outcome, Run};
+use proptest::prelude::*;
+
+/// A wall before a hand, with other lines in the place of these.
+fn scene(more: &str) -> Scene {
+    let usual = [
+        ("duration", "0.6"),
+        ("servo_rate", "1000.0"),
+        ("environment_rate", "100.0"),
+        ("operator", "{ mass = 0.1, damping = 0.2, stiffness = 50.0 }"),
+        ("device", "{ mass = 0.2, damping = 0.001 }"),
+        ("initial", "{ position = -0.004 }"),
+        ("environment.wall", "{ stiffness = 8000.0, damping = 2.0 }"),
+        ("stabilizer.lolc", "{ damping_cap = 0.5 }"),
+    ];
+    let given = |key: &str| more.lines().any(|line| line.starts_with(key));
+    let usual = usual.iter().filter(|(key, _)| !given(key));
+    let text: String = usual.map(|(key, value)| format!("{key} = {value}\n")).collect();
+    Scene::parse(&format!("{text}{more}"), "test").unwrap_or_else(|fault| panic!("{fault}"))
+}
+
+fn grid(more: &str, x: &str, y: &str, contenders: &[Contender]) -> Grid {
+    let axis = |text: &str| text.parse().unwrap();
+    Grid::new(scene(more), axis(x), axis(y), contenders.to_vec()).unwrap()
+}
+
+/// All cells, by the method that the scene calls for or one by one.
+fn outcomes(grid: &Grid, alone: bool, threads: usize) -> Vec<Vec<Outcome>> {
+    let run =
+        if alone { Run::one_by_one(grid, Some(threads)) } else { Run::of(grid, Some(threads)) };
+    let mut all = Vec::new();
+    let put = &mut |first: u64, outcomes: &[Vec<Outcome>]| {
+        assert_eq!(first, all.len() as u64);
+        all.extend_from_slice(outcomes);
+        Ok(())
+    };
+    run.unwrap().cells(0..grid.cells(), &|| true, put).unwrap();
+    all
+}
+
+const STIFFNESS: &str = "environment.wall.stiffness";
+
+#[test]
+fn lanes_have_the_bits_of_runs_by_themselves() {
+    let x = format!("{STIFFNESS}=100..50000:13");
+    let grid = grid("", &x, "environment.wall.damping=0..100:7", &Contender::ALL);
+    let (lanes, alone) = (outcomes(&grid, false, 2), outcomes(&grid, true, 1));
+    assert_eq!(lanes, alone);
+    let stable = lanes.iter().flatten().filter(|outcome| outcome.stable == Some(true)).count();
+    assert!((50..500).contains(&stable), "{stable}");
+}
+
+#[test]
+fn sampled_work_and_other_caps_do_too() {
+    for more in [
+        "stabilizer.popc = { work = \"sampled\", damping_cap = 0.2 }\n",
+        "environment_rate = 1000.0\n",
+    ] {
+        let x = format!("{STIFFNESS}=100..20000:9:log");
+        let grid = grid(more, &x, "device.mass=0.01..0.4:5", &Contender::ALL);
+        assert_eq!(outcomes(&grid, false, 2), outcomes(&grid, true, 1), "{more}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// Lanes of every kind, on every set of instructions, against one rollout at a time of the same source.
+    #[test]
+    fn any_grid_is_the_same_on_all_lanes(
+        pair in 0_usize..4,
+        scalar in prop_oneof![Just("f32"), Just("f64")],
+        rate in prop_oneof![Just(100.0), Just(500.0), Just(1000.0)],
+        contender in 0_usize..6,
+        damping in 0.0..30.0_f64,
+        width in 1.5..20.0_f64,
+    ) {
+        let axes = [
+            (format!("{STIFFNESS}=50..{}:11", 2000.0 * width), format!("environment.wall.damping=0..{}:5", width)),
+            (format!("device.mass=0.05..{}:9", 0.05 + 0.1 * width), format!("operator.stiffness=0..{}:7", 100.0 * width)),
+            (format!("initial.velocity=-0.5..{width}:10"), "stabilizer.lolc.damping_cap=0..2:6".to_owned()),
+            ("servo_rate=1000..3000:3".to_owned(), format!("{STIFFNESS}=50..{}:20", 2000.0 * width)),
+        ];
+        let (x, y) = &axes[pair];
+        let more = format!(
+            "environment_rate = {rate:?}\nscalar = \"{scalar}\"\n\
+             environment.wall = {{ stiffness = 3000.0, damping = {damping:?} }}\n"
+        );
+        let contender = Contender::ALL[contender];
+        let grid = grid(&more, x, y, &[contender]);
+        let cells: Vec<u64> = (0..grid.cells()).collect();
+        let of = |set, lanes| {
+            let kernel = Kernel::of(&grid, set, lanes).unwrap().unwrap();
+            let verdicts = kernel.verdicts(contender, &cells, &|| true).unwrap().unwrap();
+            (verdicts, kernel.measures(contender, &cells, &|| true).unwrap().unwrap())
+        };
+        let alone = of(Instructions::Base, Lanes::One);
+        for set in Instructions::all() {
+            prop_assert_eq!(&of(set, Lanes::Many), &alone, "{}", set.name());
+        }
+    }
+}
+
+/// The comparison of stabilizers measures the same runs row by row.
+#[test]
+fn cells_are_what_the_comparison_says() {
+    let contenders = [
+        Contender::Nobody,
+        Contender::Popc,
+        Contender::LolcSpring,
+        Contender::LolcDeviceDamping,
+        Contender::LolcMassSpringDamper,
+    ];
+    for more in [
+        "duration = 2.0\n",
+        "duration = 1.2\neffects.delay.ticks = 2\neffects.saturation.force = 3.0\n",
+    ] {
+        let x = format!("{STIFFNESS}=500..9000:3");
+        let grid = grid(more, &x, "environment.wall.damping=1..30:2", &contenders);
+        let all = outcomes(&grid, false, 2);
+        for (cell, outcomes) in (0..).zip(all) {
+            let scene = grid.scene_of(cell).unwrap();
+            let comparison =
+                Comparison::of("cell", &scene, &Contestants::<f64>::standard()).unwrap();
+            for (score, outcome) in comparison.scores().zip(outcomes) {
+                assert_eq!(outcome.stable, score.stable);
+                if score.stable == Some(true) {
+                    let it = outcome.measures;
+                    assert_eq!(it.settling_time, score.settling_time);
+                    assert_eq!(it.energy_injected, score.energy_injected.map(|it| it + 0.0));
+                    assert_eq!(it.energy_taken, score.energy_taken);
+                    assert_eq!((it.active, it.chatter), (score.active, score.chatter));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn any_number_of_a_scene_makes_an_axis() {
+    let more = "duration = 0.2\neffects = { delay.ticks = 1, encoder.resolution = 1e-5 }\n";
+    let grid = grid(more, "effects.delay.ticks=0..4:5", "duration=0.1..0.3:3", &[Contender::Popc]);
+    let all = outcomes(&grid, false, 2);
+    assert_eq!(all.len(), 15);
+    assert!(all.iter().flatten().all(|outcome| outcome.stable.is_some()));
+    assert_eq!(all, outcomes(&grid, false, 1));
+}
+
+#[test]
+fn a_scene_without_a_spring_is_not_judged_but_measured() {
+    let more = "operator = { mass = 0.1 }\ninitial = { position = -0.004, velocity = 0.1 }\nduration = 1.1\n";
+    let x = format!("{STIFFNESS}=100..1000:3");
+    let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[Contender::Nobody]);
+    for outcomes in outcomes(&grid, false, 1) {
+        assert_eq!(outcomes[0].stable, None);
+        assert!(outcomes[0].measures.peak_force.unwrap() > 0.0);
+        assert_eq!(outcomes[0].measures.settling_time, None);
+    }
+}
