@@ -66,7 +66,7 @@ pub use environment::{
     Spring, VaryingSpring, Wall,
 };
 pub(crate) use excerpt::{printable, shorten};
-pub(crate) use keys::number_keys;
+pub(crate) use keys::{number_keys, unit};
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Integrator, Link, Scalar, Space, Velocity};
 pub use quantity::{

@@ -1,7 +1,7 @@
 //! Many cells at once: lanes of one generic rollout, on the vector instructions that the processor has.
 //!
 //! The rollout is made of the library's own parts: a [`Body`](lyapunov::Body), a [`Wall`](lyapunov::Wall) behind a hold,
-//! backward differences and any of the stabilizers of a scene. Every lane has the bits of a run by itself. Scenes with
+//! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
 //! other parts are run one by one, see [`single`](super::single).
 
 mod field;
@@ -14,13 +14,14 @@ mod seats;
 pub use instructions::Instructions;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Beyond, Dissipation, Held, Lolc, ParameterError, PortEnergy, Sampled, Scalar};
+use lyapunov::{Beyond, Dissipation, Lolc, ParameterError, PortEnergy, Scalar};
 
 use pulp::NullaryFnOnce;
 
 use super::contender::Contender;
 use super::grid::{Grid, GridError};
 use super::outcome::Measures;
+use crate::compare::Settings;
 use crate::scene::{
     Candidate, Environment, Integrator, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
@@ -148,7 +149,8 @@ fn covers(scene: &Scene) -> bool {
         stabilizer: scene.stabilizer,
         effects: Default::default(),
     };
-    matches!(scene.environment, Environment::Wall(_)) && plain == *scene
+    let is_held = Settings::of(scene).work == Work::Held;
+    matches!(scene.environment, Environment::Wall(_)) && is_held && plain == *scene
 }
 
 /// Some cells under one stabilizer.
@@ -165,6 +167,9 @@ trait Watching: std::marker::Copy {
     type Meter<T: Scalar>: Meter<T, Reading = Self::Reading>;
 
     fn empty(self) -> Self::Reading;
+
+    /// Runs `job` compiled for as much of `instructions` as pays.
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
 #[derive(Clone, Copy)]
@@ -176,6 +181,10 @@ impl Watching for Judge {
 
     fn empty(self) -> Option<bool> {
         None
+    }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        instructions.run(job)
     }
 }
 
@@ -189,6 +198,13 @@ impl Watching for MeasureAll {
     fn empty(self) -> Measures {
         Measures::default()
     }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        // The sums of the chatter lie side by side in memory line by line, and wider vectors gather them one by one:
+        // they take four times as long.
+        let _ = instructions;
+        job.call()
+    }
 }
 
 impl Run<'_> {
@@ -199,30 +215,15 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
-        let (candidate, work) = match self.contender.on(&self.kernel.along.base) {
+        let candidate = match self.contender.on(&self.kernel.along.base) {
             None => return self.under::<T, Nobody, W>(watching),
-            Some(Stabilizer::Popc(popc)) => (Candidate::Spring, popc.work),
-            Some(Stabilizer::Lolc(lolc)) => (lolc.candidate, lolc.work),
+            Some(Stabilizer::Popc(_)) => Candidate::Spring,
+            Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
         };
-        match (candidate, work) {
-            (Candidate::Spring, Work::Held) => {
-                self.under::<T, Lolc<T, PortEnergy, Held>, W>(watching)
-            }
-            (Candidate::Spring, Work::Sampled) => {
-                self.under::<T, Lolc<T, PortEnergy, Sampled>, W>(watching)
-            }
-            (Candidate::DeviceDamping, Work::Held) => {
-                self.under::<T, Lolc<T, DeviceDamped<T>, Held>, W>(watching)
-            }
-            (Candidate::DeviceDamping, Work::Sampled) => {
-                self.under::<T, Lolc<T, DeviceDamped<T>, Sampled>, W>(watching)
-            }
-            (Candidate::MassSpringDamper, Work::Held) => {
-                self.under::<T, Lolc<T, WallDamped<T>, Held>, W>(watching)
-            }
-            (Candidate::MassSpringDamper, Work::Sampled) => {
-                self.under::<T, Lolc<T, WallDamped<T>, Sampled>, W>(watching)
-            }
+        match candidate {
+            Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
+            Candidate::DeviceDamping => self.under::<T, Lolc<T, DeviceDamped<T>>, W>(watching),
+            Candidate::MassSpringDamper => self.under::<T, Lolc<T, WallDamped<T>>, W>(watching),
         }
     }
 
@@ -233,6 +234,6 @@ impl Run<'_> {
         let seats = Seats::new(&self.kernel.along, self.cells);
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, watching.empty(), self.go_on);
         // One rollout at a time has nothing to gain from vectors.
-        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
+        if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
     }
 }
