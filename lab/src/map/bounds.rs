@@ -98,4 +98,4 @@ impl Bounds {
 }
 
 /// Numbers of colours that stand out on the ramp of a heat map.
-const COLOURS: [usize; 4] = [4, 3, 1, 6];
+const COLOURS: [usize; 4] = [3, 4, 5, 1];

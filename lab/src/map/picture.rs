@@ -5,6 +5,7 @@ use super::bounds::{Bounds, Curve};
 use super::outcome::Measure;
 use super::survey::Survey;
 use crate::chart::{Figure, HeatMap, Numbering, Panel, Series};
+use crate::scene::unit;
 
 /// Width of a panel, in pixels of the drawing.
 const WIDTH: f64 = 560.0;
@@ -22,8 +23,9 @@ pub(super) struct Drawn {
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
 pub(super) fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
     let curves = bounds.map_or_else(Vec::new, Bounds::curves);
-    let stable =
-        figure(survey, "bounded", &curves, |index| Some((survey.bounded(index), Some((0.0, 1.0)))));
+    let stable = figure(survey, "stable: dark, unstable: light", &curves, |index| {
+        Some((survey.bounded(index), Some((0.0, 1.0))))
+    });
     let mut drawn = vec![Drawn { name: "stable", words: STABLE, figure: stable }];
     for (number, measure) in Measure::ALL.iter().enumerate() {
         let range = range(survey, number);
@@ -35,8 +37,7 @@ pub(super) fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
     drawn
 }
 
-const STABLE: &str =
-    "share of cells that are bounded: dark where they are, light where they are not";
+const STABLE: &str = "Dark where the loop is stable, light where it is not";
 
 /// What a measure covers under all stabilizers, so that one colour means the same in every panel.
 fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
@@ -66,7 +67,7 @@ fn figure(
         let Some((values, colours)) = of(index) else { continue };
         let (x, y) = (Shown::of(&grid.x), Shown::of(&grid.y));
         let heat = HeatMap { range: colours, ..HeatMap::new(survey.size().0, values) };
-        let mut panel = Panel::new(contender.name(), &grid.x.key, &grid.y.key)
+        let mut panel = Panel::new(contender.name(), label(&grid.x), label(&grid.y))
             .with_heat(heat)
             .with_numbers(x.numbering, y.numbering)
             .with_x_range(x.range.0, x.range.1)
@@ -79,6 +80,14 @@ fn figure(
         figure = figure.with_panel(panel);
     }
     figure
+}
+
+/// What stands at an axis.
+fn label(axis: &Axis) -> String {
+    match unit(&axis.key) {
+        "" => axis.key.clone(),
+        unit => format!("{}, {unit}", axis.key),
+    }
 }
 
 /// An axis as it is drawn: its cells stand about their values.

@@ -170,7 +170,7 @@ impl<'a> Run<'a> {
     fn first_band(&self) -> usize {
         let rows = tick::rows(self.grid, 0).max(tick::rows(self.grid, self.grid.cells() - 1));
         let steps: u64 =
-            if matches!(self.method, Method::Lanes(_)) { 100_000_000 } else { 1_000_000 };
+            if matches!(self.method, Method::Lanes(_)) { 20_000_000 } else { 1_000_000 };
         ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
     }
 

@@ -222,6 +222,11 @@ pub(crate) fn number_keys() -> impl Iterator<Item = &'static str> {
     KEYS.iter().filter(|key| !key.is_table() && !key.example.contains('"')).map(|key| key.path)
 }
 
+/// The unit of a key; empty where it has none.
+pub(crate) fn unit(key: &str) -> &'static str {
+    find(key).map_or("", |key| key.unit)
+}
+
 /// The entry of a key with this table path.
 pub(super) fn find(path: &str) -> Option<&'static Key> {
     // What is said of a list is said of each number in it.

@@ -69,7 +69,7 @@ pub use environment::{
 };
 pub(crate) use excerpt::{printable, shorten};
 pub use integrator::Integrator;
-pub(crate) use keys::number_keys;
+pub(crate) use keys::{number_keys, unit};
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{

@@ -72,7 +72,7 @@ fn a_table_that_was_cut_off_is_gone_on_with() {
 #[test]
 fn an_interrupted_map_keeps_what_is_done() {
     let place = Place::new();
-    place.put_scene("scene.toml", "duration = 10.0", "duration = 300.0");
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 30.0");
     let large = [
         "map",
         "scene.toml",
@@ -120,7 +120,7 @@ fn bad_arguments_are_refused_and_change_nothing() {
     with("device.mass=0.1..1:3", &["both axes are `device.mass`"]);
     with("operator.mass=-1..1:3", &["`operator.mass` = -1.0", "0 or greater"]);
     with("environment_rate=30..100:3", &["`environment_rate` = 30.0", "does not divide"]);
-    place.refuses(axes(&["--stabilizers", "polc"]), &["did you mean `popc`?"]);
+    place.refuses(axes(&["--stabilizers", "pop"]), &["did you mean `popc`?"]);
     place.refuses(axes(&["--stabilizers", "popc,popc"]), &["`popc` is named twice"]);
     place.refuses(axes(&["--out", "out", "--shard", "3/3"]), &["no shard 3 of 3"]);
     place.refuses(axes(&["--shard", "0/3"]), &["--out"]);
@@ -155,7 +155,7 @@ fn a_full_disk_loses_nothing() {
     // What is written is a file of its own until it is whole; a link to a full device stands for a disk that is.
     std::os::unix::fs::symlink("/dev/full", place.path("out/map.json")).unwrap();
     place.put("out/map.csv", "an earlier map");
-    place.refuses(axes(&["--out", "out"]), &["map.json", "no space is left"]);
+    place.run(axes(&["--out", "out"])).ended(2, &["map.json", "no space is left"]);
     assert_eq!(place.text("out/map.csv"), "an earlier map");
     let part = place.text("out/map.part.csv");
     assert_eq!(part.lines().filter(|line| !line.starts_with('#')).count(), 1 + 9 * 5 * 3);

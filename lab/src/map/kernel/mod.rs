@@ -1,7 +1,7 @@
 //! Many cells at once: lanes of one generic rollout, on the vector instructions that the processor has.
 //!
 //! The rollout is made of the library's own parts: a [`Body`](lyapunov::Body), a [`Wall`](lyapunov::Wall) behind a hold,
-//! backward differences and any of the stabilizers of a scene. Every lane has the bits of a run by itself. Scenes with
+//! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
 //! other parts are run one by one, see [`single`](super::single).
 
 mod field;
@@ -14,7 +14,7 @@ mod seats;
 pub use instructions::Instructions;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Beyond, Dissipation, Held, Lolc, ParameterError, PortEnergy, Sampled, Scalar};
+use lyapunov::{Beyond, Dissipation, Lolc, ParameterError, PortEnergy, Scalar};
 
 use pulp::NullaryFnOnce;
 
@@ -149,8 +149,9 @@ fn covers(scene: &Scene) -> bool {
         stabilizer: scene.stabilizer,
         effects: Default::default(),
     };
-    let has_wall = matches!(scene.environment, Environment::Wall(_));
-    has_wall && Settings::of(scene).ledger == Ledger::Plain && plain == *scene
+    let Settings { work, ledger, .. } = Settings::of(scene);
+    let booked = work == Work::Held && ledger == Ledger::Plain;
+    matches!(scene.environment, Environment::Wall(_)) && booked && plain == *scene
 }
 
 /// Some cells under one stabilizer.
@@ -167,6 +168,9 @@ trait Watching: std::marker::Copy {
     type Meter<T: Scalar>: Meter<T, Reading = Self::Reading>;
 
     fn empty(self) -> Self::Reading;
+
+    /// Runs `job` compiled for as much of `instructions` as pays.
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
 #[derive(Clone, Copy)]
@@ -178,6 +182,10 @@ impl Watching for Judge {
 
     fn empty(self) -> Option<bool> {
         None
+    }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        instructions.run(job)
     }
 }
 
@@ -191,6 +199,13 @@ impl Watching for MeasureAll {
     fn empty(self) -> Measures {
         Measures::default()
     }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        // The sums of the chatter lie side by side in memory line by line, and wider vectors gather them one by one:
+        // they take four times as long.
+        let _ = instructions;
+        job.call()
+    }
 }
 
 impl Run<'_> {
@@ -201,30 +216,15 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
-        let (candidate, work) = match self.contender.on(&self.kernel.along.base) {
+        let candidate = match self.contender.on(&self.kernel.along.base) {
             None => return self.under::<T, Nobody, W>(watching),
-            Some(Stabilizer::Popc(popc)) => (Candidate::Spring, popc.work),
-            Some(Stabilizer::Lolc(lolc)) => (lolc.candidate, lolc.work),
+            Some(Stabilizer::Popc(_)) => Candidate::Spring,
+            Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
         };
-        match (candidate, work) {
-            (Candidate::Spring, Work::Held) => {
-                self.under::<T, Lolc<T, PortEnergy, Held>, W>(watching)
-            }
-            (Candidate::Spring, Work::Sampled) => {
-                self.under::<T, Lolc<T, PortEnergy, Sampled>, W>(watching)
-            }
-            (Candidate::DeviceDamping, Work::Held) => {
-                self.under::<T, Lolc<T, DeviceDamped<T>, Held>, W>(watching)
-            }
-            (Candidate::DeviceDamping, Work::Sampled) => {
-                self.under::<T, Lolc<T, DeviceDamped<T>, Sampled>, W>(watching)
-            }
-            (Candidate::MassSpringDamper, Work::Held) => {
-                self.under::<T, Lolc<T, WallDamped<T>, Held>, W>(watching)
-            }
-            (Candidate::MassSpringDamper, Work::Sampled) => {
-                self.under::<T, Lolc<T, WallDamped<T>, Sampled>, W>(watching)
-            }
+        match candidate {
+            Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
+            Candidate::DeviceDamping => self.under::<T, Lolc<T, DeviceDamped<T>>, W>(watching),
+            Candidate::MassSpringDamper => self.under::<T, Lolc<T, WallDamped<T>>, W>(watching),
         }
     }
 
@@ -235,6 +235,6 @@ impl Run<'_> {
         let seats = Seats::new(&self.kernel.along, self.cells);
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, watching.empty(), self.go_on);
         // One rollout at a time has nothing to gain from vectors.
-        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
+        if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
     }
 }

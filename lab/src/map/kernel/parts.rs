@@ -2,8 +2,8 @@
 
 use lyapunov::{
     Action, Adapt, Beyond, Body, DampingLimit, Difference, Dissipation, Drive, Held, Hold,
-    Impedance, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Sampled, Scalar,
-    Stabilized, Stabilizer, Wall,
+    Impedance, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar, Stabilized,
+    Stabilizer, Wall,
 };
 
 use crate::compare::Settings;
@@ -108,12 +108,6 @@ impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
         let period = T::of(lanes.common().period());
         let limit = DampingLimit::of_mass(cap, lanes.each(Scene::mass), period)?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
-    }
-}
-
-impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Sampled> {
-    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
-        Ok(<Lolc<T, C, Held> as Laned<T>>::of(lanes, wall)?.sampled())
     }
 }
 

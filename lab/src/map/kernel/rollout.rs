@@ -45,8 +45,8 @@ impl<T: Scalar, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
         self.drive = self.plant.advance(effort);
     }
 
-    /// The last tick, after which nothing moves; where its row is finite.
-    #[inline(always)]
+    /// The last tick, after which nothing moves; where its row is finite. Once a run, it need not be fast.
+    #[inline(never)]
     fn finish(&mut self) -> T::Mask {
         let effort = self.port.respond(&self.drive);
         self.meter.add(&self.drive, effort, &self.port);
