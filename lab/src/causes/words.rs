@@ -85,7 +85,9 @@ impl Explanation {
             }
         }
         let (leak, energy) = first.largest_leak();
-        if energy > 0.0 {
+        if -first.wall > energy.max(0.0) {
+            writeln!(f, "  most came from the environment, which gives energy by its own law")?;
+        } else if energy > 0.0 {
             writeln!(f, "  most came in through the {leak}")?;
         }
         Ok(())
