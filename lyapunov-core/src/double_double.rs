@@ -85,6 +85,20 @@ fn halves(value: f64) -> [f64; 2] {
     [first, value - first]
 }
 
+impl From<f64> for DoubleDouble {
+    #[inline]
+    fn from(value: f64) -> Self {
+        Self { high: value, low: 0.0 }
+    }
+}
+
+impl From<DoubleDouble> for f64 {
+    #[inline]
+    fn from(value: DoubleDouble) -> Self {
+        value.high
+    }
+}
+
 impl Zero for DoubleDouble {
     fn zero() -> Self {
         Self { high: 0.0, low: 0.0 }

@@ -5,10 +5,10 @@ use std::ops::{Add, Div, Mul, Sub};
 use nalgebra::Complex;
 
 use super::LinearPart;
-use super::long::Long;
 use super::loop_map::LoopMap;
 use super::polynomial::Polynomial;
 use super::roots::settle;
+use lyapunov::DoubleDouble;
 
 /// A crossing below this share of `m / T²` is one at 0, off by rounding.
 const NOTHING: f64 = 1e-24;
@@ -95,8 +95,8 @@ impl<'a> Crossings<'a> {
         let ends = [0.0, -2.0].map(|w| {
             // At z = 1 and z = −1 all is real.
             let turn = if self.map.delay % 2 == 1 && w != 0.0 { -1.0 } else { 1.0 };
-            let value = |it: &Polynomial| it.value(Long::from(w));
-            let others = value(&self.map.plant) * Long::from(turn) + value(&self.map.rest);
+            let value = |it: &Polynomial| it.value(DoubleDouble::from(w));
+            let others = value(&self.map.plant) * DoubleDouble::from(turn) + value(&self.map.rest);
             f64::from(-others / value(&self.map.stiffness))
         });
         let all = inside.chain(ends);
@@ -140,19 +140,19 @@ impl<'a> Crossings<'a> {
     }
 
     /// The same, to all digits.
-    fn long_balance(&self, place: Long) -> Long {
+    fn long_balance(&self, place: DoubleDouble) -> DoubleDouble {
         let [cosine, sine] = turns(self.map.delay, place);
         let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
         cosine * odd + sine * even + self.rest[1].value(place)
     }
 
     /// A real root near `start`, by Newton's steps as long as they become shorter.
-    fn polished(&self, start: f64) -> Long {
-        let mut place = Long::from(start);
+    fn polished(&self, start: f64) -> DoubleDouble {
+        let mut place = DoubleDouble::from(start);
         let mut least = f64::INFINITY;
         for _ in 0..STEPS {
             let [_, slope] = self.balance(Complex::from(f64::from(place)));
-            let step = self.long_balance(place) / Long::from(slope.re);
+            let step = self.long_balance(place) / DoubleDouble::from(slope.re);
             let size = f64::from(step).abs();
             if size >= least || size.is_nan() {
                 break;
@@ -163,7 +163,7 @@ impl<'a> Crossings<'a> {
     }
 
     /// The `κ` of a crossing at `Y`.
-    fn stiffness(&self, place: Long) -> f64 {
+    fn stiffness(&self, place: DoubleDouble) -> f64 {
         let [cosine, sine] = turns(self.map.delay, place);
         let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
         let others = cosine * even - place * sine * odd + self.rest[0].value(place);

@@ -5,9 +5,10 @@ use num_traits::Zero;
 
 use super::LinearPart;
 use super::linear_part::Estimate;
-use super::long::{Long, Pair};
+use super::pair::Pair;
 use super::polynomial::Polynomial;
 use super::roots::{circle, settle};
+use lyapunov::DoubleDouble;
 
 /// Terms of the exponential's series: `0.5²⁸ / 28!` is far below a rounding.
 const DEGREE: u32 = 28;
@@ -48,7 +49,8 @@ impl LoopMap {
         let tick = states.tick(part);
         let (before, after) = (ticks(&tick, late), ticks(&tick, part.ratio - late));
         let n = states.count();
-        let block = |map: &DMatrix<Long>| (map.view((0, 0), (n, n)).into_owned(), column(map, n));
+        let block =
+            |map: &DMatrix<DoubleDouble>| (map.view((0, 0), (n, n)).into_owned(), column(map, n));
         let ((first, old), (second, new)) = (block(&before), block(&after));
         let moved = &first + &second + &second * &first;
         let old = &old + &second * &old;
@@ -56,8 +58,8 @@ impl LoopMap {
         let inputs = if late > 0 { vec![old, new] } else { vec![new] };
         let (plant, adjoint) = resolvent(&moved);
         let seen = |row: usize| {
-            let of = |input: &DVector<Long>| {
-                let entry = |term: &DMatrix<Long>| (term.row(row) * input)[0];
+            let of = |input: &DVector<DoubleDouble>| {
+                let entry = |term: &DMatrix<DoubleDouble>| (term.row(row) * input)[0];
                 Polynomial::new(adjoint.iter().rev().map(entry).collect())
             };
             let parts: Vec<_> = inputs.iter().map(of).collect();
@@ -79,17 +81,18 @@ impl LoopMap {
         v: &Polynomial,
     ) -> Self {
         let (period, mass) = (part.period, part.device.mass);
-        let damping = Long::from(part.environment.damping) * Long::from(period) / Long::from(mass);
-        let inertia =
-            Long::from(part.environment.mass) / (Long::from(mass) * Long::from(part.ratio as f64));
-        let minus = Long::from(-1.0);
+        let damping = DoubleDouble::from(part.environment.damping) * DoubleDouble::from(period)
+            / DoubleDouble::from(mass);
+        let inertia = DoubleDouble::from(part.environment.mass)
+            / (DoubleDouble::from(mass) * DoubleDouble::from(part.ratio as f64));
+        let minus = DoubleDouble::from(-1.0);
         let unit = mass / (period * period);
         if part.environment.mass == 0.0 {
             let (rest, stiffness) = (v.scaled(damping * minus), x.scaled(minus));
             return Self { delay, plant, rest, stiffness, unit };
         }
         // The velocity before the last is one state more, which is a factor z.
-        let difference = Polynomial::new(vec![Long::from(0.0), inertia]);
+        let difference = Polynomial::new(vec![DoubleDouble::from(0.0), inertia]);
         let rest = v.times(&z().scaled(damping).plus(&difference)).scaled(minus);
         let stiffness = x.times(&z()).scaled(minus);
         Self { delay, plant: plant.times(&z()), rest, stiffness, unit }
@@ -137,7 +140,7 @@ impl LoopMap {
 
     fn long_value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
         let w = Pair::from(w);
-        let z = Pair { re: w.re + Long::from(1.0), im: w.im };
+        let z = Pair { re: w.re + DoubleDouble::from(1.0), im: w.im };
         let late = (0..u32::BITS - delay.leading_zeros()).rev().fold(Pair::one(), |power, bit| {
             let square = power.times(power);
             if delay >> bit & 1 == 1 { square.times(z) } else { square }
@@ -156,22 +159,22 @@ impl LoopMap {
 
 /// `z = 1 + w`.
 fn z() -> Polynomial {
-    Polynomial::new(vec![Long::from(1.0), Long::from(1.0)])
+    Polynomial::new(vec![DoubleDouble::from(1.0), DoubleDouble::from(1.0)])
 }
 
-fn column(map: &DMatrix<Long>, n: usize) -> DVector<Long> {
+fn column(map: &DMatrix<DoubleDouble>, n: usize) -> DVector<DoubleDouble> {
     map.view((0, n), (n, 1)).column(0).into_owned()
 }
 
 /// `det(w I − E)`, and the terms of its adjoint from the highest power down (Faddeev and Le Verrier; Gantmacher, The Theory
 /// of Matrices, 1959, chapter IV).
-fn resolvent(map: &DMatrix<Long>) -> (Polynomial, Vec<DMatrix<Long>>) {
+fn resolvent(map: &DMatrix<DoubleDouble>) -> (Polynomial, Vec<DMatrix<DoubleDouble>>) {
     let n = map.nrows();
-    let identity = DMatrix::<Long>::identity(n, n);
-    let (mut coefficients, mut adjoint) = (vec![Long::from(1.0)], vec![identity.clone()]);
+    let identity = DMatrix::<DoubleDouble>::identity(n, n);
+    let (mut coefficients, mut adjoint) = (vec![DoubleDouble::from(1.0)], vec![identity.clone()]);
     for power in 1..=n {
         let product = map * &adjoint[power - 1];
-        let coefficient = -product.diagonal().sum() / Long::from(power as f64);
+        let coefficient = -product.diagonal().sum() / DoubleDouble::from(power as f64);
         coefficients.push(coefficient);
         if power < n {
             adjoint.push(product + &identity * coefficient);
@@ -182,14 +185,14 @@ fn resolvent(map: &DMatrix<Long>) -> (Polynomial, Vec<DMatrix<Long>>) {
 }
 
 /// What `count` ticks gain, from what one gains.
-fn ticks(tick: &DMatrix<Long>, mut count: u64) -> DMatrix<Long> {
+fn ticks(tick: &DMatrix<DoubleDouble>, mut count: u64) -> DMatrix<DoubleDouble> {
     let mut all = DMatrix::zeros(tick.nrows(), tick.ncols());
     let mut base = tick.clone();
     while count > 0 {
         if count % 2 == 1 {
             all = &all + &base + &base * &all;
         }
-        base = &base * Long::from(2.0) + &base * &base;
+        base = &base * DoubleDouble::from(2.0) + &base * &base;
         count /= 2;
     }
     all
@@ -226,7 +229,7 @@ impl States {
     }
 
     /// What the state gains over one servo tick, the effort held being its last entry.
-    fn tick(self, part: &LinearPart) -> DMatrix<Long> {
+    fn tick(self, part: &LinearPart) -> DMatrix<DoubleDouble> {
         let (moving, n) = (2 * self.masses, self.count());
         let gained = increments(&rates(part));
         let mut tick = DMatrix::zeros(n + 1, n + 1);
@@ -236,8 +239,8 @@ impl States {
                 tick[(row, to(column))] = gained[(row, column)];
             }
         }
-        if let Some(share) = self.share.map(Long::from) {
-            let way: RowDVector<Long> = tick.row(self.position()) * share;
+        if let Some(share) = self.share.map(DoubleDouble::from) {
+            let way: RowDVector<DoubleDouble> = tick.row(self.position()) * share;
             tick.row_mut(moving).copy_from(&way);
             tick[(moving, moving)] -= share;
         }
@@ -247,12 +250,12 @@ impl States {
 
 /// Time derivatives of the masses' positions and velocities and of the held effort, by the same, in units of `T`, of the
 /// device's mass and of any length.
-fn rates(part: &LinearPart) -> DMatrix<Long> {
-    let of = |value: f64| Long::from(value);
+fn rates(part: &LinearPart) -> DMatrix<DoubleDouble> {
+    let of = |value: f64| DoubleDouble::from(value);
     let (period, device) = (of(part.period), of(part.device.mass));
     let (operator, damping) = (part.operator, part.device.damping);
-    let damped = |value: Long, mass: Long| value * period / mass;
-    let sprung = |value: f64, mass: Long| of(value) * period * period / mass;
+    let damped = |value: DoubleDouble, mass: DoubleDouble| value * period / mass;
+    let sprung = |value: f64, mass: DoubleDouble| of(value) * period * period / mass;
     let (zero, one) = (of(0.0), of(1.0));
     let Some(link) = part.link else {
         let mass = device + of(operator.mass);
@@ -280,27 +283,28 @@ fn rates(part: &LinearPart) -> DMatrix<Long> {
 }
 
 /// `exp(A) − I` by scaling and squaring, as [`held_input`](lyapunov::held_input).
-fn increments(rates: &DMatrix<Long>) -> DMatrix<Long> {
+fn increments(rates: &DMatrix<DoubleDouble>) -> DMatrix<DoubleDouble> {
     let n = rates.nrows();
-    let identity = DMatrix::<Long>::identity(n, n);
-    let size = |matrix: &DMatrix<Long>| {
+    let identity = DMatrix::<DoubleDouble>::identity(n, n);
+    let size = |matrix: &DMatrix<DoubleDouble>| {
         let row = |row: usize| (0..n).map(|at| f64::from(matrix[(row, at)]).abs()).sum::<f64>();
         (0..n).map(row).fold(0.0, f64::max)
     };
     let mut scaled = rates.clone();
     let mut halvings = 0;
     while size(&scaled) > 0.5 && size(&scaled) < f64::INFINITY {
-        scaled *= Long::from(0.5);
+        scaled *= DoubleDouble::from(0.5);
         halvings += 1;
     }
     let mut polynomial = identity.clone();
     for degree in (2..=DEGREE).rev() {
-        polynomial =
-            &identity + (&scaled * &polynomial) * (Long::from(1.0) / Long::from(f64::from(degree)));
+        polynomial = &identity
+            + (&scaled * &polynomial)
+                * (DoubleDouble::from(1.0) / DoubleDouble::from(f64::from(degree)));
     }
     let mut increment = &scaled * &polynomial;
     for _ in 0..halvings {
-        increment = &increment * Long::from(2.0) + &increment * &increment;
+        increment = &increment * DoubleDouble::from(2.0) + &increment * &increment;
     }
     increment
 }

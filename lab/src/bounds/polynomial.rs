@@ -1,19 +1,20 @@
-//! Polynomials with about 32 digits.
+//! Polynomials with about 31 digits.
 
 use nalgebra::Complex;
 
-use super::long::{Long, Pair};
+use super::pair::Pair;
+use lyapunov::DoubleDouble;
 
 /// A polynomial, by its coefficients from the constant one on.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Polynomial(Vec<Long>);
+pub(super) struct Polynomial(Vec<DoubleDouble>);
 
 impl Polynomial {
-    pub(super) fn new(coefficients: Vec<Long>) -> Self {
+    pub(super) fn new(coefficients: Vec<DoubleDouble>) -> Self {
         Self(coefficients)
     }
 
-    pub(super) fn coefficients(&self) -> &[Long] {
+    pub(super) fn coefficients(&self) -> &[DoubleDouble] {
         &self.0
     }
 
@@ -29,7 +30,8 @@ impl Polynomial {
     }
 
     pub(super) fn times(&self, other: &Self) -> Self {
-        let mut product = vec![Long::default(); (self.0.len() + other.0.len()).saturating_sub(1)];
+        let mut product =
+            vec![DoubleDouble::default(); (self.0.len() + other.0.len()).saturating_sub(1)];
         for (i, one) in self.0.iter().enumerate() {
             for (j, another) in other.0.iter().enumerate() {
                 product[i + j] += *one * *another;
@@ -38,13 +40,14 @@ impl Polynomial {
         Self(product)
     }
 
-    pub(super) fn scaled(&self, by: Long) -> Self {
+    pub(super) fn scaled(&self, by: DoubleDouble) -> Self {
         Self(self.0.iter().map(|it| *it * by).collect())
     }
 
     /// `p(−s)`.
     pub(super) fn mirrored(&self) -> Self {
-        let sign = |power: usize| Long::from(if power.is_multiple_of(2) { 1.0 } else { -1.0 });
+        let sign =
+            |power: usize| DoubleDouble::from(if power.is_multiple_of(2) { 1.0 } else { -1.0 });
         Self(self.0.iter().enumerate().map(|(power, it)| *it * sign(power)).collect())
     }
 
@@ -56,7 +59,7 @@ impl Polynomial {
     /// `(1 − s)ⁿ p(2 s / (1 − s))`, for a degree of at most `n`.
     pub(super) fn turned(&self, n: usize) -> Self {
         let (up, down) = ([0.0, 2.0], [1.0, -1.0]);
-        let of = |it: [f64; 2]| Self(it.map(Long::from).to_vec());
+        let of = |it: [f64; 2]| Self(it.map(DoubleDouble::from).to_vec());
         let power =
             |base: &Self, times: usize| (0..times).fold(of([1.0, 0.0]), |all, _| all.times(base));
         self.0.iter().enumerate().fold(Self::default(), |sum, (k, it)| {
@@ -76,12 +79,12 @@ impl Polynomial {
     /// The value, to all digits.
     pub(super) fn long_at(&self, place: Pair) -> Pair {
         self.0.iter().rev().fold(Pair::default(), |value, it| {
-            value.times(place).plus(Pair { re: *it, im: Long::default() })
+            value.times(place).plus(Pair { re: *it, im: DoubleDouble::default() })
         })
     }
 
     /// The value at a real place, to all digits.
-    pub(super) fn value(&self, place: Long) -> Long {
-        self.0.iter().rev().fold(Long::default(), |value, it| value * place + *it)
+    pub(super) fn value(&self, place: DoubleDouble) -> DoubleDouble {
+        self.0.iter().rev().fold(DoubleDouble::default(), |value, it| value * place + *it)
     }
 }
