@@ -57,7 +57,7 @@ fn lanes_have_the_bits_of_runs_by_themselves() {
 #[test]
 fn sampled_work_and_other_caps_do_too() {
     for more in [
-        "stabilizer.popc = { work = \"sampled\", damping_cap = 0.2 }\n",
+        "stabilizer.lolc = { work = \"sampled\", damping_cap = 0.2 }\n",
         "environment_rate = 1000.0\n",
     ] {
         let x = format!("{STIFFNESS}=100..20000:9:log");
