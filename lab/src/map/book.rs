@@ -165,7 +165,7 @@ pub(super) fn read(
     let mut rows = Rows::new(lines, grid.clone(), cells.start);
     let mut next = cells.start;
     while next < cells.end {
-        let Some((cell, outcomes)) = rows.next().map_err(wrong)? else { break };
+        let Some((cell, outcomes)) = rows.next_cell().map_err(wrong)? else { break };
         survey.add(cell, &outcomes);
         next = cell + 1;
     }

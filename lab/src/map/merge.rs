@@ -106,7 +106,7 @@ fn append(
     let cells = shard.cells(grid.cells());
     let mut rows = Rows::new(lines, grid.clone(), cells.start);
     for cell in cells.clone() {
-        let row = rows.next().map_err(|error| BookError::Table(path.to_owned(), error))?;
+        let row = rows.next_cell().map_err(|error| BookError::Table(path.to_owned(), error))?;
         let Some((_, outcomes)) = row else {
             let (done, all) = (cell - cells.start, cells.end - cells.start);
             return Err(MergeError::Unfinished(path.to_owned(), done, all));

@@ -30,7 +30,7 @@ pub use grid::{Grid, GridError};
 pub use kernel::{Instructions, Kernel, Lanes};
 pub use merge::{MergeError, merge};
 pub use outcome::{Measure, Measures, Outcome};
-pub use run::{Effort, Method, Run, RunError};
+pub use run::{Effort, Method, Put, Run, RunError};
 pub use shard::{NoShard, Shard};
 pub use survey::{Area, Survey};
 pub use table::{Head, Rows, TableError};

@@ -81,6 +81,9 @@ impl From<OutputError> for RunError {
     }
 }
 
+/// Is handed the first cell of a band, and what each of its cells came to under each stabilizer.
+pub type Put<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
+
 /// The computation of a map.
 #[derive(Debug)]
 pub struct Run<'a> {
@@ -138,7 +141,7 @@ impl<'a> Run<'a> {
         &self,
         cells: std::ops::Range<u64>,
         go_on: &(dyn Fn() -> bool + Sync),
-        put: &mut dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError>,
+        put: &mut Put<'_>,
     ) -> Result<Effort, RunError> {
         let mut effort = Effort::default();
         let mut size = self.first_band();

@@ -190,7 +190,7 @@ impl<R: BufRead> Rows<R> {
     ///
     /// # Errors
     /// A row that is not that cell's.
-    pub fn next(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
+    pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
         let (mut outcomes, mut bytes) = (Vec::new(), 0);
         let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
         for index in 0..self.grid.contenders.len() {

@@ -98,9 +98,11 @@ impl<T: Scalar, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M
 
     #[inline(always)]
     fn call(mut self) -> Self::Output {
-        let mut groups = Vec::with_capacity(BESIDE);
+        // One rollout at a time is one: what the lanes are measured against.
+        let beside = if T::LANES == 1 { 1 } else { BESIDE };
+        let mut groups = Vec::with_capacity(beside);
         loop {
-            while groups.len() < BESIDE {
+            while groups.len() < beside {
                 match self.next()? {
                     Some(group) => groups.push(group),
                     None => break,
