@@ -169,7 +169,7 @@ trait Replay<V: Signal>: Stabilizer<V> {
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for S {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
-        measured(scene, port.stabilized(*self))
+        measured(scene, Port::new(port.stabilized(*self)))
     }
 
     #[inline(never)]
