@@ -8,7 +8,7 @@ use std::fmt::Write;
 use lyapunov::lanes::AutoF64x8;
 use lyapunov_lab::Space;
 use lyapunov_lab::hard::{Tally, watch};
-use lyapunov_lab::scene::Scene;
+use lyapunov_lab::scene::{Scene, Stabilizer};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
@@ -137,6 +137,16 @@ fn grows(scene: &Scene, tally: &Tally) -> Option<bool> {
     }
 }
 
+/// Whether nothing limits the damping.
+fn uncapped(scene: &Scene) -> bool {
+    let cap = match scene.stabilizer {
+        Some(Stabilizer::Popc(popc)) => popc.damping_cap,
+        Some(Stabilizer::Lolc(lolc)) => lolc.damping_cap,
+        None => return false,
+    };
+    cap.get().is_infinite()
+}
+
 fn check(text: &str) -> Result<(), String> {
     let scene = Scene::parse(text, "random").map_err(|error| format!("{error}\n{text}"))?;
     let double = first::<f64>(&scene).ok_or("no f64")?;
@@ -152,8 +162,10 @@ fn check(text: &str) -> Result<(), String> {
             return found(format!("tick {tick}: {law}: {tally:?}"));
         }
     }
-    match (grows(&scene, &double), single.and_then(|single| grows(&scene, &single))) {
-        (Some(one), Some(other)) if one != other => {
+    let verdicts = [Some(double), single].map(|tally| tally.and_then(|it| grows(&scene, &it)));
+    match verdicts {
+        // What an uncapped damper does hangs on roundings.
+        [Some(one), Some(other)] if one != other && !uncapped(&scene) => {
             found(format!("f64 {double:?}\nf32 {single:?}"))
         }
         _ => Ok(()),

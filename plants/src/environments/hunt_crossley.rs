@@ -69,6 +69,6 @@ impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<HuntCrossley<T>> {
         let depth = drive.position - contact.position;
         let damping = contact.spring(depth) * contact.damping;
         let burnt = damping * (drive.velocity * drive.velocity * drive.period);
-        T::choose(depth.above(T::zero()), burnt, T::zero())
+        T::choose(depth.above(T::zero()) & burnt.finite(), burnt, T::zero())
     }
 }

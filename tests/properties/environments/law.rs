@@ -6,8 +6,8 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 
 use lyapunov::{
-    Adapt, Dissipation, Drive, HuntCrossley, Impedance, LyapunovCandidate, MassSpringDamper,
-    OnePort, Spring,
+    Adapt, Contact, Dissipation, Drive, HuntCrossley, Impedance, LyapunovCandidate,
+    MassSpringDamper, MovingWall, OnePort, Sphere, Spring, Wall,
 };
 
 use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Plain, Sample, Varying};
@@ -150,4 +150,27 @@ fn a_negative_damping_credits_nothing() {
     let port = MassSpringDamper::<f64>::new(impedance).expect("an active one");
     assert_eq!(port.dissipation(), Dissipation::of(0.0).expect("none"));
     assert_eq!({ port }.respond(&Drive::starting(1e-3, 0.0, 3.0)), -6.0);
+}
+
+/// A credit of NaN would take a debt with it.
+#[test]
+fn a_velocity_that_is_not_finite_credits_nothing() {
+    let wall = Wall::new(100.0, 2.0).expect("a wall");
+    let moving = MovingWall::new(wall, 0.01, 1.0, 1e3).expect("a moving wall");
+    let hunt = HuntCrossley::new(100.0, 1.5, 2.0).expect("a contact");
+    let ball =
+        Contact::with(Sphere::new(0.0, 0.5).expect("a ball"), 100.0, 2.0).expect("a contact");
+    let credits = |velocity| {
+        let drive = Drive::starting(1e-3, 0.25, velocity);
+        [
+            wall.dissipation().decrease(&drive),
+            moving.dissipation(1e3).expect("a rate").decrease(&drive),
+            hunt.dissipation().decrease(&drive),
+            ball.dissipation().decrease(&drive),
+        ]
+    };
+    for velocity in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200] {
+        assert_eq!(credits(velocity), [0.0; 4], "{velocity}");
+    }
+    assert!(credits(1.0).iter().all(|&credit| credit > 0.0));
 }

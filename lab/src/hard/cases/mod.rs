@@ -5,6 +5,7 @@ mod contact;
 mod delay;
 mod environment;
 mod faults;
+mod found;
 mod limit;
 mod reading;
 mod scale;
@@ -40,6 +41,7 @@ pub(super) fn all() -> Vec<Case> {
         environment::cases(),
         axes::cases(),
         scale::cases(),
+        found::cases(),
     ]
     .into_iter()
     .flatten()

@@ -71,6 +71,6 @@ impl<V: Signal, S: Solid<V>> LyapunovCandidate<V> for DissipationOf<Contact<S, V
         let leaving = drive.velocity.pair(normal);
         let burnt = contact.damper.damping() * (leaving * leaving * drive.period);
         let zero = V::Scalar::of(0.0);
-        V::Scalar::choose(depth.above(zero), burnt, zero)
+        V::Scalar::choose(depth.above(zero) & burnt.finite(), burnt, zero)
     }
 }
