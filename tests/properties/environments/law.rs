@@ -1,5 +1,6 @@
 //! Force and credit, against the laws in straight `f64`.
 
+use nalgebra::Vector2;
 use proptest::array::{uniform2, uniform16};
 use proptest::collection::vec;
 use proptest::prelude::any;
@@ -162,11 +163,12 @@ fn a_velocity_that_is_not_finite_credits_nothing() {
         Contact::with(Sphere::new(0.0, 0.5).expect("a ball"), 100.0, 2.0).expect("a contact");
     let credits = |velocity| {
         let drive = Drive::starting(1e-3, 0.25, velocity);
+        let plane = Drive::starting(1e-3, Vector2::new(0.25, 0.0), Vector2::new(velocity, 0.0));
         [
             wall.dissipation().decrease(&drive),
             moving.dissipation(1e3).expect("a rate").decrease(&drive),
             hunt.dissipation().decrease(&drive),
-            ball.dissipation().decrease(&drive),
+            ball.dissipation().decrease(&plane),
         ]
     };
     for velocity in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200] {
