@@ -159,8 +159,8 @@ fn a_velocity_that_is_not_finite_credits_nothing() {
     let wall = Wall::new(100.0, 2.0).expect("a wall");
     let moving = MovingWall::new(wall, 0.01, 1.0, 1e3).expect("a moving wall");
     let hunt = HuntCrossley::new(100.0, 1.5, 2.0).expect("a contact");
-    let ball =
-        Contact::with(Sphere::new(0.0, 0.5).expect("a ball"), 100.0, 2.0).expect("a contact");
+    let round = Sphere::new(Vector2::zeros(), 0.5).expect("a ball");
+    let ball = Contact::with(round, 100.0, 2.0).expect("a contact");
     let credits = |velocity| {
         let drive = Drive::starting(1e-3, 0.25, velocity);
         let plane = Drive::starting(1e-3, Vector2::new(0.25, 0.0), Vector2::new(velocity, 0.0));
