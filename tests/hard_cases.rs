@@ -85,5 +85,5 @@ cases! {
     periods_over_12_decades: "periods over 12 decades",
     found_a_stiff_wall_two_ticks_late: "a stiff wall, two ticks late",
     found_a_fifth_of_the_answers_lost: "a fifth of the answers lost",
-    found_works_of_1e_17: "works of 1e-17 J",
+    found_works_of_femtojoules: "works of femtojoules",
 }

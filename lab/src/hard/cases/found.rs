@@ -36,7 +36,7 @@ policy = \"zero\"
 seed = 4100199770
 ";
 
-/// Nanonewtons on 5 t at 0.2 Hz; where an answer is lost, the one before it acts on.
+/// Tens of nanonewtons on 5 t at 0.2 Hz; where an answer is lost, the one before it acts on.
 const HELD: &str = "
 velocity = \"exact\"
 duration = 2.350915826724089e3
@@ -81,7 +81,7 @@ pub(super) fn cases() -> Vec<Case> {
             LOST,
         ),
         case(
-            "works of 1e-17 J",
+            "works of femtojoules",
             "seed 20026, scene 570: uncapped, f64 and f32 part on a rounding; at half of m / T they agree",
             2.2944e-4 + 3.517e-8 * 2350.92,
             0.0,
