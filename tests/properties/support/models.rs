@@ -221,7 +221,9 @@ impl<T: Real> Ledger<T> {
             Credit::Beyond(damping, surface) if drive.position.axis(0) > surface => Some(damping),
             _ => None,
         };
-        if let Some(damping) = damping {
+        // What the scalar has no number for is not credited.
+        let burnt = |damping| damping * (drive.velocity.pair(drive.velocity) * drive.period);
+        if let Some(damping) = damping.filter(|&damping| burnt(damping).f64().is_finite()) {
             for axis in 0..V::AXES {
                 let flow = drive.velocity.axis(axis).f64();
                 add(Double::product(flow, flow) * period * Double::of(damping.f64()));
