@@ -167,8 +167,9 @@ fn commanded<V: Space>(
 
 /// The port as it is told of the motion: the velocity from positions, these from an encoder, and these with noise.
 ///
-/// It stands around the stabilizer itself, in one box: saturation and delay hand drives on as they are, so it is no matter
-/// that they are farther in by the contract.
+/// It stands around the stabilizer itself: saturation and delay hand drives on as they are, so it is no matter that they
+/// are farther in by the contract. What most scenes have, a plain difference with or without an encoder, is in one box
+/// with the stabilizer; every further combination would be compiled for every stabilizer.
 pub(super) fn measured<V: Space>(
     scene: &Scene,
     port: impl OnePort<V> + 'static,
@@ -176,19 +177,29 @@ pub(super) fn measured<V: Space>(
     let effects = &scene.effects;
     let resolution = effects.encoder.map(|encoder| encoder.resolution);
     let port = match (scene.velocity, effects.filter) {
-        (Velocity::Exact, _) => counted(port, resolution)?,
+        (Velocity::Exact, _) => counted(Port::new(port), resolution)?,
         (_, None) => counted(port.differenced(), resolution)?,
-        (_, Some(Filter::Cutoff(cutoff))) => counted(port.low_passed(of(cutoff))?, resolution)?,
-        (_, Some(Filter::Window(ticks))) => {
-            // What an encoder says is off a straight motion by less than a step.
-            let band = resolution.map_or(0.0, Positive::get);
-            counted(port.windowed::<WINDOW>(ticks.get().into(), of(band))?, resolution)?
-        }
+        (_, Some(filter)) => filtered(filter, Port::new(port), resolution)?,
     };
     Ok(match effects.noise {
         None => port,
         Some(noise) => Port::new(port.noisy(of(noise.deviation), |_| noise.seed.get())?),
     })
+}
+
+fn filtered<V: Space>(
+    filter: Filter,
+    port: Port<V>,
+    resolution: Option<Positive>,
+) -> Result<Port<V>, ParameterError> {
+    match filter {
+        Filter::Cutoff(cutoff) => counted(port.low_passed(of(cutoff))?, resolution),
+        Filter::Window(ticks) => {
+            // What an encoder says is off a straight motion by less than a step.
+            let band = resolution.map_or(0.0, Positive::get);
+            counted(port.windowed::<WINDOW>(ticks.get().into(), of(band))?, resolution)
+        }
+    }
 }
 
 /// The port as it is told of counts, if there is an encoder; both in one box.

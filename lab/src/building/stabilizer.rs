@@ -78,11 +78,11 @@ impl<V: Space> AnyStabilizer<V> {
         Booking { work, ledger, cap }: Booking,
     ) -> Result<Self, ParameterError> {
         let limit = DampingLimit::of_mass(of(cap), of(scene.mass()), of(scene.period()))?;
-        // Only the default ledger is compiled for each candidate; a box costs the others a call.
+        // Only the default ledger of held work is compiled for each candidate; a box costs the others a call.
         let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
         Ok(match (work, ledger) {
             (Work::Held, Ledger::Plain) => Self::new(Lolc::new(candidate, limit)),
-            (Work::Sampled, Ledger::Plain) => Self::new(Lolc::new(candidate, limit).sampled()),
+            (Work::Sampled, Ledger::Plain) => Self::new(boxed(candidate).sampled()),
             (_, Ledger::Compensated) => {
                 Self::booked(boxed(candidate).summed_in::<Compensated<V::Scalar>>(), work)
             }
@@ -138,7 +138,9 @@ impl<V: Signal> fmt::Debug for AnyStabilizer<V> {
 
 impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
     fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        self.0.stabilize(drive, effort)
+        let mut action = [Action::none(effort)];
+        self.0.replay(&[(*drive, effort)], &mut action);
+        action[0]
     }
 }
 
@@ -161,7 +163,7 @@ impl<V: Space> Render<V> for Crediting<'_> {
 }
 
 /// A stabilizer with a loop or a port of its own around it, compiled for its type.
-trait Replay<V: Signal>: Stabilizer<V> {
+trait Replay<V: Signal> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
@@ -169,7 +171,7 @@ trait Replay<V: Signal>: Stabilizer<V> {
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for S {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
-        measured(scene, Port::new(port.stabilized(*self)))
+        measured(scene, port.stabilized(*self))
     }
 
     #[inline(never)]
