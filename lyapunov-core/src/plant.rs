@@ -32,7 +32,14 @@ pub trait Plant<V: Signal> {
     /// done, and the processor does not begin the next tick meanwhile. What owns a plant hands it on.
     #[inline]
     fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
-        *drive = self.advance(effort);
+        // Field by field: lanes written a pair at a time and then copied by wider reads would wait as well.
+        let moved = self.advance(effort);
+        drive.period = moved.period;
+        drive.position = moved.position;
+        drive.velocity = moved.velocity;
+        drive.displacement = moved.displacement;
+        drive.acted = moved.acted;
+        drive.work = moved.work;
     }
 }
 
