@@ -8,8 +8,8 @@ use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
 use lyapunov_lab::family::Members;
 use lyapunov_lab::map::{
-    Axis, Book, BookError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard,
-    Survey, document, files, merge,
+    Axis, Book, BookError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard, Survey,
+    document, files, merge,
 };
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Output, OutputError};

@@ -41,7 +41,7 @@ pub(crate) struct Basis {
 }
 
 impl Basis {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         let start = [scene.initial.position.get(), scene.initial.velocity.get()];
         let moving = scene.operator.mass.get() + scene.device.mass.get();
         let (pull, reach) = (last_pull(scene), Criterion::of(scene).start());
@@ -64,8 +64,7 @@ impl Basis {
         }
     }
 
-    /// A hand that moves with `speed` (m/s), of which no scene tells: `mass` kg, `period` s, the cap of m / T, and the
-    /// damping of the device, N·s/m.
+    /// A hand of `mass` kg that moves with `speed` m/s, of which no scene tells; `period` in s.
     pub(crate) fn of_hand(mass: f64, period: f64, speed: f64) -> Self {
         Self {
             mass,

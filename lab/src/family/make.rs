@@ -18,10 +18,7 @@ impl Member {
     ///
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
-    pub fn on<T: Scalar + Space>(
-        self,
-        scene: &Scene,
-    ) -> Result<AnyStabilizer<T>, ParameterError> {
+    pub fn on<T: Scalar + Space>(self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
         match self {
             Self::Plain(contender) => contender.made(scene),
             _ => self.set_by(&Basis::of(scene)),
@@ -58,9 +55,7 @@ impl Member {
             }
             Self::Threshold => AnyStabilizer::called(popc.above_velocity(of(basis.threshold()))?),
             Self::Spread => AnyStabilizer::called(popc.spread_over::<T>(ticks)?),
-            Self::RateLimited => {
-                AnyStabilizer::called(popc.rate_limited::<T>(of(basis.rate()))?)
-            }
+            Self::RateLimited => AnyStabilizer::called(popc.rate_limited::<T>(of(basis.rate()))?),
             Self::Rising => AnyStabilizer::called(popc.rising_over::<T>(ticks)?),
             Self::Reference => {
                 let (reference, [x, v]) = (basis.reference, basis.start.map(of));

@@ -8,10 +8,13 @@ use lyapunov::{
 };
 
 use super::naive::Naive;
+use super::pledge::Pledge;
 use super::tally::{Tally, larger};
 use super::watched::{Terms, Watched};
-use crate::scene::{Candidate, Diagnostic, Environment, Finite, Scene};
-use crate::{AnyStabilizer, Assembly, Space, scene};
+use crate::compare::Settings;
+use crate::family::{Basis, Member, Nothing};
+use crate::scene::{Diagnostic, Finite, Scene};
+use crate::{AnyStabilizer, Assembly, Space};
 
 /// Why a case cannot run: it is not written right.
 #[derive(Debug)]
@@ -89,6 +92,9 @@ pub(super) trait Trial: Send + Sync {
     /// With our stabilizer, in every scalar.
     fn ours(&self) -> Result<Runs, HardError>;
 
+    /// With a member of the family, in `f64` and `f32`; none where it takes no part.
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError>;
+
     /// With a stabilizer of somebody's own, in `f64`; none where it is about something else.
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError>;
 
@@ -119,13 +125,14 @@ pub(super) trait Play: Send + Sync {
         1
     }
 
-    /// The device's damping that is credited, N·s/m.
-    fn damping(&self) -> f64 {
-        0.0
-    }
+    /// What stabilizers are set for; ours credits its damping.
+    fn basis(&self) -> Basis;
 
-    /// What our stabilizer may inject.
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError>;
+    /// What a stabilizer may inject.
+    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
+        let Basis { cap, mass, period, .. } = self.basis();
+        DampingLimit::of_mass(T::of(cap), T::of(mass), T::of(period))
+    }
 
     /// What has to be known of the runs beside the limit.
     fn terms(&self, limit: f64) -> Terms;
@@ -143,18 +150,17 @@ const VARIATIONS: usize = 8;
 pub(super) struct Played<P>(pub(super) P);
 
 impl<P: Play> Played<P> {
-    fn under<T: Scalar, S: Stabilizer<T>>(
+    fn run<T: Scalar, S: Stabilizer<T>>(
         &self,
         first: usize,
+        pledge: Pledge,
         stabilizer: impl Fn() -> Result<S, ParameterError>,
     ) -> Result<Vec<Tally>, HardError> {
         // In f32 the limit is rounded once more.
         let limit = self.0.limit::<T>()?.most().lane(0);
         let mut worst: Option<Vec<Tally>> = None;
         for index in 0..self.0.runs() {
-            // The credit is what the scalar makes of the damping.
-            let damping = T::of(self.0.damping()).lane(0);
-            let terms = Terms { damping, ..self.0.terms(limit) };
+            let terms = Terms { pledge, ..self.0.terms(limit) };
             let (watched, record) = Watched::new::<T>(stabilizer()?, terms);
             let value = self.0.play::<T>(index, first, watched)?;
             let mut tallies = record.tallies();
@@ -170,8 +176,20 @@ impl<P: Play> Played<P> {
     }
 
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
-        let damper = Dissipation::of(T::of(self.0.damping()))?;
-        self.under::<T, _>(first, || Ok(Lolc::new((PortEnergy, damper), self.0.limit::<T>()?)))
+        let damping = T::of(self.0.basis().damping);
+        let (damper, pledge) = (Dissipation::of(damping)?, Pledge::damper(damping.lane(0)));
+        let lolc = || Ok(Lolc::new((PortEnergy, damper), self.0.limit::<T>()?));
+        self.run::<T, _>(first, pledge, lolc)
+    }
+
+    fn of_family<T: Scalar + Space>(
+        &self,
+        member: Member,
+        first: usize,
+    ) -> Result<Vec<Tally>, HardError> {
+        let basis = self.0.basis();
+        let pledge = Pledge::of::<T>(member, &basis);
+        self.run::<T, _>(first, pledge, || member.set_by::<T>(&basis))
     }
 }
 
@@ -191,8 +209,20 @@ impl<P: Play> Trial for Played<P> {
         Ok(runs)
     }
 
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        let mut runs = Runs::default();
+        for first in 0..VARIATIONS {
+            runs.double.append(&mut self.of_family::<f64>(member, first)?);
+            if self.0.fits_single() {
+                runs.single.append(&mut self.of_family::<f32>(member, first)?);
+            }
+        }
+        Ok(Some(runs))
+    }
+
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(self.under::<f64, _>(0, || Ok(own()))?.pop())
+        let pledge = Pledge::damper(self.0.basis().damping);
+        Ok(self.run::<f64, _>(0, pledge, || Ok(own()))?.pop())
     }
 }
 
@@ -223,21 +253,20 @@ impl Looped {
         Ok(scene)
     }
 
-    fn run<V: Space>(
-        &self,
-        share: f64,
-        stabilizer: impl FnOnce(&Scene) -> Result<AnyStabilizer<V>, ParameterError>,
-    ) -> Result<Vec<Tally>, HardError> {
+    fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
         let scene = self.scene(share)?;
-        let stabilizer = stabilizer(&scene)?;
-        Ok(looped(&scene, self.rest, stabilizer)?)
+        let named = AnyStabilizer::of(&scene)?.unwrap_or_else(|| AnyStabilizer::new(Nothing));
+        Ok(looped::<V>(&scene, self.rest, named_in::<V>(&scene), named)?)
     }
 
-    fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
-        self.run::<V>(share, |scene| match scene.stabilizer {
-            Some(named) => AnyStabilizer::named(scene, named),
-            None => Ok(AnyStabilizer::new(super::cases::Nothing)),
-        })
+    fn of_family<T: Scalar + Space>(
+        &self,
+        member: Member,
+        share: f64,
+    ) -> Result<Vec<Tally>, HardError> {
+        let scene = self.scene(share)?;
+        let pledge = Pledge::on::<T>(member, &scene);
+        Ok(looped::<T>(&scene, self.rest, pledge, member.on(&scene)?)?)
     }
 }
 
@@ -245,9 +274,10 @@ impl Looped {
 fn looped<V: Space>(
     scene: &Scene,
     rest: f64,
+    pledge: Pledge,
     stabilizer: AnyStabilizer<V>,
 ) -> Result<Vec<Tally>, ParameterError> {
-    let (watched, record) = Watched::new::<V::Scalar>(stabilizer, terms(scene, rest));
+    let (watched, record) = Watched::new::<V::Scalar>(stabilizer, terms(scene, rest, pledge));
     let mut assembly = Assembly::stabilized_by(scene, AnyStabilizer::new(watched))?;
     let mut drive = assembly.plant.start();
     for _ in 0..=scene.ticks() {
@@ -262,35 +292,23 @@ fn looped<V: Space>(
 /// # Errors
 /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
 pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
-    let named = AnyStabilizer::<V>::of(scene)?;
-    looped(scene, 0.0, named.unwrap_or_else(|| AnyStabilizer::new(super::cases::Nothing)))
+    let named = AnyStabilizer::of(scene)?.unwrap_or_else(|| AnyStabilizer::new(Nothing));
+    looped::<V>(scene, 0.0, named_in::<V>(scene), named)
 }
 
-fn terms(scene: &Scene, rest: f64) -> Terms {
-    let (cap, damping, beyond) = match scene.stabilizer {
-        None => (0.0, 0.0, 0.0),
-        Some(scene::Stabilizer::Popc(popc)) => (popc.damping_cap.get(), 0.0, 0.0),
-        Some(scene::Stabilizer::Lolc(lolc)) => {
-            let (damping, beyond) = credited(scene, lolc.candidate);
-            (lolc.damping_cap.get(), damping, beyond)
-        }
-    };
+/// What the stabilizer that a scene names is held to.
+fn named_in<V: Space>(scene: &Scene) -> Pledge {
+    let named = scene.stabilizer.map(|named| Pledge::named::<V::Scalar>(named, scene));
+    named.unwrap_or(Pledge::POPC)
+}
+
+fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
+    let cap = Settings::of(scene).damping_cap.get();
     let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
     // What a scene says is rounded once more on its way to f32.
     let limit = (cap * scene.mass() / scene.period() * (1.0 + 1e-6)).min(f64::MAX);
     let force = force * (1.0 + 1e-6);
-    Terms { ticks: scene.ticks(), rest, limit, damping, beyond, force }
-}
-
-/// The damping that a candidate credits, and the surface beyond which it does.
-fn credited(scene: &Scene, candidate: Candidate) -> (f64, f64) {
-    match (candidate, &scene.environment) {
-        (Candidate::DeviceDamping, _) => (scene.device.damping.get(), f64::NEG_INFINITY),
-        (Candidate::MassSpringDamper, Environment::Wall(wall)) => {
-            (wall.damping.get(), wall.position.get())
-        }
-        _ => (0.0, 0.0),
-    }
+    Terms { ticks: scene.ticks(), rest, limit, pledge, force }
 }
 
 impl Trial for Looped {
@@ -305,8 +323,18 @@ impl Trial for Looped {
         Ok(runs)
     }
 
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        let mut runs = Runs::default();
+        for share in SHARES {
+            runs.double.append(&mut self.of_family::<f64>(member, share)?);
+            runs.single.append(&mut self.of_family::<f32>(member, share)?);
+        }
+        Ok(Some(runs))
+    }
+
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(self.run::<f64>(SHARES[0], |_| Ok(own()))?.pop())
+        let scene = self.scene(SHARES[0])?;
+        Ok(looped(&scene, self.rest, named_in::<f64>(&scene), own())?.pop())
     }
 
     fn naive(&self) -> Result<Option<Tally>, HardError> {

@@ -8,6 +8,7 @@ use lyapunov::{Action, Drive, Mask, Scalar, Signal, Stabilizer};
 
 use super::balance::{Balance, Told};
 use super::double::Double;
+use super::pledge::{Account, Correction, Credit, Pledge};
 use super::tally::{Tally, larger};
 
 /// What has to be known to judge a run.
@@ -19,19 +20,16 @@ pub(super) struct Terms {
     pub(super) rest: f64,
     /// The most damping, N·s/m.
     pub(super) limit: f64,
-    /// The credited damping, N·s/m.
-    pub(super) damping: f64,
-    /// It counts beyond here only, m.
-    pub(super) beyond: f64,
+    /// What the stabilizer is held to.
+    pub(super) pledge: Pledge,
     /// The most that may act, N.
     pub(super) force: f64,
 }
 
 impl Terms {
-    /// Of a run that credits nothing and clips nothing.
+    /// Of a run under POPC that clips nothing.
     pub(super) fn of(ticks: u64, limit: f64) -> Self {
-        let (rest, damping) = (0.0, 0.0);
-        Self { ticks, rest, limit, damping, beyond: f64::NEG_INFINITY, force: f64::INFINITY }
+        Self { ticks, rest: 0.0, limit, pledge: Pledge::POPC, force: f64::INFINITY }
     }
 }
 
@@ -59,7 +57,15 @@ impl<S> Watched<S> {
             terms,
             tick: 0,
             shaken: false,
-            balance: Balance::new(T::epsilon().lane(0) / 2.0, T::tiny().lane(0)),
+            balance: Balance::new(
+                T::epsilon().lane(0) / 2.0,
+                T::tiny().lane(0),
+                terms.pledge.budget,
+            ),
+            held: match terms.pledge.credit {
+                Credit::Reference { reference, start: [x, v] } => reference.stored(x, v),
+                _ => 0.0,
+            },
             epsilon: T::epsilon().lane(0),
             tiny: T::tiny().lane(0),
             largest: T::largest().lane(0),
@@ -185,6 +191,8 @@ struct Meter {
     tick: u64,
     shaken: bool,
     balance: Balance,
+    /// What a reference held on the tick before, J.
+    held: f64,
     epsilon: f64,
     tiny: f64,
     largest: f64,
@@ -200,10 +208,15 @@ impl Meter {
     }
 
     fn book(&mut self, sight: &Sight) {
-        let mut terms = [Double::default(); 3 * AXES];
-        let beyond = self.terms.beyond;
-        let touches = beyond == f64::NEG_INFINITY || sight.position.values[0] > beyond;
-        let credits = self.terms.damping > 0.0 && touches;
+        let mut terms = [Double::default(); 3 * AXES + 1];
+        let damping = match self.terms.pledge.credit {
+            Credit::Damper { damping, beyond }
+                if beyond == f64::NEG_INFINITY || sight.position.values[0] > beyond =>
+            {
+                damping
+            }
+            _ => 0.0,
+        };
         for axis in 0..sight.velocity.count {
             let work = Double::product(sight.acted.values[axis], sight.displacement.values[axis]);
             let v = sight.velocity.values[axis];
@@ -212,15 +225,34 @@ impl Meter {
             let known = (work.value() + others).is_finite();
             terms[3 * axis] = if known { work } else { sight.work.values[axis].into() };
             terms[3 * axis + 1] = if known { others.into() } else { Double::default() };
-            if credits {
-                let credit = Double::product(v, v).times(sight.period).times(self.terms.damping);
+            if damping > 0.0 {
+                let credit = Double::product(v, v).times(sight.period).times(damping);
                 // What is not known credits nothing.
                 if credit.value().is_finite() {
                     terms[3 * axis + 2] = credit;
                 }
             }
         }
+        terms[3 * AXES] = self.stored(sight).into();
         self.balance.book(&terms);
+    }
+
+    /// What is credited as a whole, J: where it is not known, nothing of the tick is.
+    fn stored(&mut self, sight: &Sight) -> f64 {
+        match self.terms.pledge.credit {
+            Credit::None | Credit::Damper { .. } => 0.0,
+            Credit::Moved { damping } => {
+                damping * (sight.displacement.pair(&sight.displacement) / sight.period)
+            }
+            Credit::Reference { reference, .. } => {
+                let now = reference.stored(sight.position.values[0], sight.velocity.values[0]);
+                let change = self.held - now;
+                if now.is_finite() {
+                    self.held = now;
+                }
+                change
+            }
+        }
     }
 
     fn judge(&mut self, sight: &Sight) {
@@ -245,6 +277,11 @@ impl Meter {
                 let [out, given, v] =
                     [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
                 let rounding = 8.0 * epsilon * (out.abs() + given.abs());
+                if self.terms.pledge.correction == Correction::Cuts {
+                    let grown = out.abs() - given.abs();
+                    require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
+                    continue;
+                }
                 let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
                 correction =
                     larger(correction, (out - given).abs() / most.max(rounding).max(self.tiny));
@@ -261,7 +298,11 @@ impl Meter {
             false => 0.0,
         };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
-        let off = self.balance.off(told);
+        let off = match self.terms.pledge.account {
+            Account::None => 0.0,
+            Account::Whole => self.balance.off(told),
+            Account::Forgetful => self.balance.over(told),
+        };
         if in_range {
             self.tally.off = larger(self.tally.off, off);
             self.tally.require(Law::Balances, off <= 1.0, tick);
@@ -282,7 +323,7 @@ impl Meter {
                 tally.late_swing = larger(tally.late_swing, away);
             }
         }
-        tally.given = larger(tally.given, -self.balance.supplied());
+        tally.given = larger(tally.given, self.terms.pledge.budget - self.balance.supplied());
         tally.shortfall = larger(tally.shortfall, sight.shortfall);
         tally.peak_force = larger(tally.peak_force, sight.out.largest());
         if sight.acted.finite() {

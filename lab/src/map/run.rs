@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
-use super::grid::{Grid, GridError};
 use super::contender::Contender;
+use super::grid::{Grid, GridError};
 use super::kernel::{Instructions, Kernel, Lanes};
 use super::outcome::Outcome;
 use super::{single, tick};

@@ -8,8 +8,11 @@ use lyapunov::{
 use nalgebra::SVector;
 
 use super::Nothing;
+use crate::Space;
+use crate::family::{Basis, Member};
 use crate::hard::case::{Case, Quantity};
 use crate::hard::naive::Naive;
+use crate::hard::pledge::Pledge;
 use crate::hard::tally::Tally;
 use crate::hard::trial::{HardError, Own, Runs, Trial};
 use crate::hard::watched::{Record, Terms, Watched};
@@ -93,6 +96,17 @@ impl Masking {
     }
 }
 
+/// The member on each axis.
+fn per_axis<T: Scalar + Space>(member: Member, first: usize) -> Result<Vec<Tally>, HardError> {
+    let basis = Basis::of_hand(MASS, PERIOD, 1.0);
+    let pledge = Pledge::of::<T>(member, &basis);
+    let terms = Terms { pledge, ..Terms::of(TICKS, popc_limit::<T>()) };
+    let (x, of_x) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+    let (y, of_y) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+    let value = close::<T>(first, PerAxis::of([x, y]))?;
+    Ok(Masking::told(&[of_x, of_y], value))
+}
+
 fn popc_limit<T: Scalar>() -> f64 {
     limit::<T>().map_or(f64::INFINITY, |limit| limit.most().lane(0))
 }
@@ -107,6 +121,19 @@ impl Trial for Masking {
         runs.double_lanes = self.ours_in::<AutoF64x8>(0)?;
         runs.single_lanes = self.ours_in::<AutoF32x8>(0)?;
         Ok(runs)
+    }
+
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        // What watches all axes at once is no member.
+        if !self.per_axis {
+            return Ok(None);
+        }
+        let mut runs = Runs::default();
+        for first in 0..8 {
+            runs.double.append(&mut per_axis::<f64>(member, first)?);
+            runs.single.append(&mut per_axis::<f32>(member, first)?);
+        }
+        Ok(Some(runs))
     }
 
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {

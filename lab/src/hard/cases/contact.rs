@@ -1,9 +1,8 @@
 //! Contacts that hardly are, never end, or are two.
 
-use lyapunov::{
-    Body, DampingLimit, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer, Wall,
-};
+use lyapunov::{Body, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer, Wall};
 
+use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::trial::{Looped, Play, Played};
 use crate::hard::watched::Terms;
@@ -82,8 +81,8 @@ impl Play for Facing {
         Ok(T::zero())
     }
 
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
+    fn basis(&self) -> Basis {
+        Basis::of_hand(MASS, PERIOD, 0.1)
     }
 
     fn terms(&self, limit: f64) -> Terms {
