@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use lyapunov_lab::family::Member;
+use lyapunov_lab::family::{Contender, Member};
 use lyapunov_lab::hard::{Catalogue, HardError};
 use lyapunov_lab::{Output, OutputError};
 
@@ -44,6 +44,11 @@ pub(crate) struct Hard {
 impl Hard {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
+        if self.stabilizer == Some(Member::Plain(Contender::Nobody)) {
+            return Err(End::input(
+                "`none` is no stabilizer to be tried\n  = --out writes a page that tells of every loop without one",
+            ));
+        }
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let bar = self.progress();
         let watch = || {

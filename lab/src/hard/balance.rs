@@ -42,14 +42,15 @@ impl Balance {
         self.absolute
     }
 
-    /// Books the works and credits of a tick if they are finite, which is when a ledger books them.
-    pub(super) fn book(&mut self, terms: &[Double]) {
+    /// Books the works and credits of a tick if they are finite, which is when a ledger books them; credits that are
+    /// differences of an energy are rounded as that is, and `held` joules are in it.
+    pub(super) fn book(&mut self, terms: &[Double], held: f64) {
         let sum = terms.iter().fold(Double::default(), |sum, term| sum.plus(*term));
         if sum.value().is_finite() {
             self.supplied = self.supplied.plus(sum);
             self.absolute += terms.iter().map(|term| term.value().abs()).sum::<f64>();
         }
-        self.largest = self.largest.max(self.supplied().abs());
+        self.largest = self.largest.max(self.supplied().abs()).max(held.abs());
         self.ticks += 1.0;
     }
 
@@ -82,7 +83,9 @@ mod tests {
 
     fn after(works: &[(f64, f64)]) -> Balance {
         let mut balance = Balance::new(UNIT, f64::MIN_POSITIVE, 0.0);
-        works.iter().for_each(|(force, moved)| balance.book(&[Double::product(*force, *moved)]));
+        works
+            .iter()
+            .for_each(|(force, moved)| balance.book(&[Double::product(*force, *moved)], 0.0));
         balance
     }
 

@@ -5,7 +5,6 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 
 use super::naive::Naive;
-use super::pledge::promises;
 use super::tally::{Tally, larger};
 use super::trial::{HardError, Own, Runs, Trial};
 use crate::AnyStabilizer;
@@ -165,7 +164,7 @@ impl Case {
         let Some(runs) = self.trial.under(member)? else { return Ok(None) };
         let naive = self.trial.naive()?.map(|tally| self.outcome(&tally));
         let without = self.without()?;
-        Ok(Some(self.judged(&runs, promises(member), naive, without)))
+        Ok(Some(self.judged(&runs, self.trial.promised_by(member)?, naive, without)))
     }
 
     fn without(&self) -> Result<Option<Outcome>, HardError> {

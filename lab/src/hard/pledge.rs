@@ -71,8 +71,7 @@ impl Pledge {
         // The credit is what the scalar makes of the number.
         let of = |number: f64| T::of(number).lane(0);
         match member {
-            Member::Plain(Contender::Nobody) => Self { account: Account::None, ..Self::POPC },
-            Member::Plain(Contender::Popc | Contender::LolcSpring)
+            Member::Plain(Contender::Nobody | Contender::Popc | Contender::LolcSpring)
             | Member::Threshold
             | Member::Spread
             | Member::RateLimited

@@ -3,17 +3,15 @@
 use std::fmt;
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x8};
-use lyapunov::{
-    DampingLimit, Dissipation, Lolc, ParameterError, Plant, PortEnergy, Scalar, Stabilizer,
-};
+use lyapunov::{DampingLimit, Dissipation, ParameterError, Plant, PortEnergy, Scalar};
 
 use super::naive::Naive;
-use super::pledge::Pledge;
+use super::pledge::{Pledge, promises};
 use super::tally::{Tally, larger};
 use super::watched::{Terms, Watched};
 use crate::compare::Settings;
 use crate::family::{Basis, Member, Nothing};
-use crate::scene::{Diagnostic, Finite, Scene};
+use crate::scene::{Candidate, Diagnostic, Finite, Lolc, Scene, Stabilizer};
 use crate::{AnyStabilizer, Assembly, Space};
 
 /// Why a case cannot run: it is not written right.
@@ -95,6 +93,11 @@ pub(super) trait Trial: Send + Sync {
     /// With a member of the family, in `f64` and `f32`; none where it takes no part.
     fn under(&self, member: Member) -> Result<Option<Runs>, HardError>;
 
+    /// Whether the bound is a promise of `member`.
+    fn promised_by(&self, member: Member) -> Result<bool, HardError> {
+        Ok(promises(member))
+    }
+
     /// With a stabilizer of somebody's own, in `f64`; none where it is about something else.
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError>;
 
@@ -117,7 +120,7 @@ pub(super) trait Play: Send + Sync {
         &self,
         index: u64,
         first: usize,
-        stabilizer: impl Stabilizer<T>,
+        stabilizer: impl lyapunov::Stabilizer<T>,
     ) -> Result<T, ParameterError>;
 
     /// How many runs there are.
@@ -150,7 +153,7 @@ const VARIATIONS: usize = 8;
 pub(super) struct Played<P>(pub(super) P);
 
 impl<P: Play> Played<P> {
-    fn run<T: Scalar, S: Stabilizer<T>>(
+    fn run<T: Scalar, S: lyapunov::Stabilizer<T>>(
         &self,
         first: usize,
         pledge: Pledge,
@@ -178,7 +181,7 @@ impl<P: Play> Played<P> {
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
         let damping = T::of(self.0.basis().damping);
         let (damper, pledge) = (Dissipation::of(damping)?, Pledge::damper(damping.lane(0)));
-        let lolc = || Ok(Lolc::new((PortEnergy, damper), self.0.limit::<T>()?));
+        let lolc = || Ok(lyapunov::Lolc::new((PortEnergy, damper), self.0.limit::<T>()?));
         self.run::<T, _>(first, pledge, lolc)
     }
 
@@ -312,6 +315,17 @@ fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
 }
 
 impl Trial for Looped {
+    fn promised_by(&self, member: Member) -> Result<bool, HardError> {
+        let scene = self.scene(SHARES[0])?;
+        let credits = |named| {
+            matches!(named, Some(Stabilizer::Lolc(Lolc { candidate, .. }))
+                if candidate == Candidate::MassSpringDamper)
+        };
+        // What is promised of the paper's credit is promised of nothing else.
+        let alike = || member.contender().and_then(|it| it.on(&scene)) == scene.stabilizer;
+        Ok(if credits(scene.stabilizer) { alike() } else { promises(member) })
+    }
+
     fn ours(&self) -> Result<Runs, HardError> {
         let mut runs = Runs::default();
         for share in SHARES {

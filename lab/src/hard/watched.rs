@@ -183,6 +183,11 @@ impl Sight {
     fn square(&self) -> f64 {
         self.velocity.pair(&self.velocity) * self.period
     }
+
+    /// What the correction is to burn, J: nothing without a damping, whatever the velocity.
+    fn burnt(&self) -> f64 {
+        if self.alpha == 0.0 { 0.0 } else { self.alpha * self.square() }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -234,7 +239,7 @@ impl Meter {
             }
         }
         terms[3 * AXES] = self.stored(sight).into();
-        self.balance.book(&terms);
+        self.balance.book(&terms, self.held);
     }
 
     /// What is credited as a whole, J: where it is not known, nothing of the tick is.
@@ -288,15 +293,12 @@ impl Meter {
                 require(Law::Opposes, (out - given) * v >= -rounding * v.abs());
                 require(Law::WithinLimit, (out - given).abs() <= most + rounding);
             }
-            let served = sight.sum + sight.alpha * sight.square() + sight.shortfall;
+            let served = sight.sum + sight.burnt() + sight.shortfall;
             let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
             require(Law::Served, served >= -rounding || !in_range);
         }
         require(Law::WithinLimit, sight.acted.largest() <= self.terms.force || !sound);
-        let dissipated = match sight.accepted {
-            true => sight.alpha * sight.square(),
-            false => 0.0,
-        };
+        let dissipated = if sight.accepted { sight.burnt() } else { 0.0 };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
         let off = match self.terms.pledge.account {
             Account::None => 0.0,

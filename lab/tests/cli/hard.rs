@@ -46,6 +46,7 @@ fn a_member_of_the_family_stands_in_the_place_of_ours() {
     assert!(over > 0);
     let page = place.text("made/report.html");
     assert!(page.contains("lyapunov hard --stabilizer popc-spread --out made"));
+    place.refuses(["hard", "--stabilizer", "none"], &["`none` is no stabilizer"]);
     place.refuses(["hard", "--stabilizer", "popcspread"], &["did you mean `popc-spread`?"]);
 }
 

@@ -111,7 +111,7 @@ impl Hour {
         for tick in 0..HOUR {
             let effort = wall.respond(&drive);
             let action = stabilizer.stabilize(&drive, effort);
-            balance.book(&[Double::product(drive.acted.lane(0), drive.displacement.lane(0))]);
+            balance.book(&[Double::product(drive.acted.lane(0), drive.displacement.lane(0))], 0.0);
             if tick % 1000 == 0 {
                 let square = (drive.velocity * drive.velocity * drive.period).lane(0);
                 let told = Told {
