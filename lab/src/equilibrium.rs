@@ -74,7 +74,7 @@ fn swings(amplitude: f64, frequency: f64) -> bool {
 }
 
 /// The stiffness that the device is pulled back with at the end, N/m: the operator's spring, and a link in series.
-fn last_pull(scene: &Scene) -> f64 {
+pub(crate) fn last_pull(scene: &Scene) -> f64 {
     let operator = &scene.operator;
     let changes = operator.grip.iter().flat_map(|grip| grip.times.iter().zip(&grip.stiffness));
     let mut gone = changes.filter(|(time, _)| scene.tick_of(time.get()) <= scene.ticks());

@@ -30,6 +30,7 @@ pub mod compare;
 mod csv;
 mod described;
 mod equilibrium;
+pub mod family;
 pub mod hard;
 pub mod map;
 mod meters;

@@ -3,6 +3,7 @@
 use lyapunov::{Drive, Mask, OnePort, ParameterError, Plant, Scalar, Signal, Stabilizer};
 
 use crate::building::Seen;
+use crate::family::{Contender, Member};
 use crate::scene::Scene;
 use crate::{AnyStabilizer, Assembly, Row, Space};
 
@@ -38,6 +39,19 @@ impl<V: Space> Rollout<V> {
         stabilizer: impl Stabilizer<V> + 'static,
     ) -> Result<Self, ParameterError> {
         Self::assemble(scene, Some(AnyStabilizer::new(stabilizer)))
+    }
+
+    /// The loop of `scene` under `member` of the family, whatever the scene names.
+    ///
+    /// # Errors
+    /// As [`Rollout::of`].
+    pub fn under(scene: &Scene, member: Member) -> Result<Self, ParameterError>
+    where
+        V: Scalar,
+    {
+        let nobody = member == Member::Plain(Contender::Nobody);
+        let stabilizer = if nobody { None } else { Some(member.on(scene)?) };
+        Self::assemble(scene, stabilizer)
     }
 
     /// What the plant tells of the coming tick, before anything measures it.

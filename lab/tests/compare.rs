@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use lyapunov_lab::family::Member;
 use serde_json::Value;
 
 fn shipped(name: &str) -> PathBuf {
@@ -170,4 +171,32 @@ fn a_reader_that_leaves_is_no_error() {
     let line = format!("{} compare {} | true", env!("CARGO_BIN_EXE_lyapunov"), scene.display());
     let output = Command::new("bash").args(["-o", "pipefail", "-c", &line]).output().unwrap();
     assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
+}
+
+#[test]
+fn the_family_takes_part_by_name() {
+    let scene = shipped("press-1khz.toml");
+    let all = compare(&[&scene, &"--stabilizers", &"all"]);
+    let (table, said) = (text(&all.stdout), text(&all.stderr));
+    assert_eq!((all.status.code(), said.as_str()), (Some(0), ""));
+    let narrow = |line: &str| line.chars().count() <= 100 || line.contains(".toml");
+    assert!(table.lines().all(narrow), "{table}");
+    for member in Member::ALL {
+        let rows = table.lines().filter(|line| line.split(' ').next() == Some(member.name()));
+        assert_eq!(rows.count(), 2, "{member}: {table}");
+    }
+
+    let rows = |names: &str| {
+        let output = compare(&[&scene, &"--stabilizers", &names, &"--json"]);
+        timeless(&text(&output.stdout))["rows"].as_array().unwrap().clone()
+    };
+    let some = rows("tank,popc,popc-threshold");
+    let names: Vec<&str> = some.iter().map(|row| row["stabilizer"].as_str().unwrap()).collect();
+    assert_eq!(names, ["tank", "popc", "popc-threshold"]);
+    // Who else takes part is no matter, and a tank adds no damping.
+    assert_eq!(some[1], rows("none,popc")[1]);
+    assert_eq!(some[0]["active_percent"], 0.0);
+
+    refused(&[&scene, &"--stabilizers", &"tnk"], &["`tnk`", "did you mean `tank`?", "popc-rising"]);
+    refused(&[&scene, &"--stabilizers", &"popc,popc"], &["`popc` is named twice"]);
 }

@@ -36,7 +36,12 @@ impl<V: Signal> AnyStabilizer<V> {
 impl<V: Space> AnyStabilizer<V> {
     /// Boxes `stabilizer`.
     pub fn new(stabilizer: impl Stabilizer<V> + 'static) -> Self {
-        Self(Box::new(stabilizer))
+        Self(Box::new(Fused(stabilizer)))
+    }
+
+    /// Boxes `stabilizer` for a loop that calls it through a table: no loop is compiled for its type.
+    pub(crate) fn called(stabilizer: impl Stabilizer<V> + 'static) -> Self {
+        Self(Box::new(Called(stabilizer)))
     }
 
     /// The stabilizer that `scene` names, if it names one.
@@ -162,22 +167,46 @@ impl<V: Space> Render<V> for Crediting<'_> {
     }
 }
 
-/// A stabilizer with a loop or a port of its own around it, compiled for its type.
+/// A stabilizer with a loop or a port around it.
 trait Replay<V: Signal> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
 }
 
-impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for S {
+/// A stabilizer that a loop calls through a table.
+struct Called<S>(S);
+
+impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
-        measured(scene, port.stabilized(*self))
+        measured(scene, port.stabilized(AnyStabilizer(self)))
     }
 
-    #[inline(never)]
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
-        for ((drive, effort), action) in samples.iter().zip(actions) {
-            *action = self.stabilize(drive, *effort);
-        }
+        take(&mut self.0, samples, actions);
+    }
+}
+
+/// A stabilizer with a loop compiled for its type.
+struct Fused<S>(S);
+
+impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
+    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
+        measured(scene, port.stabilized(self.0))
+    }
+
+    fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
+        take(&mut self.0, samples, actions);
+    }
+}
+
+#[inline(never)]
+fn take<V: Signal>(
+    stabilizer: &mut impl Stabilizer<V>,
+    samples: &[(Drive<V>, V)],
+    actions: &mut [Action<V>],
+) {
+    for ((drive, effort), action) in samples.iter().zip(actions) {
+        *action = stabilizer.stabilize(drive, *effort);
     }
 }

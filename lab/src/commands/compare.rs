@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
+use lyapunov_lab::family::Members;
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Output, OutputError, Space};
 
@@ -19,10 +20,11 @@ const LONG: u64 = 1 << 20;
 /// The file that `--json` prints.
 const RESULTS: &str = "compare.json";
 
-/// Compare stabilizers on the same scenes: none, POPC, and LOLC with each of its candidates.
+/// Compare stabilizers on the same scenes.
 ///
-/// Prints a table for each scene. POPC and LOLC take work and damping_cap from the scene's own stabilizer if it
-/// has one. A `-` stands where a column does not apply; docs/compare.md defines the columns.
+/// Prints a table for each scene. All stabilizers take damping_cap from the scene's own stabilizer if it has one, POPC and
+/// LOLC its work and ledger as well; docs/family.md says what each of the others is set to. A `-` stands where a column
+/// does not apply; docs/compare.md defines the columns.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -30,6 +32,9 @@ pub(crate) struct Compare {
     /// The scene files, TOML.
     #[arg(required = true, value_name = "SCENE")]
     scenes: Vec<PathBuf>,
+    /// Who takes part, by the names of docs/family.md, or all.
+    #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
+    stabilizers: Members,
     /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -71,14 +76,14 @@ impl Compare {
     }
 
     fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<Comparison>, End> {
-        let contestants = Contestants::<f64>::standard().names().count() as u64;
+        let contestants = self.stabilizers.len() as u64;
         let ticks = scenes.iter().map(|(_, scene)| contestants * (scene.ticks() + 1)).sum();
         let bar = self.progress(ticks);
         let mut comparisons = Vec::new();
         for (name, scene) in scenes {
             let mut comparison = match scene.scalar {
-                Scalar::F64 => meet::<f64>(name, scene, &bar)?,
-                Scalar::F32 => meet::<f32>(name, scene, &bar)?,
+                Scalar::F64 => self.meet::<f64>(name, scene, &bar)?,
+                Scalar::F32 => self.meet::<f32>(name, scene, &bar)?,
             };
             if let Some(column) = self.by {
                 comparison.sort_by(column);
@@ -96,21 +101,26 @@ impl Compare {
         }
         shown(ProgressBar::new(ticks), BAR)
     }
-}
 
-fn meet<V: Space>(name: &str, scene: &Scene, bar: &ProgressBar) -> Result<Comparison, End> {
-    let watch = |ticks| {
-        bar.inc(ticks);
-        match End::if_interrupted() {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(_) => ControlFlow::Break(()),
-        }
-    };
-    let contestants = Contestants::<V>::standard();
-    Comparison::watched(name, scene, &contestants, &watch).map_err(|error| match error {
-        CompareError::Stopped => End::Interrupted,
-        error => End::input(error),
-    })
+    fn meet<T: lyapunov::Scalar + Space>(
+        &self,
+        name: &str,
+        scene: &Scene,
+        bar: &ProgressBar,
+    ) -> Result<Comparison, End> {
+        let watch = |ticks| {
+            bar.inc(ticks);
+            match End::if_interrupted() {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        };
+        let contestants = Contestants::<T>::of(self.stabilizers.iter().copied());
+        Comparison::watched(name, scene, &contestants, &watch).map_err(|error| match error {
+            CompareError::Stopped => End::Interrupted,
+            error => End::input(error),
+        })
+    }
 }
 
 /// Writes everything, and only then lets it appear.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
+use lyapunov_lab::family::{Contender, Member};
 use lyapunov_lab::hard::{Catalogue, HardError};
 use lyapunov_lab::{Output, OutputError};
 
@@ -24,6 +25,11 @@ const RESULTS: &str = "hard.json";
 /// Exit status: 0 every case passed, 1 one failed, or an internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Hard {
+    /// Run the cases with this stabilizer in the place of ours, by its name in docs/family.md, in f64 and f32.
+    ///
+    /// A bound that it does not promise may be passed: the case is then told as over, and is no failure.
+    #[arg(long, value_name = "NAME")]
+    stabilizer: Option<Member>,
     /// Write hard.json and report.html into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -38,6 +44,11 @@ pub(crate) struct Hard {
 impl Hard {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
+        if self.stabilizer == Some(Member::Plain(Contender::Nobody)) {
+            return Err(End::input(
+                "`none` is no stabilizer to be tried\n  = --out writes a page that tells of every loop without one",
+            ));
+        }
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let bar = self.progress();
         let watch = || {
@@ -47,14 +58,14 @@ impl Hard {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let catalogue = Catalogue::run(&watch).map_err(|error| match error {
+        let catalogue = Catalogue::of(self.stabilizer, &watch).map_err(|error| match error {
             HardError::Stopped => End::Interrupted,
             error => End::internal(error),
         })?;
         bar.finish_and_clear();
         let text = catalogue.document().map_err(End::internal)?;
         if let Some(folder) = folder {
-            fill(&folder, &catalogue, &text)?;
+            fill(&folder, &catalogue, &text, &self.command(&folder))?;
         }
         if !self.quiet {
             let shown = if self.json { text } else { catalogue.to_string() };
@@ -62,6 +73,11 @@ impl Hard {
         }
         let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
         if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }
+    }
+
+    fn command(&self, folder: &Folder<'_>) -> String {
+        let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
+        format!("lyapunov hard{} --out {}", named.unwrap_or_default(), folder.path().display())
     }
 
     fn progress(&self) -> ProgressBar {
@@ -73,8 +89,8 @@ impl Hard {
 }
 
 /// Writes everything, and only then lets it appear.
-fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str) -> Result<(), End> {
-    let page = catalogue.report(&format!("lyapunov hard --out {}", folder.path().display()));
+fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str, command: &str) -> Result<(), End> {
+    let page = catalogue.report(command);
     let put = |name: &str, bytes: &[u8]| -> Result<Output, OutputError> {
         let mut output = Output::create(&folder.path().join(name))?;
         output.write_all(bytes).map_err(|error| output.blame(error))?;

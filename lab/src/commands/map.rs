@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
+use lyapunov_lab::family::Members;
 use lyapunov_lab::map::{
-    Axis, Book, BookError, Bounds, Computation, Contender, Grid, MergeError, Run, RunError, Shard,
-    Survey, document, files, merge,
+    Axis, Book, BookError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard, Survey,
+    document, files, merge,
 };
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Output, OutputError};
@@ -41,9 +42,9 @@ pub(crate) struct Map {
     /// The axis upwards.
     #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
     y: Option<Axis>,
-    /// Who runs in each cell: none, popc, lolc, lolc-spring, lolc-device-damping, lolc-mass-spring-damper.
-    #[arg(long, value_delimiter = ',', default_value = "none,popc,lolc", value_name = "NAMES")]
-    stabilizers: Vec<Contender>,
+    /// Who runs in each cell, by the names of docs/family.md, or all.
+    #[arg(long, default_value = "none,popc,lolc", value_name = "NAMES")]
+    stabilizers: Members,
     /// Write the map into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -180,8 +181,7 @@ impl Map {
         if let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) {
             let _ = write!(text, " {} --x {x} --y {y}", scene.display());
         }
-        let names: Vec<&str> = self.stabilizers.iter().map(|it| it.name()).collect();
-        text + " --stabilizers " + &names.join(",")
+        format!("{text} --stabilizers {}", self.stabilizers)
     }
 
     fn say(
@@ -205,7 +205,13 @@ impl Map {
         }
         said += &table(survey, bounds);
         let how = match computation.instructions {
-            Some(set) => format!("{} cells at once ({set})", computation.lanes),
+            Some(set) if survey.grid().members.iter().all(|it| it.contender().is_some()) => {
+                format!("{} cells at once ({set})", computation.lanes)
+            }
+            Some(set) => format!(
+                "{} cells at once ({set}) under what a scene can name, one at a time under the others",
+                computation.lanes
+            ),
             None => "one cell at a time, as the kernel does not have all parts of the scene".into(),
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
@@ -274,13 +280,13 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> String {
         "  {:24} {:>10} {:>10} {:>8}  {:>12}  {:>14}",
         "stabilizer", "stable", "of cells", "share", "area", "of exact bound"
     );
-    for (index, contender) in grid.contenders.iter().enumerate() {
+    for (index, member) in grid.members.iter().enumerate() {
         let area = survey.area(index);
         let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         let _ = writeln!(
             text,
             "  {:24} {:>10} {:>10} {:>6.2} %  {:>12.6e}  {:>14}",
-            contender.name(),
+            member.name(),
             area.stable,
             area.judged,
             100.0 * area.share,

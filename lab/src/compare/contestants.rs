@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use lyapunov::{Action, Drive, ParameterError, Stabilizer};
+use lyapunov::{ParameterError, Scalar, Stabilizer};
 
-use crate::scene::{self, Candidate, Cap, Ledger, Lolc, Popc, Scene, Work};
+use crate::family::{Member, Members};
+use crate::scene::{self, Cap, Ledger, Scene, Work};
 use crate::{AnyStabilizer, Space};
 
 /// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
@@ -47,25 +48,6 @@ impl<V: Space> Contestants<V> {
         Self { entries: Vec::new() }
     }
 
-    /// No stabilizer, POPC, and LOLC with each of its candidates, set as [`Settings::of`] the scene.
-    pub fn standard() -> Self {
-        let lolc = |candidate| {
-            move |set: Settings| {
-                let Settings { work, ledger, damping_cap, .. } = set;
-                scene::Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })
-            }
-        };
-        Self::nobody()
-            .with("none", |_| Ok(Nothing))
-            .named("POPC", |set| {
-                let Settings { work, ledger, damping_cap, .. } = set;
-                scene::Stabilizer::Popc(Popc { work, ledger, damping_cap })
-            })
-            .named("LOLC spring", lolc(Candidate::Spring))
-            .named("LOLC device-damping", lolc(Candidate::DeviceDamping))
-            .named("LOLC mass-spring-damper", lolc(Candidate::MassSpringDamper))
-    }
-
     /// The same with one more, whose stabilizer is made by `make` for each scene.
     #[must_use]
     pub fn with<S: Stabilizer<V> + 'static>(
@@ -85,16 +67,6 @@ impl<V: Space> Contestants<V> {
         &self.entries
     }
 
-    fn named(
-        self,
-        name: &str,
-        choice: impl Fn(Settings) -> scene::Stabilizer + Send + Sync + 'static,
-    ) -> Self {
-        self.entered(name.to_owned(), move |scene| {
-            AnyStabilizer::named(scene, choice(Settings::of(scene)))
-        })
-    }
-
     fn entered(
         mut self,
         name: String,
@@ -102,6 +74,20 @@ impl<V: Space> Contestants<V> {
     ) -> Self {
         self.entries.push(Contestant { name, make: Box::new(make) });
         self
+    }
+}
+
+impl<T: Scalar + Space> Contestants<T> {
+    /// Those of [`Members::standard`].
+    pub fn standard() -> Self {
+        Self::of(Members::standard())
+    }
+
+    /// These members of the family, set as the scene says.
+    pub fn of(members: impl IntoIterator<Item = Member>) -> Self {
+        members.into_iter().fold(Self::nobody(), |others, member| {
+            others.entered(member.name().to_owned(), move |scene| member.on(scene))
+        })
     }
 }
 
@@ -155,16 +141,5 @@ impl fmt::Display for Settings {
         let (work, cap) = (self.work_name(), self.damping_cap.get());
         let source = if self.from_scene { "as the scene says" } else { "the defaults" };
         write!(f, "{work} work, cap {cap} ({source})")
-    }
-}
-
-/// No stabilizer: the effort goes through as it came.
-#[derive(Clone, Copy, Debug)]
-struct Nothing;
-
-impl<V: Space> Stabilizer<V> for Nothing {
-    #[inline]
-    fn stabilize(&mut self, _drive: &Drive<V>, effort: V) -> Action<V> {
-        Action::none(effort)
     }
 }

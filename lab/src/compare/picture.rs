@@ -2,10 +2,13 @@
 
 use super::comparison::{Comparison, Outcome};
 use super::tick::wall;
-use crate::chart::{Figure, Guide, Panel, Series};
+use crate::chart::{Figure, Guide, PALETTE, Panel, Series};
 use crate::compare::setting::Setting;
 use crate::equilibrium::equilibrium;
 use crate::meters::Criterion;
+
+/// Height of the panels that have one curve each, in pixels of the drawing.
+const ALONE: f64 = 130.0;
 
 /// How many times the starting swing is shown where nobody is stable.
 const SHOWN: f64 = 3.0;
@@ -13,27 +16,43 @@ const SHOWN: f64 = 3.0;
 type Points = Vec<(f64, f64)>;
 
 pub(super) fn of(comparison: &Comparison) -> Figure {
-    let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
-    let observed: Vec<&Outcome> =
-        comparison.outcomes.iter().filter(|outcome| observes(outcome)).collect();
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
-    let position = panel(comparison, "position", "position, mm", &everyone, |outcome| {
-        &outcome.curves.position
-    });
-    let observer = panel(comparison, "observer", "observer sum, mJ", &observed, |outcome| {
-        &outcome.curves.observer
-    });
+    let observed: Vec<&Outcome> =
+        everyone.iter().copied().filter(|outcome| observes(outcome)).collect();
+    let position = Drawing { label: "position, mm", curve: |outcome| &outcome.curves.position };
+    let observer = Drawing { label: "observer sum, mJ", curve: |outcome| &outcome.curves.observer };
     let figure = Figure::new(format!("{}: {}", comparison.name, Setting(&comparison.scene)))
-        .with_width(960.0)
-        .with_panel_height(280.0)
-        .with_panel(match surface {
-            Some(surface) => position.with_guide(Guide::horizontal(surface, "wall surface")),
-            None => position,
-        });
+        .with_width(960.0);
+    let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
+    let on_surface = |panel: Panel| match surface {
+        Some(surface) => panel.with_guide(Guide::horizontal(surface, "wall surface")),
+        None => panel,
+    };
+    let about_zero = |panel: Panel| panel.with_guide(Guide::horizontal(0.0, ""));
+    // More curves than colours are not told apart: each then has a row of its own, on common scales.
+    if everyone.len() > PALETTE.len() {
+        let (reach, sums) =
+            (position.range(comparison, &everyone), observer.range(comparison, &observed));
+        return everyone.iter().fold(
+            figure.with_columns(2).with_panel_height(ALONE),
+            |figure, outcome| {
+                let name = &outcome.score.stabilizer;
+                let moved = position.panel(comparison, name, &[outcome], reach);
+                let figure = figure.with_panel(on_surface(moved));
+                let summed = observer.panel(comparison, name, &[outcome], sums);
+                figure.with_panel(about_zero(summed))
+            },
+        );
+    }
+    let unstable = |outcomes: &[&Outcome]| outcomes.iter().any(|outcome| is_unstable(outcome));
+    let reach = position.range(comparison, &everyone).filter(|_| unstable(&everyone));
+    let moved = position.panel(comparison, "position", &everyone, reach);
+    let figure = figure.with_panel_height(280.0).with_panel(on_surface(moved));
     if observed.is_empty() {
         return figure;
     }
-    figure.with_panel(observer.with_guide(Guide::horizontal(0.0, "")))
+    let sums = observer.range(comparison, &observed).filter(|_| unstable(&observed));
+    figure.with_panel(about_zero(observer.panel(comparison, "observer", &observed, sums)))
 }
 
 /// Whether the contestant has a sum to show.
@@ -41,38 +60,51 @@ fn observes(outcome: &Outcome) -> bool {
     outcome.curves.observer.iter().any(|point| point.1 != 0.0)
 }
 
-fn panel(
-    comparison: &Comparison,
-    title: &str,
-    label: &str,
-    outcomes: &[&Outcome],
-    curve: impl Fn(&Outcome) -> &Points,
-) -> Panel {
-    let shown = outcomes.iter().flat_map(|outcome| {
-        let until = shown_until(comparison, outcome, outcomes);
-        curve(outcome).iter().take_while(move |point| point.0 < until).map(|point| point.1)
-    });
-    let range = span(shown).filter(|_| outcomes.iter().any(|outcome| is_unstable(outcome)));
-    let mut panel =
-        Panel::new(title, "time, s", label).with_x_range(0.0, comparison.scene.duration.get());
-    for (index, outcome) in outcomes.iter().enumerate() {
-        let points = curve(outcome);
-        // An unstable curve ends where it first leaves the frame: its returns would only be upright lines.
-        let end = range.filter(|_| is_unstable(outcome)).and_then(|(low, high)| {
-            points.iter().position(|point| !(low..=high).contains(&point.1))
-        });
-        let kept = &points[..end.map_or(points.len(), |end| end + 1)];
-        let unstable = if is_unstable(outcome) { " (unstable, cut off)" } else { "" };
-        let name = format!("{}{unstable}", outcome.score.stabilizer);
-        let scaled = kept.iter().map(|(t, y)| (*t, 1e3 * y)).collect();
-        let series = Series::line(name, outcome.number, scaled);
-        // Over an equal curve, dashes let both be seen.
-        let hides = outcomes[..index].iter().any(|other| curve(other) == points);
-        panel = panel.with_series(if hides { series.dashed() } else { series });
+/// What is drawn of every outcome.
+struct Drawing {
+    label: &'static str,
+    curve: fn(&Outcome) -> &Points,
+}
+
+impl Drawing {
+    /// What the curves of `outcomes` cover, as far as they count.
+    fn range(&self, comparison: &Comparison, outcomes: &[&Outcome]) -> Option<(f64, f64)> {
+        span(outcomes.iter().flat_map(|outcome| {
+            let until = shown_until(comparison, outcome, outcomes);
+            let points = (self.curve)(outcome).iter();
+            points.take_while(move |point| point.0 < until).map(|point| point.1)
+        }))
     }
-    match range {
-        Some((low, high)) => panel.with_y_range(1e3 * low, 1e3 * high),
-        None => panel,
+
+    /// The curves of `outcomes`; within `range` an unstable one ends where it leaves it.
+    fn panel(
+        &self,
+        comparison: &Comparison,
+        title: &str,
+        outcomes: &[&Outcome],
+        range: Option<(f64, f64)>,
+    ) -> Panel {
+        let mut panel = Panel::new(title, "time, s", self.label)
+            .with_x_range(0.0, comparison.scene.duration.get());
+        for (index, outcome) in outcomes.iter().enumerate() {
+            let points = (self.curve)(outcome);
+            // An unstable curve ends where it first leaves the frame: its returns would only be upright lines.
+            let end = range.filter(|_| is_unstable(outcome)).and_then(|(low, high)| {
+                points.iter().position(|point| !(low..=high).contains(&point.1))
+            });
+            let kept = &points[..end.map_or(points.len(), |end| end + 1)];
+            let unstable = if is_unstable(outcome) { " (unstable, cut off)" } else { "" };
+            let name = format!("{}{unstable}", outcome.score.stabilizer);
+            let scaled = kept.iter().map(|(t, y)| (*t, 1e3 * y)).collect();
+            let series = Series::line(name, outcome.number, scaled);
+            // Over an equal curve, dashes let both be seen.
+            let hides = outcomes[..index].iter().any(|other| (self.curve)(other) == points);
+            panel = panel.with_series(if hides { series.dashed() } else { series });
+        }
+        match range {
+            Some((low, high)) => panel.with_y_range(1e3 * low, 1e3 * high),
+            None => panel,
+        }
     }
 }
 

@@ -178,9 +178,9 @@ fn sorting_puts_what_is_missing_last_and_keeps_ties() {
         comparison.scores().map(|score| score.stabilizer.clone()).collect()
     };
     let times = order(Column::SettlingTime);
-    assert_eq!(times[..2], ["POPC", "LOLC spring"]);
+    assert_eq!(times[..2], ["popc", "lolc-spring"]);
     assert_eq!(times[times.len() - 2..], ["none", "damper"]);
-    assert_eq!(order(Column::Stabilizer)[0], "LOLC device-damping");
+    assert_eq!(order(Column::Stabilizer)[..2], ["damper", "lolc-device-damping"]);
     assert_eq!(order(Column::Stable).last().unwrap(), "damper");
     assert_eq!(order(Column::StateBytes)[..2], ["none", "damper"]);
 }
@@ -213,6 +213,13 @@ fn pictures_end_an_unstable_curve_where_it_leaves() {
     assert!(position.series[0].points.len() < 50 && position.series[1].points.len() == 1001);
     assert!(position.series[2].dashed && !position.series[1].dashed);
     assert_eq!((position.series.len(), observer.series.len()), (5, 4));
+
+    // The whole family has more curves than there are colours.
+    let family = Contestants::<f64>::of(crate::family::Member::ALL);
+    let family = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &family).unwrap();
+    let panels = family.figure().panels;
+    assert!(panels.len() == 34 && panels.iter().all(|panel| panel.series.len() == 1));
+    assert!(panels.iter().step_by(2).all(|panel| panel.y_range == panels[0].y_range));
 
     let alone = Contestants::<f64>::nobody().with("pump", |_| Ok(Damper(-40.0)));
     let alone = Comparison::of("alone", &Case::Plain8k.scene().unwrap(), &alone).unwrap();

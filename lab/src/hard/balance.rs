@@ -27,9 +27,9 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    pub(super) fn new(unit: f64, tiny: f64) -> Self {
-        let supplied = Double::default();
-        Self { supplied, absolute: 0.0, largest: 0.0, ticks: 0.0, unit, tiny }
+    /// The account in a scalar of the rounding unit `unit` and the smallest normal number `tiny`, with `budget` joules on it.
+    pub(super) fn new(unit: f64, tiny: f64, budget: f64) -> Self {
+        Self { supplied: budget.into(), absolute: budget, largest: budget, ticks: 0.0, unit, tiny }
     }
 
     /// What crossed the port in all, and was credited, J.
@@ -42,14 +42,15 @@ impl Balance {
         self.absolute
     }
 
-    /// Books the works and credits of a tick if they are finite, which is when a ledger books them.
-    pub(super) fn book(&mut self, terms: &[Double]) {
+    /// Books the works and credits of a tick if they are finite, which is when a ledger books them; credits that are
+    /// differences of an energy are rounded as that is, and `held` joules are in it.
+    pub(super) fn book(&mut self, terms: &[Double], held: f64) {
         let sum = terms.iter().fold(Double::default(), |sum, term| sum.plus(*term));
         if sum.value().is_finite() {
             self.supplied = self.supplied.plus(sum);
             self.absolute += terms.iter().map(|term| term.value().abs()).sum::<f64>();
         }
-        self.largest = self.largest.max(self.supplied().abs());
+        self.largest = self.largest.max(self.supplied().abs()).max(held.abs());
         self.ticks += 1.0;
     }
 
@@ -58,7 +59,16 @@ impl Balance {
     pub(super) fn off(&self, told: Told) -> f64 {
         let stored = told.sum.max(0.0);
         let owed = Double::from(told.dissipated).plus(told.shortfall.into());
-        let error = self.supplied.plus(owed).plus((-stored).into()).value().abs();
+        self.share(self.supplied.plus(owed).plus((-stored).into()).value().abs())
+    }
+
+    /// How much more is told to be there than is, likewise: all that an account which forgets credit may not do.
+    pub(super) fn over(&self, told: Told) -> f64 {
+        self.share((-self.supplied.plus((-told.sum).into()).value()).max(0.0))
+    }
+
+    /// An error, as a share of what is allowed.
+    fn share(&self, error: f64) -> f64 {
         let rounding = 4.0 * self.unit * (self.absolute + self.ticks * self.largest);
         // Works below the smallest normal number are rounded by up to half of the least one.
         error / (rounding + 4.0 * self.ticks * self.tiny * self.unit)
@@ -72,8 +82,10 @@ mod tests {
     const UNIT: f64 = f64::EPSILON / 2.0;
 
     fn after(works: &[(f64, f64)]) -> Balance {
-        let mut balance = Balance::new(UNIT, f64::MIN_POSITIVE);
-        works.iter().for_each(|(force, moved)| balance.book(&[Double::product(*force, *moved)]));
+        let mut balance = Balance::new(UNIT, f64::MIN_POSITIVE, 0.0);
+        works
+            .iter()
+            .for_each(|(force, moved)| balance.book(&[Double::product(*force, *moved)], 0.0));
         balance
     }
 

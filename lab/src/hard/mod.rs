@@ -8,7 +8,9 @@ mod balance;
 mod case;
 mod cases;
 mod double;
+mod looped;
 mod naive;
+mod pledge;
 mod report;
 mod table;
 mod tally;
@@ -16,9 +18,10 @@ mod trial;
 mod watched;
 
 pub use case::{Case, Outcome, Row, Verdicts};
+pub use looped::watch;
 pub use naive::Naive;
 pub use tally::Tally;
-pub use trial::{HardError, Own, watch};
+pub use trial::{HardError, Own};
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -26,9 +29,13 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::family::Member;
+
 /// What came of the whole catalogue: `hard.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catalogue {
+    /// The member of the family that stood in the place of our stabilizer, if one did.
+    pub stabilizer: Option<&'static str>,
     /// One for each case.
     pub rows: Vec<Row>,
 }
@@ -44,14 +51,30 @@ impl Catalogue {
     /// # Errors
     /// As [`HardError`] tells.
     pub fn run(watch: &(dyn Fn() -> ControlFlow<()> + Sync)) -> Result<Self, HardError> {
+        Self::of(None, watch)
+    }
+
+    /// The same with `member`, if there is one, in the place of our stabilizer, in `f64` and `f32`. Left out are cases in
+    /// which it takes no part.
+    ///
+    /// # Errors
+    /// As [`HardError`] tells.
+    pub fn of(
+        member: Option<Member>,
+        watch: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Self, HardError> {
         let rows = Self::cases().into_par_iter().map(|case| {
-            let row = case.row()?;
+            let row = match member {
+                None => Some(case.row()?),
+                Some(member) => case.row_of(member)?,
+            };
             match watch() {
                 ControlFlow::Continue(()) => Ok(row),
                 ControlFlow::Break(()) => Err(HardError::Stopped),
             }
         });
-        Ok(Self { rows: rows.collect::<Result<_, _>>()? })
+        let rows = rows.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        Ok(Self { stabilizer: member.map(Member::name), rows })
     }
 
     /// Whether every case passed.

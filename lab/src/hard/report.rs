@@ -10,16 +10,23 @@ const STYLE: &str = include_str!("../paper/report.css");
 
 pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
     let passed = catalogue.rows.iter().filter(|row| row.passed).count();
+    let subject = match catalogue.stabilizer {
+        None => "\u{201c}Ours\u{201d} is the worst over f64, f32 and lanes".to_owned(),
+        Some(name) => format!(
+            "<code>{name}</code> stands in the place of ours; \u{201c}measured\u{201d} is its worst over f64 and f32, \
+             \u{201c}over\u{201d} tells of a bound that it does not promise and does not keep"
+        ),
+    };
+    let ours = if catalogue.stabilizer.is_some() { "Measured" } else { "Ours" };
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
          <title>Hard cases</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
          <h1>Hard cases</h1>\n<p>{passed} of {} passed, by <code>{}</code>, lyapunov {VERSION}.</p>\n\
-         <p>Each bound is a promise. \u{201c}Ours\u{201d} is the worst over f64, f32 and lanes, \u{201c}naive\u{201d} the \
-         paper\u{2019}s steps as printed, in the same loop, \u{201c}none\u{201d} the loop without a stabilizer. A case passes \
-         if the bound is kept, every output is finite, every correction is within its limit, the account closes and all \
-         kinds of number agree.</p>\n",
+         <p>Each bound is a promise. {subject}, \u{201c}naive\u{201d} the paper\u{2019}s steps as printed, in the same loop, \
+         \u{201c}none\u{201d} the loop without a stabilizer. A case passes if the bound is kept, every output is finite, every \
+         correction is within its limit, the account closes and all kinds of number agree.</p>\n",
         catalogue.rows.len(),
         escaped(command)
     );
@@ -33,7 +40,7 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
             let _ = write!(
                 page,
                 "<h2>{theme}</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Case</th><th>Promised</th>\
-                 <th class=\"number\">Ours</th><th class=\"number\">Naive</th><th class=\"number\">None</th>\
+                 <th class=\"number\">{ours}</th><th class=\"number\">Naive</th><th class=\"number\">None</th>\
                  <th class=\"number\">Account off</th><th></th></tr></thead>\n<tbody>\n"
             );
         }
@@ -46,7 +53,8 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
 }
 
 fn one(row: &Row, page: &mut String) {
-    let (class, verdict) = if row.passed { ("yes", "pass") } else { ("no", "FAIL") };
+    let verdict = row.verdict();
+    let class = if row.passed { "yes" } else { "no" };
     let other = |other: &Option<Outcome>| other.as_ref().map_or("\u{2013}".to_owned(), outcome);
     let notes = row.apart.into_iter().map(str::to_owned).chain(row.broken.clone());
     let notes: String = notes.map(|note| format!("<br><em>{}</em>", escaped(&note))).collect();

@@ -5,21 +5,31 @@ use std::fmt;
 use super::{Catalogue, Outcome, Row};
 
 pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if let Some(name) = catalogue.stabilizer {
+        writeln!(f, "{name} in the place of ours, in f64 and f32\n")?;
+    }
     let mut theme = "";
+    let ours = if catalogue.stabilizer.is_some() { "measured" } else { "ours" };
     for row in &catalogue.rows {
         if row.theme != theme {
             let gap = if theme.is_empty() { "" } else { "\n" };
             theme = row.theme;
-            writeln!(f, "{gap}      {theme:31} {:>36} {:>11} {:>11}", "promised", "ours", "naive")?;
+            writeln!(f, "{gap}      {theme:31} {:>36} {:>11} {:>11}", "promised", ours, "naive")?;
         }
         one(row, f)?;
     }
     let passed = catalogue.rows.iter().filter(|row| row.passed).count();
-    writeln!(f, "\n{passed} of {} passed", catalogue.rows.len())
+    writeln!(f, "\n{passed} of {} passed", catalogue.rows.len())?;
+    match catalogue.rows.iter().filter(|row| row.verdict() == "over").count() {
+        0 => Ok(()),
+        over => {
+            writeln!(f, "{over} of them are over a bound that this stabilizer does not promise")
+        }
+    }
 }
 
 fn one(row: &Row, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let verdict = if row.passed { "pass" } else { "FAIL" };
+    let verdict = row.verdict();
     let bound = format!("{} <= {}", row.quantity, with_unit(row.bound, row.unit));
     let naive = row.naive.as_ref().map_or("-".to_owned(), outcome);
     let ours = number(row.measured);

@@ -3,15 +3,15 @@
 use std::fmt;
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x8};
-use lyapunov::{
-    DampingLimit, Dissipation, Lolc, ParameterError, Plant, PortEnergy, Scalar, Stabilizer,
-};
+use lyapunov::{DampingLimit, Dissipation, ParameterError, PortEnergy, Scalar};
 
 use super::naive::Naive;
+use super::pledge::{Pledge, promises};
 use super::tally::{Tally, larger};
 use super::watched::{Terms, Watched};
-use crate::scene::{Candidate, Diagnostic, Environment, Finite, Scene};
-use crate::{AnyStabilizer, Assembly, Space, scene};
+use crate::family::{Basis, Member};
+use crate::scene::Diagnostic;
+use crate::{AnyStabilizer, Space};
 
 /// Why a case cannot run: it is not written right.
 #[derive(Debug)]
@@ -92,6 +92,19 @@ impl Runs {
         Ok(runs)
     }
 
+    /// The runs of a program on scalars alone, start by start.
+    pub(super) fn of_scalars(
+        double: impl Fn(usize) -> Result<Vec<Tally>, HardError>,
+        single: impl Fn(usize) -> Result<Vec<Tally>, HardError>,
+    ) -> Result<Self, HardError> {
+        let mut runs = Self::default();
+        for first in 0..STARTS {
+            runs.double.append(&mut double(first)?);
+            runs.single.append(&mut single(first)?);
+        }
+        Ok(runs)
+    }
+
     /// Whether every lane came to what a scalar run came to: the one at its place, or the first where all lanes run
     /// that one.
     pub(super) fn lanes_equal(&self) -> bool {
@@ -119,6 +132,14 @@ pub(super) trait Trial: Send + Sync {
     /// With our stabilizer, in every scalar.
     fn ours(&self) -> Result<Runs, HardError>;
 
+    /// With a member of the family, in `f64` and `f32`; none where it takes no part.
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError>;
+
+    /// Whether the bound is a promise of `member`.
+    fn promised_by(&self, member: Member) -> Result<bool, HardError> {
+        Ok(promises(member))
+    }
+
     /// With a stabilizer of somebody's own, in `f64`; none where it is about something else.
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError>;
 
@@ -141,7 +162,7 @@ pub(super) trait Play: Send + Sync {
         &self,
         index: u64,
         first: usize,
-        stabilizer: impl Stabilizer<T>,
+        stabilizer: impl lyapunov::Stabilizer<T>,
     ) -> Result<T, ParameterError>;
 
     /// How many runs there are.
@@ -149,13 +170,14 @@ pub(super) trait Play: Send + Sync {
         1
     }
 
-    /// The device's damping that is credited, N·s/m.
-    fn damping(&self) -> f64 {
-        0.0
-    }
+    /// What stabilizers are set for; ours credits its damping.
+    fn basis(&self) -> Basis;
 
-    /// What our stabilizer may inject.
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError>;
+    /// What a stabilizer may inject.
+    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
+        let Basis { cap, mass, period, .. } = self.basis();
+        DampingLimit::of_mass(T::of(cap), T::of(mass), T::of(period))
+    }
 
     /// What has to be known of the runs beside the limit.
     fn terms(&self, limit: f64) -> Terms;
@@ -170,18 +192,17 @@ pub(super) trait Play: Send + Sync {
 pub(super) struct Played<P>(pub(super) P);
 
 impl<P: Play> Played<P> {
-    fn under<T: Scalar, S: Stabilizer<T>>(
+    fn run<T: Scalar, S: lyapunov::Stabilizer<T>>(
         &self,
         first: usize,
+        pledge: Pledge,
         stabilizer: impl Fn() -> Result<S, ParameterError>,
     ) -> Result<Vec<Tally>, HardError> {
         // In f32 the limit is rounded once more.
         let limit = self.0.limit::<T>()?.most().lane(0);
         let mut worst: Option<Vec<Tally>> = None;
         for index in 0..self.0.runs() {
-            // The credit is what the scalar makes of the damping.
-            let damping = T::of(self.0.damping()).lane(0);
-            let terms = Terms { damping, ..self.0.terms(limit) };
+            let terms = Terms { pledge, ..self.0.terms(limit) };
             let (watched, record) = Watched::new::<T>(stabilizer()?, terms);
             let value = self.0.play::<T>(index, first, watched)?;
             let mut tallies = record.tallies();
@@ -195,12 +216,24 @@ impl<P: Play> Played<P> {
         }
         Ok(worst.unwrap_or_default())
     }
+
+    fn of_family<T: Scalar + Space>(
+        &self,
+        member: Member,
+        first: usize,
+    ) -> Result<Vec<Tally>, HardError> {
+        let basis = self.0.basis();
+        let pledge = Pledge::of::<T>(member, &basis);
+        self.run::<T, _>(first, pledge, || member.set_by::<T>(&basis))
+    }
 }
 
 impl<P: Play> EveryScalar for Played<P> {
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
-        let damper = Dissipation::of(T::of(self.0.damping()))?;
-        self.under::<T, _>(first, || Ok(Lolc::new((PortEnergy, damper), self.0.limit::<T>()?)))
+        let damping = T::of(self.0.basis().damping);
+        let (damper, pledge) = (Dissipation::of(damping)?, Pledge::damper(damping.lane(0)));
+        let lolc = || Ok(lyapunov::Lolc::new((PortEnergy, damper), self.0.limit::<T>()?));
+        self.run::<T, _>(first, pledge, lolc)
     }
 
     fn fits_single(&self) -> bool {
@@ -213,129 +246,17 @@ impl<P: Play> Trial for Played<P> {
         Runs::of(self)
     }
 
-    fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(self.under::<f64, _>(0, || Ok(own()))?.pop())
-    }
-}
-
-/// A loop closed as a scene says.
-pub(super) struct Looped {
-    /// The scene, TOML.
-    pub(super) text: String,
-    /// Where swings are counted from, m.
-    pub(super) rest: f64,
-    /// The damping that the naive one credits, N·s/m.
-    pub(super) credit: f64,
-}
-
-/// The starts of a scene, as shares of its own.
-const SHARES: [f64; 4] = [1.0, 0.97, 0.93, 0.88];
-
-impl Looped {
-    fn scene(&self, share: f64) -> Result<Scene, HardError> {
-        let mut scene = Scene::parse(&self.text, "a hard case")?;
-        let moved = |from: f64| Finite::new(from * share).map(Into::into);
-        let initial = &mut scene.initial;
-        // A share of a finite number is one.
-        (initial.position, initial.velocity) =
-            match (moved(initial.position.get()), moved(initial.velocity.get())) {
-                (Ok(position), Ok(velocity)) => (position, velocity),
-                _ => return Ok(scene),
-            };
-        Ok(scene)
-    }
-
-    fn run<V: Space>(
-        &self,
-        share: f64,
-        stabilizer: impl FnOnce(&Scene) -> Result<AnyStabilizer<V>, ParameterError>,
-    ) -> Result<Vec<Tally>, HardError> {
-        let scene = self.scene(share)?;
-        let stabilizer = stabilizer(&scene)?;
-        Ok(looped(&scene, self.rest, stabilizer)?)
-    }
-
-    fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
-        self.run::<V>(share, |scene| match scene.stabilizer {
-            Some(named) => AnyStabilizer::named(scene, named),
-            None => Ok(AnyStabilizer::new(super::cases::Nothing)),
-        })
-    }
-}
-
-/// What the loop of `scene` comes to under `stabilizer`, with swings counted from `rest`, lane by lane.
-fn looped<V: Space>(
-    scene: &Scene,
-    rest: f64,
-    stabilizer: AnyStabilizer<V>,
-) -> Result<Vec<Tally>, ParameterError> {
-    let (watched, record) = Watched::new::<V::Scalar>(stabilizer, terms(scene, rest));
-    let mut assembly = Assembly::stabilized_by(scene, AnyStabilizer::new(watched))?;
-    let mut drive = assembly.plant.start();
-    for _ in 0..=scene.ticks() {
-        assembly.tick(&mut drive);
-    }
-    Ok(record.tallies())
-}
-
-/// What the loop of `scene` comes to under the stabilizer that it names, in the scalar of `V`: with swings counted from the
-/// origin, and without a word on the account where the candidate is the paper's and the environment not a wall.
-///
-/// # Errors
-/// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
-pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
-    let named = AnyStabilizer::<V>::of(scene)?;
-    looped(scene, 0.0, named.unwrap_or_else(|| AnyStabilizer::new(super::cases::Nothing)))
-}
-
-fn terms(scene: &Scene, rest: f64) -> Terms {
-    let (cap, damping, beyond) = match scene.stabilizer {
-        None => (0.0, 0.0, 0.0),
-        Some(scene::Stabilizer::Popc(popc)) => (popc.damping_cap.get(), 0.0, 0.0),
-        Some(scene::Stabilizer::Lolc(lolc)) => {
-            let (damping, beyond) = credited(scene, lolc.candidate);
-            (lolc.damping_cap.get(), damping, beyond)
-        }
-    };
-    let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
-    // What a scene says is rounded once more on its way to f32.
-    let limit = (cap * scene.mass() / scene.period() * (1.0 + 1e-6)).min(f64::MAX);
-    let force = force * (1.0 + 1e-6);
-    Terms { ticks: scene.ticks(), rest, limit, damping, beyond, force }
-}
-
-/// The damping that a candidate credits, and the surface beyond which it does.
-fn credited(scene: &Scene, candidate: Candidate) -> (f64, f64) {
-    match (candidate, &scene.environment) {
-        (Candidate::DeviceDamping, _) => (scene.device.damping.get(), f64::NEG_INFINITY),
-        (Candidate::MassSpringDamper, Environment::Wall(wall)) => {
-            (wall.damping.get(), wall.position.get())
-        }
-        _ => (0.0, 0.0),
-    }
-}
-
-impl Trial for Looped {
-    fn ours(&self) -> Result<Runs, HardError> {
-        let mut runs = Runs::default();
-        for share in SHARES {
-            runs.double.append(&mut self.named::<f64>(share)?);
-            runs.single.append(&mut self.named::<f32>(share)?);
-        }
-        // Lanes of one start: eight times the same.
-        runs.double_lanes = self.named::<AutoF64x8>(SHARES[0])?;
-        Ok(runs)
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        let double = |first| self.of_family::<f64>(member, first);
+        let single = |first| match self.0.fits_single() {
+            true => self.of_family::<f32>(member, first),
+            false => Ok(Vec::new()),
+        };
+        Runs::of_scalars(double, single).map(Some)
     }
 
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(self.run::<f64>(SHARES[0], |_| Ok(own()))?.pop())
-    }
-
-    fn naive(&self) -> Result<Option<Tally>, HardError> {
-        self.with(&|| AnyStabilizer::new(Naive::<f64>::crediting(self.credit)))
-    }
-
-    fn scene(&self) -> Option<&str> {
-        Some(&self.text)
+        let pledge = Pledge::damper(self.0.basis().damping);
+        Ok(self.run::<f64, _>(0, pledge, || Ok(own()))?.pop())
     }
 }

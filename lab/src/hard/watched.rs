@@ -8,6 +8,7 @@ use lyapunov::{Action, Drive, Mask, Scalar, Signal, Stabilizer};
 
 use super::balance::{Balance, Told};
 use super::double::Double;
+use super::pledge::{Account, Correction, Credit, Pledge};
 use super::tally::{Tally, larger};
 
 /// What has to be known to judge a run.
@@ -19,19 +20,16 @@ pub(super) struct Terms {
     pub(super) rest: f64,
     /// The most damping, N·s/m.
     pub(super) limit: f64,
-    /// The credited damping, N·s/m.
-    pub(super) damping: f64,
-    /// It counts beyond here only, m.
-    pub(super) beyond: f64,
+    /// What the stabilizer is held to.
+    pub(super) pledge: Pledge,
     /// The most that may act, N.
     pub(super) force: f64,
 }
 
 impl Terms {
-    /// Of a run that credits nothing and clips nothing.
+    /// Of a run under POPC that clips nothing.
     pub(super) fn of(ticks: u64, limit: f64) -> Self {
-        let (rest, damping) = (0.0, 0.0);
-        Self { ticks, rest, limit, damping, beyond: f64::NEG_INFINITY, force: f64::INFINITY }
+        Self { ticks, rest: 0.0, limit, pledge: Pledge::POPC, force: f64::INFINITY }
     }
 }
 
@@ -59,7 +57,15 @@ impl<S> Watched<S> {
             terms,
             tick: 0,
             shaken: false,
-            balance: Balance::new(T::epsilon().lane(0) / 2.0, T::tiny().lane(0)),
+            balance: Balance::new(
+                T::epsilon().lane(0) / 2.0,
+                T::tiny().lane(0),
+                terms.pledge.budget,
+            ),
+            held: match terms.pledge.credit {
+                Credit::Reference { reference, start: [x, v] } => reference.stored(x, v),
+                _ => 0.0,
+            },
             epsilon: T::epsilon().lane(0),
             tiny: T::tiny().lane(0),
             largest: T::largest().lane(0),
@@ -177,6 +183,11 @@ impl Sight {
     fn square(&self) -> f64 {
         self.velocity.pair(&self.velocity) * self.period
     }
+
+    /// What the correction is to burn, J: nothing without a damping, whatever the velocity.
+    fn burnt(&self) -> f64 {
+        if self.alpha == 0.0 { 0.0 } else { self.alpha * self.square() }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -185,6 +196,8 @@ struct Meter {
     tick: u64,
     shaken: bool,
     balance: Balance,
+    /// What a reference held on the tick before, J.
+    held: f64,
     epsilon: f64,
     tiny: f64,
     largest: f64,
@@ -200,10 +213,15 @@ impl Meter {
     }
 
     fn book(&mut self, sight: &Sight) {
-        let mut terms = [Double::default(); 3 * AXES];
-        let beyond = self.terms.beyond;
-        let touches = beyond == f64::NEG_INFINITY || sight.position.values[0] > beyond;
-        let credits = self.terms.damping > 0.0 && touches;
+        let mut terms = [Double::default(); 3 * AXES + 1];
+        let damping = match self.terms.pledge.credit {
+            Credit::Damper { damping, beyond }
+                if beyond == f64::NEG_INFINITY || sight.position.values[0] > beyond =>
+            {
+                damping
+            }
+            _ => 0.0,
+        };
         for axis in 0..sight.velocity.count {
             let work = Double::product(sight.acted.values[axis], sight.displacement.values[axis]);
             let v = sight.velocity.values[axis];
@@ -212,23 +230,44 @@ impl Meter {
             let known = (work.value() + others).is_finite();
             terms[3 * axis] = if known { work } else { sight.work.values[axis].into() };
             terms[3 * axis + 1] = if known { others.into() } else { Double::default() };
-            if credits {
-                let credit = Double::product(v, v).times(sight.period).times(self.terms.damping);
+            if damping > 0.0 {
+                let credit = Double::product(v, v).times(sight.period).times(damping);
                 // What is not known credits nothing.
                 if credit.value().is_finite() {
                     terms[3 * axis + 2] = credit;
                 }
             }
         }
-        self.balance.book(&terms);
+        terms[3 * AXES] = self.stored(sight).into();
+        self.balance.book(&terms, self.held);
+    }
+
+    /// What is credited as a whole, J: where it is not known, nothing of the tick is.
+    fn stored(&mut self, sight: &Sight) -> f64 {
+        match self.terms.pledge.credit {
+            Credit::None | Credit::Damper { .. } => 0.0,
+            Credit::Moved { damping } => {
+                damping * (sight.displacement.pair(&sight.displacement) / sight.period)
+            }
+            Credit::Reference { reference, .. } => {
+                let now = reference.stored(sight.position.values[0], sight.velocity.values[0]);
+                let change = self.held - now;
+                if now.is_finite() {
+                    self.held = now;
+                }
+                change
+            }
+        }
     }
 
     fn judge(&mut self, sight: &Sight) {
         let (tick, epsilon) = (self.tick, self.epsilon);
         let sound = sight.sound();
         let mut correction = 0.0;
-        // Energies near the end of the scalar's range are turned away, and the account is no longer whole.
-        let told = if sound { sight.square() } else { 0.0 };
+        // Energies near the end of the scalar's range are turned away, and the account is no longer whole; so are squares of
+        // velocities, of which the energies are made.
+        let told =
+            if sound { sight.velocity.pair(&sight.velocity).max(sight.square()) } else { 0.0 };
         let energy = told.max(self.balance.size());
         if energy > self.largest / 64.0 && self.tally.out_of_range.is_none() {
             self.tally.out_of_range = Some(tick);
@@ -245,23 +284,29 @@ impl Meter {
                 let [out, given, v] =
                     [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
                 let rounding = 8.0 * epsilon * (out.abs() + given.abs());
+                if self.terms.pledge.correction == Correction::Cuts {
+                    let grown = out.abs() - given.abs();
+                    require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
+                    continue;
+                }
                 let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
                 correction =
                     larger(correction, (out - given).abs() / most.max(rounding).max(self.tiny));
                 require(Law::Opposes, (out - given) * v >= -rounding * v.abs());
                 require(Law::WithinLimit, (out - given).abs() <= most + rounding);
             }
-            let served = sight.sum + sight.alpha * sight.square() + sight.shortfall;
+            let served = sight.sum + sight.burnt() + sight.shortfall;
             let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
             require(Law::Served, served >= -rounding || !in_range);
         }
         require(Law::WithinLimit, sight.acted.largest() <= self.terms.force || !sound);
-        let dissipated = match sight.accepted {
-            true => sight.alpha * sight.square(),
-            false => 0.0,
-        };
+        let dissipated = if sight.accepted { sight.burnt() } else { 0.0 };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
-        let off = self.balance.off(told);
+        let off = match self.terms.pledge.account {
+            Account::None => 0.0,
+            Account::Whole => self.balance.off(told),
+            Account::Forgetful => self.balance.over(told),
+        };
         if in_range {
             self.tally.off = larger(self.tally.off, off);
             self.tally.require(Law::Balances, off <= 1.0, tick);
@@ -282,7 +327,7 @@ impl Meter {
                 tally.late_swing = larger(tally.late_swing, away);
             }
         }
-        tally.given = larger(tally.given, -self.balance.supplied());
+        tally.given = larger(tally.given, self.terms.pledge.budget - self.balance.supplied());
         tally.shortfall = larger(tally.shortfall, sight.shortfall);
         tally.peak_force = larger(tally.peak_force, sight.out.largest());
         if sight.acted.finite() {

@@ -6,6 +6,7 @@ use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
 use super::run::{Effort, Method, Run};
 use super::survey::Survey;
+use crate::family::Member;
 
 /// How a map was computed.
 #[derive(Clone, Debug, Serialize)]
@@ -99,10 +100,10 @@ pub fn document(
     computation: Option<&Computation>,
 ) -> serde_json::Result<String> {
     let grid = survey.grid();
-    let line = |(index, contender): (usize, &super::Contender)| {
+    let line = |(index, member): (usize, &Member)| {
         let area = survey.area(index);
         Line {
-            stabilizer: contender.name(),
+            stabilizer: member.name(),
             stable_cells: area.stable,
             judged_cells: area.judged,
             stable_share: area.share,
@@ -121,7 +122,7 @@ pub fn document(
         x: along(&grid.x),
         y: along(&grid.y),
         computation,
-        areas: grid.contenders.iter().enumerate().map(line).collect(),
+        areas: grid.members.iter().enumerate().map(line).collect(),
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

@@ -5,8 +5,8 @@ use std::fmt;
 use toml::Value;
 
 use super::axis::Axis;
-use super::contender::Contender;
 use super::vary::{self, Vary, VaryError};
+use crate::family::{Member, Members, NoMembers};
 use crate::scene::Scene;
 
 /// A scene with two of its numbers varied, under some stabilizers.
@@ -21,7 +21,7 @@ pub struct Grid {
     /// The axis upwards.
     pub y: Axis,
     /// Who runs in each cell.
-    pub contenders: Vec<Contender>,
+    pub members: Members,
     tree: Value,
     numbers: [Vary; 2],
 }
@@ -36,7 +36,9 @@ pub enum GridError {
     /// A scene of more than one dimension: what is measured is measured along one axis.
     Space,
     /// A stabilizer named twice, or none at all.
-    Contenders(String),
+    Members(NoMembers),
+    /// A scene that cannot be written down.
+    Unwritten(String),
     /// Two values that are each right and make no scene together.
     Cell {
         /// What they are.
@@ -54,9 +56,8 @@ impl fmt::Display for GridError {
                 write!(f, "both axes are `{key}`\n  = give two different numbers of the scene")
             }
             Self::Space => f.write_str("[space] is not for a map\n  = map scenes of one dimension"),
-            Self::Contenders(problem) => {
-                write!(f, "{problem}\n  = name each once, as in --stabilizers none,popc,lolc")
-            }
+            Self::Members(error) => error.fmt(f),
+            Self::Unwritten(problem) => f.write_str(problem),
             Self::Cell { cell, reason } => write!(
                 f,
                 "{cell} is no scene: {reason}\n  = choose ranges in which every pair is right"
@@ -83,7 +84,7 @@ impl Grid {
         scene: Scene,
         x: Axis,
         y: Axis,
-        contenders: Vec<Contender>,
+        members: impl IntoIterator<Item = impl Into<Member>>,
     ) -> Result<Self, GridError> {
         if scene.dimensions() > 1 {
             return Err(GridError::Space);
@@ -91,17 +92,11 @@ impl Grid {
         if x.key == y.key {
             return Err(GridError::SameKey(x.key));
         }
-        let twice = contenders.iter().enumerate().find(|(at, it)| contenders[..*at].contains(it));
-        if let Some((_, twice)) = twice {
-            return Err(GridError::Contenders(format!("`{twice}` is named twice")));
-        }
-        if contenders.is_empty() {
-            return Err(GridError::Contenders("no stabilizer is named".to_owned()));
-        }
+        let members = Members::of(members).map_err(GridError::Members)?;
         let tree =
-            Value::try_from(&scene).map_err(|error| GridError::Contenders(error.to_string()))?;
+            Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
         let numbers = [Vary::of(&x, &tree)?, Vary::of(&y, &tree)?];
-        Ok(Self { scene, x, y, contenders, tree, numbers })
+        Ok(Self { scene, x, y, members, tree, numbers })
     }
 
     /// How many cells there are.

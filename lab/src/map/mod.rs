@@ -3,7 +3,6 @@
 mod axis;
 mod book;
 mod bounds;
-mod contender;
 mod document;
 mod files;
 mod grid;
@@ -20,10 +19,12 @@ mod table;
 mod tick;
 mod vary;
 
+use crate::family::contender;
+
 pub use axis::{Axis, NoAxis, Spacing};
 pub use book::{Book, BookError};
 pub use bounds::Bounds;
-pub use contender::{Contender, NoContender};
+pub use contender::Contender;
 pub use document::{Computation, document};
 pub use files::files;
 pub use grid::{Grid, GridError};

@@ -41,7 +41,7 @@ const STABLE: &str = "Dark where the loop is stable, light where it is not";
 
 /// What a measure covers under all stabilizers, so that one colour means the same in every panel.
 fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
-    let all = (0..survey.grid().contenders.len()).flat_map(|index| survey.mean(index, measure));
+    let all = (0..survey.grid().members.len()).flat_map(|index| survey.mean(index, measure));
     let finite = all.filter(|value| value.is_finite());
     finite.fold(None, |range, value| match range {
         None => Some((value, value)),
@@ -58,16 +58,16 @@ fn figure(
     of: impl Fn(usize) -> Option<Field>,
 ) -> Figure {
     let grid = survey.grid();
-    let columns = if grid.contenders.len() > 1 { 2 } else { 1 };
+    let columns = if grid.members.len() > 1 { 2 } else { 1 };
     let mut figure = Figure::new(words)
         .with_width(WIDTH * columns as f64)
         .with_columns(columns)
         .with_panel_height(HEIGHT);
-    for (index, contender) in grid.contenders.iter().enumerate() {
+    for (index, member) in grid.members.iter().enumerate() {
         let Some((values, colours)) = of(index) else { continue };
         let (x, y) = (Shown::of(&grid.x), Shown::of(&grid.y));
         let heat = HeatMap { range: colours, ..HeatMap::new(survey.size().0, values) };
-        let mut panel = Panel::new(contender.name(), label(&grid.x), label(&grid.y))
+        let mut panel = Panel::new(member.name(), label(&grid.x), label(&grid.y))
             .with_heat(heat)
             .with_numbers(x.numbering, y.numbering)
             .with_x_range(x.range.0, x.range.1)

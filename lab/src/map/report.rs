@@ -57,12 +57,12 @@ fn areas(page: &mut String, survey: &Survey, bounds: Option<&Bounds>) {
          <th class=\"number\">Stable cells</th><th class=\"number\">Of</th><th class=\"number\">Share</th>\
          <th class=\"number\">Area</th><th class=\"number\">Of the exact bound</th></tr></thead>\n<tbody>\n",
     );
-    for (index, contender) in survey.grid().contenders.iter().enumerate() {
+    for (index, member) in survey.grid().members.iter().enumerate() {
         let area = survey.area(index);
         let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         let _ = writeln!(
             page,
-            "<tr><td>{contender}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
+            "<tr><td>{member}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
              <td class=\"number\">{:.2} %</td><td class=\"number\">{:.5e}</td><td class=\"number\">{}</td></tr>",
             area.stable,
             area.judged,

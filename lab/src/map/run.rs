@@ -6,11 +6,13 @@ use std::time::{Duration, Instant};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use super::contender::Contender;
 use super::grid::{Grid, GridError};
 use super::kernel::{Instructions, Kernel, Lanes};
-use super::outcome::{Measures, Outcome};
+use super::outcome::Outcome;
 use super::{single, tick};
 use crate::OutputError;
+use crate::family::Member;
 
 /// How long a band of cells may take: no more than this is lost when a machine stops.
 const BAND: Duration = Duration::from_millis(500);
@@ -157,7 +159,7 @@ impl<'a> Run<'a> {
             let done = &band[..outcomes.len()];
             let steps: u64 = done.iter().map(|cell| tick::rows(self.grid, *cell)).sum();
             effort.cells += done.len() as u64;
-            effort.rollout_steps += steps * self.grid.contenders.len() as u64;
+            effort.rollout_steps += steps * self.grid.members.len() as u64;
             put(first, &outcomes)?;
             if done.len() < band.len() || !go_on() {
                 return Err(RunError::Stopped);
@@ -172,8 +174,9 @@ impl<'a> Run<'a> {
     /// So many cells that a band is short whatever a cell takes.
     fn first_band(&self) -> usize {
         let rows = tick::rows(self.grid, 0).max(tick::rows(self.grid, self.grid.cells() - 1));
-        let steps: u64 =
-            if matches!(self.method, Method::Lanes(_)) { 20_000_000 } else { 1_000_000 };
+        let fast = matches!(self.method, Method::Lanes(_))
+            && self.grid.members.iter().all(|member| member.contender().is_some());
+        let steps: u64 = if fast { 20_000_000 } else { 1_000_000 };
         ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
     }
 
@@ -184,27 +187,72 @@ impl<'a> Run<'a> {
         go_on: &(dyn Fn() -> bool + Sync),
         effort: &mut Effort,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
-        let contenders = &self.grid.contenders;
-        let mut outcomes = vec![vec![Outcome::default(); contenders.len()]; band.len()];
-        for (index, contender) in contenders.iter().enumerate() {
-            let began = Instant::now();
-            let verdicts = self.shared(band, |cells| kernel.verdicts(*contender, cells, go_on))?;
-            effort.kernel_seconds += began.elapsed().as_secs_f64();
-            let began = Instant::now();
-            let bounded: Vec<usize> =
-                (0..band.len()).filter(|at| verdicts[*at] != Some(false)).collect();
-            let cells: Vec<u64> = bounded.iter().map(|at| band[*at]).collect();
-            let measures: Vec<Measures> =
-                self.shared(&cells, |cells| kernel.measures(*contender, cells, go_on))?;
-            for (outcome, stable) in outcomes.iter_mut().zip(verdicts) {
-                outcome[index].stable = stable;
+        let members = &self.grid.members;
+        let mut outcomes = vec![vec![Outcome::default(); members.len()]; band.len()];
+        for (index, member) in members.iter().enumerate() {
+            let found = match member.contender() {
+                Some(contender) => self.on_lanes(kernel, contender, band, go_on, effort)?,
+                None => self.alone(*member, band, go_on, effort)?,
+            };
+            for (outcomes, outcome) in outcomes.iter_mut().zip(found) {
+                outcomes[index] = outcome;
             }
-            for (at, measures) in bounded.into_iter().zip(measures) {
-                outcomes[at][index].measures = measures;
-            }
-            effort.measures_seconds += began.elapsed().as_secs_f64();
         }
         Ok(outcomes)
+    }
+
+    fn on_lanes(
+        &self,
+        kernel: &Kernel,
+        contender: Contender,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+        effort: &mut Effort,
+    ) -> Result<Vec<Outcome>, RunError> {
+        let began = Instant::now();
+        let verdicts = self.shared(band, |cells| kernel.verdicts(contender, cells, go_on))?;
+        effort.kernel_seconds += began.elapsed().as_secs_f64();
+        let began = Instant::now();
+        let bounded: Vec<usize> =
+            (0..band.len()).filter(|at| verdicts[*at] != Some(false)).collect();
+        let cells: Vec<u64> = bounded.iter().map(|at| band[*at]).collect();
+        let measures = self.shared(&cells, |cells| kernel.measures(contender, cells, go_on))?;
+        let unmeasured = |stable| Outcome { stable, ..Outcome::default() };
+        let mut outcomes: Vec<Outcome> = verdicts.into_iter().map(unmeasured).collect();
+        for (at, measures) in bounded.into_iter().zip(measures) {
+            outcomes[at].measures = measures;
+        }
+        effort.measures_seconds += began.elapsed().as_secs_f64();
+        Ok(outcomes)
+    }
+
+    /// What has no lanes, beside what has.
+    fn alone(
+        &self,
+        member: Member,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+        effort: &mut Effort,
+    ) -> Result<Vec<Outcome>, RunError> {
+        let began = Instant::now();
+        let one = |cell: &u64| match self.outcome(*cell, member, go_on) {
+            Ok(outcome) => outcome.ok_or(RunError::Stopped),
+            Err(error) => Err(RunError::Cell(error)),
+        };
+        let outcomes = self.pool.install(|| band.par_iter().map(one).collect());
+        effort.kernel_seconds += began.elapsed().as_secs_f64();
+        outcomes
+    }
+
+    fn outcome(
+        &self,
+        cell: u64,
+        member: Member,
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Outcome>, GridError> {
+        let scene = self.grid.scene_of(cell)?;
+        single::outcome(&scene, member, go_on)
+            .map_err(|error| self.grid.at(cell, error.to_string()))
     }
 
     /// What `of` makes of all cells, on all threads.
@@ -246,12 +294,8 @@ impl<'a> Run<'a> {
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let began = Instant::now();
         let one = |cell: &u64| -> Result<Option<Vec<Outcome>>, GridError> {
-            let scene = self.grid.scene_of(*cell)?;
-            let outcomes = self.grid.contenders.iter().map(|contender| {
-                single::outcome(&scene, *contender, go_on)
-                    .map_err(|error| self.grid.at(*cell, error.to_string()))
-            });
-            outcomes.collect()
+            let members = self.grid.members.iter();
+            members.map(|member| self.outcome(*cell, *member, go_on)).collect()
         };
         let cells: Vec<_> = self.pool.install(|| band.par_iter().map(one).collect());
         effort.kernel_seconds += began.elapsed().as_secs_f64();

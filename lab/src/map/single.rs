@@ -2,9 +2,9 @@
 
 use lyapunov::{ParameterError, Scalar};
 
-use super::contender::Contender;
 use super::outcome::{Measures, Outcome};
 use crate::compare::{Share, Tick};
+use crate::family::Member;
 use crate::meters::{Boundedness, Chatter, Criterion, Energies, Settling};
 use crate::scene::{Scalar as Width, Scene};
 use crate::{Rollout, Space};
@@ -12,22 +12,22 @@ use crate::{Rollout, Space};
 /// Ticks between two looks at what is decided.
 const STRETCH: u64 = 64;
 
-/// What the run of `scene` under `contender` comes to. A run whose fate is sealed is not run to its end.
+/// What the run of `scene` under `member` comes to. A run whose fate is sealed is not run to its end.
 /// None if `go_on` said so.
 pub(super) fn outcome(
     scene: &Scene,
-    contender: Contender,
+    member: Member,
     go_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<Outcome>, ParameterError> {
-    let scene = Scene { stabilizer: contender.on(scene), ..scene.clone() };
     match scene.scalar {
-        Width::F64 => run::<f64>(&scene, go_on),
-        Width::F32 => run::<f32>(&scene, go_on),
+        Width::F64 => run::<f64>(scene, member, go_on),
+        Width::F32 => run::<f32>(scene, member, go_on),
     }
 }
 
-fn run<V: Space>(
+fn run<T: Scalar + Space>(
     scene: &Scene,
+    member: Member,
     go_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<Outcome>, ParameterError> {
     let criterion = Criterion::of(scene);
@@ -35,11 +35,11 @@ fn run<V: Space>(
     let mut meters = Meters::new(scene, &criterion);
     let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| {
         // As the loop rounds it.
-        V::Scalar::of(limit.force.get()).lane(0)
+        T::of(limit.force.get()).lane(0)
     });
     let mut share = Share::new(scene, most);
     let mut ticks = 0;
-    for row in Rollout::<V>::of(scene)? {
+    for row in Rollout::<T>::under(scene, member)? {
         boundedness.add(row.x);
         meters.add(&share.tick(row, 0.0));
         ticks += 1;

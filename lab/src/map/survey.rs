@@ -56,7 +56,7 @@ impl Survey {
             kept: vec![0; columns * rows],
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
-        let layers = vec![layer; grid.contenders.len()];
+        let layers = vec![layer; grid.members.len()];
         Self { grid: grid.clone(), columns, rows, layers }
     }
 

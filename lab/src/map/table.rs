@@ -6,10 +6,10 @@ use std::fmt;
 use std::io::{self, BufRead, Write};
 
 use super::axis::Axis;
-use super::contender::Contender;
 use super::grid::Grid;
 use super::outcome::{Measure, Measures, Outcome};
 use super::shard::Shard;
+use crate::family::Members;
 use crate::scene::Scene;
 
 const TITLE: &str = concat!("# lyapunov map ", env!("CARGO_PKG_VERSION"));
@@ -24,9 +24,8 @@ pub struct Head {
 impl Head {
     /// The head of the table of `shard` of `grid`.
     pub fn of(grid: &Grid, shard: Shard) -> Self {
-        let names: Vec<&str> = grid.contenders.iter().map(|it| it.name()).collect();
         let mut text = format!("{TITLE}\n# x {}\n# y {}\n", grid.x, grid.y);
-        text += &format!("# stabilizers {}\n# shard {shard}\n", names.join(","));
+        text += &format!("# stabilizers {}\n# shard {shard}\n", grid.members);
         // A scene that was read can be written.
         let scene = toml::to_string(&grid.scene).unwrap_or_default();
         scene.lines().for_each(|line| text += &format!("#| {line}\n"));
@@ -71,9 +70,7 @@ impl Head {
         };
         let axis = |key: &str| after(key)?.parse::<Axis>().map_err(|_| wrong(key));
         let shard = after("shard")?.parse::<Shard>().map_err(|_| wrong("shard"))?;
-        let contenders: Result<Vec<Contender>, _> =
-            after("stabilizers")?.split(',').map(str::parse).collect();
-        let contenders = contenders.map_err(|_| wrong("stabilizers"))?;
+        let members = after("stabilizers")?.parse::<Members>().map_err(|_| wrong("stabilizers"))?;
         let scene: String = self
             .text
             .lines()
@@ -82,7 +79,7 @@ impl Head {
             .collect();
         let scene = Scene::parse(&scene, "the scene of the table")
             .map_err(|error| TableError::Head(error.to_string()))?;
-        let grid = Grid::new(scene, axis("x")?, axis("y")?, contenders)
+        let grid = Grid::new(scene, axis("x")?, axis("y")?, members)
             .map_err(|error| TableError::Head(error.to_string()))?;
         Ok((grid, shard))
     }
@@ -149,8 +146,8 @@ pub(super) fn write(
     outcomes: &[Outcome],
 ) -> io::Result<()> {
     let [x, y] = grid.values(cell);
-    for (contender, outcome) in grid.contenders.iter().zip(outcomes) {
-        write!(out, "{x:?},{y:?},{contender},")?;
+    for (member, outcome) in grid.members.iter().zip(outcomes) {
+        write!(out, "{x:?},{y:?},{member},")?;
         if let Some(stable) = outcome.stable {
             write!(out, "{}", u8::from(stable))?;
         }
@@ -193,13 +190,13 @@ impl<R: BufRead> Rows<R> {
     pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
         let (mut outcomes, mut bytes) = (Vec::new(), 0);
         let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
-        for index in 0..self.grid.contenders.len() {
+        for index in 0..self.grid.members.len() {
             self.line.clear();
             self.lines.read_line(&mut self.line)?;
             let Some(line) = self.line.strip_suffix('\n') else { return Ok(None) };
-            let start = format!("{x},{y},{},", self.grid.contenders[index]);
+            let start = format!("{x},{y},{},", self.grid.members[index]);
             let outcome = line.strip_prefix(&start).and_then(outcome).ok_or_else(|| {
-                let cells = self.cell * self.grid.contenders.len() as u64;
+                let cells = self.cell * self.grid.members.len() as u64;
                 TableError::Row { row: cells + index as u64 + 1, text: line.to_owned() }
             })?;
             outcomes.push(outcome);

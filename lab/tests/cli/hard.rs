@@ -32,6 +32,25 @@ fn all_pass_and_the_files_say_so() {
 }
 
 #[test]
+fn a_member_of_the_family_stands_in_the_place_of_ours() {
+    let place = Place::new();
+    let said = place.run(["hard", "--stabilizer", "popc-spread", "--out", "made"]);
+    said.ended(0, &["popc-spread in the place of ours", "measured", "does not promise"]);
+    said.fits();
+    let told: Value = serde_json::from_str(&place.text("made/hard.json")).unwrap();
+    assert_eq!(told["stabilizer"], "popc-spread");
+    let rows = told["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["passed"] == true && row["promised"] == false));
+    let over = rows.iter().filter(|row| row["measured"].as_f64() > row["bound"].as_f64()).count();
+    assert_eq!(said.out.lines().filter(|line| line.starts_with("over  ")).count(), over);
+    assert!(over > 0);
+    let page = place.text("made/report.html");
+    assert!(page.contains("lyapunov hard --stabilizer popc-spread --out made"));
+    place.refuses(["hard", "--stabilizer", "none"], &["`none` is no stabilizer"]);
+    place.refuses(["hard", "--stabilizer", "popcspread"], &["did you mean `popc-spread`?"]);
+}
+
+#[test]
 fn what_cannot_be_done_is_refused_before_anything_runs() {
     let place = Place::new();
     place.put("file", "");

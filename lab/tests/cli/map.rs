@@ -52,6 +52,39 @@ fn a_map_is_the_same_whole_in_shards_and_on_any_threads() {
 }
 
 #[test]
+fn the_family_is_mapped_beside_what_a_scene_can_name() {
+    let place = place();
+    let names = ["--stabilizers", "popc-spread,none,tank,lolc"];
+    let with = |more: &[&'static str]| axes(&[&names[..], more].concat());
+    place
+        .run(with(&["--out", "whole", "--threads", "1"]))
+        .ended(0, &["popc-spread", "tank", "one at a time under the others"]);
+    for shard in ["0/2", "1/2"] {
+        place.run(with(&["--out", "shards", "--shard", shard])).ended(0, &["shard"]);
+    }
+    place.run(["map", "merge", "shards", "--out", "merged"]).ended(0, &["tank"]);
+    let whole = place.text("whole/map.csv");
+    assert_eq!(place.text("merged/map.csv"), whole);
+    // Who runs beside them is no matter.
+    place.run(axes(&["--out", "usual", "--stabilizers", "none,lolc"])).ended(0, &[]);
+    let usual = place.text("usual/map.csv");
+    let rows = |table: &str, name: &str| -> Vec<String> {
+        let rows = table.lines().filter(|line| line.contains(&format!(",{name},")));
+        rows.map(str::to_owned).collect()
+    };
+    for name in ["none", "lolc"] {
+        assert_eq!((rows(&whole, name), rows(&whole, name).len()), (rows(&usual, name), 9 * 5));
+    }
+    let page = place.text("whole/report.html");
+    assert!(page.contains("--stabilizers popc-spread,none,tank,lolc"));
+    assert!(page.contains("<td>tank</td>"));
+    // A map of others is not gone on with.
+    std::fs::create_dir(place.path("other")).unwrap();
+    place.put("other/map.part.csv", &whole);
+    place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
+}
+
+#[test]
 fn a_table_that_was_cut_off_is_gone_on_with() {
     let place = place();
     place.run(axes(&["--out", "whole"])).ended(0, &[]);

@@ -2,6 +2,7 @@
 
 use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Comparison, Contestants};
+use lyapunov_lab::family::Member;
 use lyapunov_lab::map::{Contender, Grid, Instructions, Kernel, Lanes, Outcome, Run};
 use proptest::prelude::*;
 
@@ -23,9 +24,9 @@ fn scene(more: &str) -> Scene {
     Scene::parse(&format!("{text}{more}"), "test").unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-fn grid(more: &str, x: &str, y: &str, contenders: &[Contender]) -> Grid {
+fn grid(more: &str, x: &str, y: &str, members: &[impl Copy + Into<Member>]) -> Grid {
     let axis = |text: &str| text.parse().unwrap();
-    Grid::new(scene(more), axis(x), axis(y), contenders.to_vec()).unwrap()
+    Grid::new(scene(more), axis(x), axis(y), members.iter().copied()).unwrap()
 }
 
 /// All cells, by the method that the scene calls for or one by one.
@@ -108,24 +109,17 @@ proptest! {
 /// The comparison of stabilizers measures the same runs row by row.
 #[test]
 fn cells_are_what_the_comparison_says() {
-    let contenders = [
-        Contender::Nobody,
-        Contender::Popc,
-        Contender::LolcSpring,
-        Contender::LolcDeviceDamping,
-        Contender::LolcMassSpringDamper,
-    ];
     for more in [
         "duration = 2.0\n",
         "duration = 1.2\neffects.delay.ticks = 2\neffects.saturation.force = 3.0\n",
     ] {
         let x = format!("{STIFFNESS}=500..9000:3");
-        let grid = grid(more, &x, "environment.wall.damping=1..30:2", &contenders);
+        let grid = grid(more, &x, "environment.wall.damping=1..30:2", &Member::ALL);
         let all = outcomes(&grid, false, 2);
         for (cell, outcomes) in (0..).zip(all) {
             let scene = grid.scene_of(cell).unwrap();
-            let comparison =
-                Comparison::of("cell", &scene, &Contestants::<f64>::standard()).unwrap();
+            let contestants = Contestants::<f64>::of(Member::ALL);
+            let comparison = Comparison::of("cell", &scene, &contestants).unwrap();
             for (score, outcome) in comparison.scores().zip(outcomes) {
                 assert_eq!(outcome.stable, score.stable);
                 if score.stable == Some(true) {

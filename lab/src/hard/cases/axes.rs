@@ -7,8 +7,11 @@ use lyapunov::{
 use nalgebra::SVector;
 
 use super::Nothing;
+use crate::Space;
+use crate::family::{Basis, Member};
 use crate::hard::case::{Case, Quantity};
 use crate::hard::naive::Naive;
+use crate::hard::pledge::Pledge;
 use crate::hard::tally::Tally;
 use crate::hard::trial::{EveryScalar, HardError, Own, Runs, Trial};
 use crate::hard::watched::{Record, Terms, Watched};
@@ -70,7 +73,7 @@ impl Masking {
         all.into_iter().enumerate().map(told).collect()
     }
 
-    fn under(&self, stabilizer: impl Stabilizer<Plane<f64>>) -> Result<Option<Tally>, HardError> {
+    fn alone(stabilizer: impl Stabilizer<Plane<f64>>) -> Result<Option<Tally>, HardError> {
         let terms = Terms::of(TICKS, f64::INFINITY);
         let (watched, record) = Watched::new::<f64>(stabilizer, terms);
         let value = close::<f64>(0, watched)?;
@@ -98,17 +101,38 @@ impl EveryScalar for Masking {
     }
 }
 
+/// The member on each axis.
+fn per_axis<T: Scalar + Space>(member: Member, first: usize) -> Result<Vec<Tally>, HardError> {
+    let basis = Basis::of_hand(MASS, PERIOD, 1.0);
+    let pledge = Pledge::of::<T>(member, &basis);
+    let terms = Terms { pledge, ..Terms::of(TICKS, popc_limit::<T>()) };
+    let (x, of_x) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+    let (y, of_y) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+    let value = close::<T>(first, PerAxis::of([x, y]))?;
+    Ok(Masking::told(&[of_x, of_y], value))
+}
+
 impl Trial for Masking {
     fn ours(&self) -> Result<Runs, HardError> {
         Runs::of(self)
     }
 
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        // What watches all axes at once is no member.
+        if !self.per_axis {
+            return Ok(None);
+        }
+        let double = |first| per_axis::<f64>(member, first);
+        let single = |first| per_axis::<f32>(member, first);
+        Runs::of_scalars(double, single).map(Some)
+    }
+
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        self.under(Nothing)
+        Self::alone(Nothing)
     }
 
     fn naive(&self) -> Result<Option<Tally>, HardError> {
-        self.under(Naive::<f64>::default())
+        Self::alone(Naive::<f64>::default())
     }
 }
 

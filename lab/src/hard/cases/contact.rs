@@ -1,11 +1,11 @@
 //! Contacts that hardly are, never end, or are two.
 
-use lyapunov::{
-    Body, DampingLimit, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer, Wall,
-};
+use lyapunov::{Body, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer, Wall};
 
+use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
-use crate::hard::trial::{Looped, Play, Played};
+use crate::hard::looped::Looped;
+use crate::hard::trial::{Play, Played};
 use crate::hard::watched::Terms;
 
 /// The hand swings from -8 mm about -4 mm: it reaches 0 and no further, up to the rounding.
@@ -82,8 +82,8 @@ impl Play for Facing {
         Ok(T::zero())
     }
 
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
+    fn basis(&self) -> Basis {
+        Basis::of_hand(MASS, PERIOD, 0.1)
     }
 
     fn terms(&self, limit: f64) -> Terms {

@@ -3,7 +3,7 @@
 use lyapunov::DampingLimit;
 
 use crate::hard::case::{Case, Quantity};
-use crate::hard::trial::Looped;
+use crate::hard::looped::Looped;
 
 /// The share of `m / T` that the rule gives for `ticks` of delay.
 fn cap(ticks: u32) -> f64 {

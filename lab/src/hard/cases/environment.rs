@@ -1,7 +1,7 @@
 //! Environments, credits, clocks and actuators that are not what one would like.
 
 use crate::hard::case::{Case, Quantity};
-use crate::hard::trial::Looped;
+use crate::hard::looped::Looped;
 
 /// A damper of -3 N.s/m: it drives whatever moves.
 const ACTIVE: &str = "

@@ -5,7 +5,9 @@ use lyapunov::{
     Stabilizer, Wall,
 };
 
+use crate::family::{Basis, Member};
 use crate::hard::case::{Case, Quantity};
+use crate::hard::pledge::Pledge;
 use crate::hard::tally::Tally;
 use crate::hard::trial::{HardError, Own, Play, Played, Runs, Trial};
 use crate::hard::watched::Terms;
@@ -101,12 +103,8 @@ impl Play for Spoilt {
         TICKS * FIELDS
     }
 
-    fn damping(&self) -> f64 {
-        self.credit
-    }
-
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        limit()
+    fn basis(&self) -> Basis {
+        Basis { damping: self.credit, ..Basis::of_hand(MASS, PERIOD, 0.1) }
     }
 
     fn terms(&self, limit: f64) -> Terms {
@@ -121,12 +119,13 @@ impl Guarded {
     fn runs_in<T: Scalar<Mask = bool>, S: Stabilizer<T>>(
         &self,
         first: usize,
+        pledge: Pledge,
         stabilizer: impl Fn() -> Result<S, ParameterError>,
     ) -> Result<Tally, HardError> {
         let most = limit::<T>()?.most().lane(0);
         let mut worst = Tally::default();
         for index in 0..self.0.runs() {
-            let terms = Terms::of(TICKS, most);
+            let terms = Terms { pledge, ..Terms::of(TICKS, most) };
             let (watched, record) = crate::hard::watched::Watched::new::<T>(stabilizer()?, terms);
             let port = wall::<T>()?.stabilized(watched).guarded(Fallback::Hold);
             let end = self.0.close(index, first, port)?;
@@ -144,15 +143,27 @@ impl Trial for Guarded {
         let mut runs = Runs::default();
         for first in 0..4 {
             let popc = || Ok(lyapunov::Lolc::new(lyapunov::PortEnergy, limit::<f64>()?));
-            runs.double.push(self.runs_in::<f64, _>(first, popc)?);
+            runs.double.push(self.runs_in::<f64, _>(first, Pledge::POPC, popc)?);
             let popc = || Ok(lyapunov::Lolc::new(lyapunov::PortEnergy, limit::<f32>()?));
-            runs.single.push(self.runs_in::<f32, _>(first, popc)?);
+            runs.single.push(self.runs_in::<f32, _>(first, Pledge::POPC, popc)?);
         }
         Ok(runs)
     }
 
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        let basis = self.0.basis();
+        let mut runs = Runs::default();
+        for first in 0..4 {
+            let pledge = Pledge::of::<f64>(member, &basis);
+            runs.double.push(self.runs_in(first, pledge, || member.set_by::<f64>(&basis))?);
+            let pledge = Pledge::of::<f32>(member, &basis);
+            runs.single.push(self.runs_in(first, pledge, || member.set_by::<f32>(&basis))?);
+        }
+        Ok(Some(runs))
+    }
+
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(Some(self.runs_in::<f64, _>(0, || Ok(own()))?))
+        Ok(Some(self.runs_in::<f64, _>(0, Pledge::POPC, || Ok(own()))?))
     }
 }
 

@@ -3,7 +3,7 @@
 //! `lab/tests/hard/search.rs` made each from its seed, with `damping_cap = inf`. Here they have a cap of half of `m / T`.
 
 use crate::hard::case::{Case, Quantity};
-use crate::hard::trial::Looped;
+use crate::hard::looped::Looped;
 
 /// `K T² / m = 18`, and the wall's answer acts two ticks late: a bounce, and 661 kg fly off at 3 m/s.
 const LATE: &str = "

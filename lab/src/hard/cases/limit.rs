@@ -1,9 +1,8 @@
 //! The damping limit at 0, 1 and 2 of `m / T`.
 
-use lyapunov::{
-    Body, DampingLimit, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer,
-};
+use lyapunov::{Body, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer};
 
+use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::trial::{Play, Played};
 use crate::hard::watched::Terms;
@@ -58,8 +57,8 @@ impl Play for Indebted {
         Ok(most)
     }
 
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        DampingLimit::of_mass(T::of(self.cap), T::of(MASS), T::of(PERIOD))
+    fn basis(&self) -> Basis {
+        Basis { cap: self.cap, ..Basis::of_hand(MASS, PERIOD, SPEED) }
     }
 
     fn terms(&self, limit: f64) -> Terms {

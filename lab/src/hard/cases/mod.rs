@@ -13,19 +13,8 @@ mod signals;
 mod stiffness;
 mod time;
 
-use lyapunov::{Action, Drive, Signal, Stabilizer};
-
 use super::case::Case;
-
-/// No stabilizer.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Nothing;
-
-impl<V: Signal> Stabilizer<V> for Nothing {
-    fn stabilize(&mut self, _drive: &Drive<V>, effort: V) -> Action<V> {
-        Action::none(effort)
-    }
-}
+pub(super) use crate::family::Nothing;
 
 /// Every case, in the order in which they are told.
 pub(super) fn all() -> Vec<Case> {

@@ -1,8 +1,9 @@
 //! Samples that come late, twice, or not at all.
 
-use lyapunov::{DampingLimit, Drive, OnePort, ParameterError, Plant, Scalar, Stabilizer};
+use lyapunov::{Drive, OnePort, ParameterError, Plant, Scalar, Stabilizer};
 
-use super::faults::{MASS, PERIOD, STIFFNESS, TICKS, hand, limit, reach, wall};
+use super::faults::{MASS, PERIOD, STIFFNESS, TICKS, hand, reach, wall};
+use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::trial::{Play, Played};
 use crate::hard::watched::Terms;
@@ -84,8 +85,8 @@ impl Play for Slip {
         TICKS
     }
 
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        limit()
+    fn basis(&self) -> Basis {
+        Basis::of_hand(MASS, PERIOD, 0.1)
     }
 
     fn terms(&self, limit: f64) -> Terms {

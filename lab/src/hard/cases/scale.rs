@@ -5,12 +5,14 @@ use lyapunov::{
     Stabilizer, Wall,
 };
 
-use crate::AnyStabilizer;
+use crate::family::{Basis, Member};
 use crate::hard::case::{Case, Quantity};
 use crate::hard::naive::Naive;
+use crate::hard::pledge::Pledge;
 use crate::hard::tally::Tally;
 use crate::hard::trial::{EveryScalar, HardError, Own, Runs, Trial};
 use crate::hard::watched::{Terms, Watched};
+use crate::{AnyStabilizer, Space};
 
 const TICKS: u64 = 4000;
 
@@ -32,6 +34,21 @@ impl Scaled {
     fn limit<T: Scalar>(&self, power: i32) -> Result<DampingLimit<T>, ParameterError> {
         let (mass, period) = self.units(power);
         DampingLimit::of_mass(T::of(0.5), T::of(mass), T::of(period))
+    }
+
+    /// The hand's start of 4 mm, at its own frequency.
+    fn basis(&self, power: i32) -> Basis {
+        let (mass, period) = self.units(power);
+        Basis::of_hand(mass, period, 0.004 * 0.0002_f64.sqrt() / period)
+    }
+
+    fn of_family<T: Scalar + Space>(
+        &self,
+        member: Member,
+        first: usize,
+    ) -> Result<Vec<Tally>, HardError> {
+        let pledge = |power| Pledge::of::<T>(member, &self.basis(power));
+        self.spread::<T, _>(first, pledge, |power| member.set_by::<T>(&self.basis(power)))
     }
 
     /// A hand on a wall: `K T² / m = 0.25`, `B T / m = 0.02`, `b T / m = 0.001`.
@@ -63,13 +80,15 @@ impl Scaled {
     fn spread<T: Scalar, S: Stabilizer<T>>(
         &self,
         first: usize,
+        pledge: impl Fn(i32) -> Pledge,
         stabilizer: impl Fn(i32) -> Result<S, ParameterError>,
     ) -> Result<Vec<Tally>, HardError> {
         let mut worst = vec![Tally::default(); T::LANES];
         let usual = self.close::<T>(0, first, stabilizer(0)?)?;
         for power in POWERS {
             let most = self.limit::<T>(power)?.most().lane(0);
-            let (watched, record) = Watched::new::<T>(stabilizer(power)?, Terms::of(TICKS, most));
+            let terms = Terms { pledge: pledge(power), ..Terms::of(TICKS, most) };
+            let (watched, record) = Watched::new::<T>(stabilizer(power)?, terms);
             let swing = self.close::<T>(power, first, watched)?;
             for (lane, mut tally) in record.tallies().into_iter().enumerate() {
                 tally.value = (swing.lane(lane) / usual.lane(lane) - 1.0).abs();
@@ -82,7 +101,8 @@ impl Scaled {
 
 impl EveryScalar for Scaled {
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
-        self.spread::<T, _>(first, |power| Ok(Lolc::new(PortEnergy, self.limit::<T>(power)?)))
+        let popc = |power| Ok(Lolc::new(PortEnergy, self.limit::<T>(power)?));
+        self.spread::<T, _>(first, |_| Pledge::POPC, popc)
     }
 }
 
@@ -91,8 +111,14 @@ impl Trial for Scaled {
         Runs::of(self)
     }
 
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        let double = |first| self.of_family::<f64>(member, first);
+        let single = |first| self.of_family::<f32>(member, first);
+        Runs::of_scalars(double, single).map(Some)
+    }
+
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(self.spread::<f64, _>(0, |_| Ok(own()))?.pop())
+        Ok(self.spread::<f64, _>(0, |_| Pledge::POPC, |_| Ok(own()))?.pop())
     }
 
     fn naive(&self) -> Result<Option<Tally>, HardError> {

@@ -1,7 +1,8 @@
 //! Numbers at the ends of their range.
 
-use lyapunov::{DampingLimit, Drive, ParameterError, Scalar, Stabilizer};
+use lyapunov::{Drive, ParameterError, Scalar, Stabilizer};
 
+use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::trial::{Play, Played};
 use crate::hard::watched::Terms;
@@ -62,8 +63,8 @@ impl Play for Strokes {
         Ok(T::zero())
     }
 
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
+    fn basis(&self) -> Basis {
+        Basis::of_hand(MASS, PERIOD, 0.1)
     }
 
     fn terms(&self, limit: f64) -> Terms {

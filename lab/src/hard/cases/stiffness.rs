@@ -1,7 +1,7 @@
 //! Walls far too stiff for their rate, and masses far apart.
 
 use crate::hard::case::{Case, Quantity};
-use crate::hard::trial::Looped;
+use crate::hard::looped::Looped;
 
 const PAPER: &str = "
 duration = 20.0

@@ -6,13 +6,16 @@ use lyapunov::{
 };
 
 use super::Nothing;
+use crate::Space;
+use crate::family::{Basis, Member};
 use crate::hard::balance::{Balance, Told};
 use crate::hard::case::{Case, Quantity};
 use crate::hard::double::Double;
 use crate::hard::naive::Naive;
+use crate::hard::pledge::Pledge;
 use crate::hard::tally::{Tally, larger};
 use crate::hard::trial::{HardError, Own, Play, Played, Runs, Trial};
-use crate::hard::watched::Terms;
+use crate::hard::watched::{Terms, Watched};
 
 /// A stabilizer whose sum is kept in an `A`.
 type Summed<T, A> = Lolc<T, PortEnergy, Held, A>;
@@ -66,6 +69,11 @@ impl Trial for Counted {
         Ok(Runs { double: vec![double], single: vec![single], ..Runs::default() })
     }
 
+    fn under(&self, _member: Member) -> Result<Option<Runs>, HardError> {
+        // It is about how a sum is kept, which is not a member's to choose.
+        Ok(None)
+    }
+
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
         Ok(None)
     }
@@ -97,13 +105,13 @@ impl Hour {
         let body = Body::new(Impedance { mass, damping, stiffness }, T::of(1e-4))?;
         let mut plant = body.led_by(ToAndFro);
         let mut wall = Wall::new(T::of(8000.0), T::zero())?.held(10)?;
-        let mut balance = Balance::new(T::epsilon().lane(0) / 2.0, T::tiny().lane(0));
+        let mut balance = Balance::new(T::epsilon().lane(0) / 2.0, T::tiny().lane(0), 0.0);
         let mut tally = Tally::default();
         let mut drive = plant.start();
         for tick in 0..HOUR {
             let effort = wall.respond(&drive);
             let action = stabilizer.stabilize(&drive, effort);
-            balance.book(&[Double::product(drive.acted.lane(0), drive.displacement.lane(0))]);
+            balance.book(&[Double::product(drive.acted.lane(0), drive.displacement.lane(0))], 0.0);
             if tick % 1000 == 0 {
                 let square = (drive.velocity * drive.velocity * drive.period).lane(0);
                 let told = Told {
@@ -133,6 +141,11 @@ impl Trial for Hour {
         let single = Self::run::<f32>(popc::<f32, Compensated<f32>>(0.3, 1e-4)?)?;
         let double = Self::run::<f64>(popc::<f64, Plain<f64>>(0.3, 1e-4)?)?;
         Ok(Runs { double: vec![double], single: vec![single], ..Runs::default() })
+    }
+
+    fn under(&self, _member: Member) -> Result<Option<Runs>, HardError> {
+        // It is about how a sum is kept, which is not a member's to choose.
+        Ok(None)
     }
 
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
@@ -190,6 +203,21 @@ impl Late {
     }
 }
 
+impl Late {
+    /// A late run and an early one under `member`.
+    fn both<T: Scalar + Space>(&self, member: Member, first: usize) -> Result<Tally, HardError> {
+        let (basis, period) = (self.basis(), |_| T::of(1.0 / RATE));
+        let terms = self.terms(self.limit::<T>()?.most().lane(0));
+        let terms = Terms { pledge: Pledge::of::<T>(member, &basis), ..terms };
+        let (watched, record) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+        let late = Self::close(LATE, first, watched, period)?;
+        let early = Self::close(0, first, member.set_by::<T>(&basis)?, period)?;
+        let value = Self::apart(&late, &early).lane(0);
+        let told = record.tallies().pop().unwrap_or_default();
+        Ok(Tally { value, ..told })
+    }
+}
+
 impl Play for Late {
     fn play<T: Scalar>(
         &self,
@@ -203,8 +231,8 @@ impl Play for Late {
         Ok(Self::apart(&late, &Self::close(0, first, popc, period)?))
     }
 
-    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        DampingLimit::of_mass(T::of(0.5), T::of(0.3), T::of(1.0 / RATE))
+    fn basis(&self) -> Basis {
+        Basis::of_hand(0.3, 1.0 / RATE, 0.1)
     }
 
     fn terms(&self, limit: f64) -> Terms {
@@ -218,6 +246,16 @@ struct Stamped(Played<Late>);
 impl Trial for Stamped {
     fn ours(&self) -> Result<Runs, HardError> {
         self.0.ours()
+    }
+
+    fn under(&self, member: Member) -> Result<Option<Runs>, HardError> {
+        let Self(Played(late)) = self;
+        let mut runs = Runs::default();
+        for first in 0..8 {
+            runs.double.push(late.both::<f64>(member, first)?);
+            runs.single.push(late.both::<f32>(member, first)?);
+        }
+        Ok(Some(runs))
     }
 
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {

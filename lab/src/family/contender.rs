@@ -1,12 +1,15 @@
-//! Who is on the map.
+//! What a scene file can name.
 
-use std::fmt;
-use std::str::FromStr;
+use lyapunov::ParameterError;
 
+use super::Nothing;
 use crate::compare::Settings;
-use crate::scene::{Candidate, Lolc, Popc, Scene, Stabilizer, nearest};
+use crate::scene::{Candidate, Lolc, Popc, Scene, Stabilizer};
+use crate::{AnyStabilizer, Space};
 
-/// A stabilizer of a map, by its name; work, ledger and damping cap are the scene's.
+/// A stabilizer that a scene file can name, or none; work, ledger and damping cap are the scene's.
+///
+/// These are the ones that maps run on lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contender {
     /// No stabilizer: `none`.
@@ -34,7 +37,7 @@ impl Contender {
         Self::LolcMassSpringDamper,
     ];
 
-    /// Its name on the command line, in the table and in `map.json`.
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Nobody => "none",
@@ -47,7 +50,7 @@ impl Contender {
     }
 
     /// What it is in `scene`.
-    pub(super) fn on(self, scene: &Scene) -> Option<Stabilizer> {
+    pub(crate) fn on(self, scene: &Scene) -> Option<Stabilizer> {
         let Settings { work, ledger, damping_cap, .. } = Settings::of(scene);
         let lolc =
             |candidate| Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap }));
@@ -63,36 +66,12 @@ impl Contender {
             Self::LolcMassSpringDamper => lolc(Candidate::MassSpringDamper),
         }
     }
-}
 
-impl fmt::Display for Contender {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-/// A name that no stabilizer has.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NoContender(String);
-
-impl fmt::Display for NoContender {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = Contender::ALL.map(Contender::name);
-        f.write_str("no stabilizer has that name\n  = ")?;
-        match nearest(&self.0, &names) {
-            Some(name) => write!(f, "did you mean `{name}`?"),
-            None => write!(f, "the names are {}", names.join(", ")),
+    /// The same, made.
+    pub(super) fn made<V: Space>(self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+        match self.on(scene) {
+            None => Ok(AnyStabilizer::new(Nothing)),
+            Some(named) => AnyStabilizer::named(scene, named),
         }
-    }
-}
-
-impl std::error::Error for NoContender {}
-
-impl FromStr for Contender {
-    type Err = NoContender;
-
-    fn from_str(given: &str) -> Result<Self, NoContender> {
-        let found = Self::ALL.into_iter().find(|one| one.name() == given);
-        found.ok_or_else(|| NoContender(given.to_owned()))
     }
 }

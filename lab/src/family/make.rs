@@ -1,0 +1,75 @@
+//! How each is made.
+
+use lyapunov::{
+    Beyond, DampingLimit, Dissipation, ForceBound, Lolc, ParameterError, Plain, Popc, PortEnergy,
+    ReferenceFollowing, Refine, Scalar, Storage, Store, Tank, Windowed,
+};
+
+use super::basis::SLOTS;
+use super::{Basis, Contender, Member, Nothing};
+use crate::scene::Scene;
+use crate::{AnyStabilizer, Space};
+
+/// How much of what the motion starts with a tank holds at most.
+const CEILING: f64 = 2.0;
+
+impl Member {
+    /// The stabilizer on the loop of `scene`, whatever the scene itself names.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    pub fn on<T: Scalar + Space>(self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
+        match self {
+            Self::Plain(contender) => contender.made(scene),
+            _ => self.set_by(&Basis::of(scene)),
+        }
+    }
+
+    /// The stabilizer set by `basis`, of which no scene tells: LOLC credits the device's damping, whichever candidate it
+    /// would have.
+    pub(crate) fn set_by<T: Scalar + Space>(
+        self,
+        basis: &Basis,
+    ) -> Result<AnyStabilizer<T>, ParameterError> {
+        let of = T::of;
+        let limit = DampingLimit::of_mass(of(basis.cap), of(basis.mass), of(basis.period))?;
+        let popc = Popc::new(PortEnergy, limit);
+        let (energy, ticks) = (of(basis.energy), basis.ticks());
+        Ok(match self {
+            Self::Plain(Contender::Nobody) => AnyStabilizer::called(Nothing),
+            Self::Plain(Contender::Popc | Contender::LolcSpring) => AnyStabilizer::called(popc),
+            Self::Plain(_) => {
+                let damper = Dissipation::of(of(basis.damping))?;
+                AnyStabilizer::called(Lolc::new((PortEnergy, damper), limit))
+            }
+            Self::Budgeted => AnyStabilizer::called(popc.budgeted(of(basis.stored()))?),
+            Self::Bounded => AnyStabilizer::called(popc.bounded(energy)?),
+            Self::Windowed => {
+                let sum = Windowed::<T, Plain<T>, SLOTS>::of_ticks(basis.slot())?;
+                AnyStabilizer::called(popc.summed_by(sum))
+            }
+            Self::ContactReset => {
+                // What has no surface is touched throughout.
+                let position = of(basis.surface.unwrap_or(f64::NEG_INFINITY));
+                AnyStabilizer::called(popc.reset_at(Beyond { position }))
+            }
+            Self::Threshold => AnyStabilizer::called(popc.above_velocity(of(basis.threshold()))?),
+            Self::Spread => AnyStabilizer::called(popc.spread_over::<T>(ticks)?),
+            Self::RateLimited => AnyStabilizer::called(popc.rate_limited::<T>(of(basis.rate()))?),
+            Self::Rising => AnyStabilizer::called(popc.rising_over::<T>(ticks)?),
+            Self::Reference => {
+                let (reference, [x, v]) = (basis.reference, basis.start.map(of));
+                let stored = Storage::starting(move |x: T, v: T| reference.stored(x, v), x, v);
+                AnyStabilizer::called(ReferenceFollowing::new((PortEnergy, stored), limit))
+            }
+            Self::ForceBound => {
+                AnyStabilizer::called(ForceBound::new(of(basis.damping))?.budgeted(energy)?)
+            }
+            Self::Tank => {
+                let (floor, power) = (T::zero(), of(f64::INFINITY));
+                let store = Store { start: energy, floor, ceiling: of(CEILING) * energy, power };
+                AnyStabilizer::called(Tank::new(PortEnergy, store)?)
+            }
+        })
+    }
+}

@@ -1,0 +1,146 @@
+//! What a stabilizer is held to beside finite outputs.
+
+use lyapunov::Scalar;
+
+use crate::family::{Basis, Contender, Member, Reference};
+use crate::scene::{Candidate, Environment, Scene, Stabilizer};
+
+/// What is credited beside the work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Credit {
+    /// Nothing.
+    None,
+    /// `b v² T` where the position is beyond a place: N·s/m, m.
+    Damper { damping: f64, beyond: f64 },
+    /// `b |Δx|² / T`, N·s/m.
+    Moved { damping: f64 },
+    /// What a reference holds less on this tick than on the one before, from a state on: m and m/s.
+    Reference { reference: Reference, start: [f64; 2] },
+}
+
+/// What account a stabilizer keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Account {
+    /// None, or one that cannot be kept beside it.
+    None,
+    /// Of everything.
+    Whole,
+    /// Of everything, but credit may be forgotten.
+    Forgetful,
+}
+
+/// What a stabilizer may do to an effort.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Correction {
+    /// Add a damping.
+    Damps,
+    /// Make it smaller.
+    Cuts,
+}
+
+/// What a stabilizer is held to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pledge {
+    /// What is credited.
+    pub(super) credit: Credit,
+    /// What is on the account at the start, J.
+    pub(super) budget: f64,
+    /// What account is kept.
+    pub(super) account: Account,
+    /// What may be done to an effort.
+    pub(super) correction: Correction,
+}
+
+impl Pledge {
+    /// POPC's: every joule is accounted for, and only damping is added.
+    pub(super) const POPC: Self = Self {
+        credit: Credit::None,
+        budget: 0.0,
+        account: Account::Whole,
+        correction: Correction::Damps,
+    };
+
+    /// With the credit of a damper that is always there, N·s/m.
+    pub(super) fn damper(damping: f64) -> Self {
+        let credit = Credit::Damper { damping, beyond: f64::NEG_INFINITY };
+        Self { credit, ..Self::POPC }
+    }
+
+    /// Of `member` as `basis` sets it, in a scalar like `T`.
+    pub(super) fn of<T: Scalar>(member: Member, basis: &Basis) -> Self {
+        // The credit is what the scalar makes of the number.
+        let of = |number: f64| T::of(number).lane(0);
+        match member {
+            Member::Plain(Contender::Nobody | Contender::Popc | Contender::LolcSpring)
+            | Member::Threshold
+            | Member::Spread
+            | Member::RateLimited
+            | Member::Rising => Self::POPC,
+            Member::Plain(_) => Self::damper(of(basis.damping)),
+            Member::Budgeted => Self { budget: of(basis.stored()), ..Self::POPC },
+            Member::Bounded | Member::Windowed | Member::ContactReset => {
+                Self { account: Account::Forgetful, ..Self::POPC }
+            }
+            Member::Reference => {
+                let (reference, start) = (basis.reference, basis.start.map(of));
+                Self { credit: Credit::Reference { reference, start }, ..Self::POPC }
+            }
+            Member::ForceBound => Self {
+                credit: Credit::Moved { damping: of(basis.damping) },
+                budget: of(basis.energy),
+                correction: Correction::Cuts,
+                ..Self::POPC
+            },
+            Member::Tank => Self {
+                budget: of(basis.energy),
+                account: Account::Forgetful,
+                correction: Correction::Cuts,
+                ..Self::POPC
+            },
+        }
+    }
+
+    /// Of `member` on the loop of `scene`.
+    pub(super) fn on<T: Scalar>(member: Member, scene: &Scene) -> Self {
+        match member.contender().and_then(|contender| contender.on(scene)) {
+            Some(named) => Self::named::<T>(named, scene),
+            None => Self::of::<T>(member, &Basis::of(scene)),
+        }
+    }
+
+    /// Of the stabilizer `named` on the loop of `scene`.
+    pub(super) fn named<T: Scalar>(named: Stabilizer, scene: &Scene) -> Self {
+        let of = |number: f64| T::of(number).lane(0);
+        let Stabilizer::Lolc(lolc) = named else { return Self::POPC };
+        match (lolc.candidate, &scene.environment) {
+            (Candidate::Spring, _) => Self::POPC,
+            (Candidate::DeviceDamping, _) => Self::damper(of(scene.device.damping.get())),
+            (Candidate::MassSpringDamper, Environment::Wall(wall)) => {
+                let (damping, beyond) = (of(wall.damping.get()), of(wall.position.get()));
+                Self { credit: Credit::Damper { damping, beyond }, ..Self::POPC }
+            }
+            (Candidate::MassSpringDamper, _) => Self { account: Account::None, ..Self::POPC },
+        }
+    }
+}
+
+/// Whether `member` promises what is promised of POPC in the catalogue: it serves every debt at once, and credits nothing that
+/// may not have burnt.
+pub(super) fn promises(member: Member) -> bool {
+    match member {
+        Member::Plain(contender) => {
+            matches!(
+                contender,
+                Contender::Popc | Contender::LolcSpring | Contender::LolcDeviceDamping
+            )
+        }
+        Member::Bounded | Member::Windowed | Member::ContactReset | Member::Reference => true,
+        Member::Budgeted
+        | Member::Threshold
+        | Member::Spread
+        | Member::RateLimited
+        | Member::Rising
+        | Member::ForceBound
+        | Member::Tank => false,
+    }
+}
