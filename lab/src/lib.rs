@@ -33,6 +33,7 @@ mod equilibrium;
 pub mod hard;
 pub mod map;
 mod meters;
+pub mod models;
 pub mod observe;
 mod output;
 pub mod paper;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{Action, Drive, ParameterError, Stabilizer};
+use lyapunov::{Action, Drive, ParameterError, Signal, Stabilizer};
 
 use crate::scene::{self, Candidate, Cap, Ledger, Lolc, Popc, Scene, Work};
 use crate::{AnyStabilizer, Space};
@@ -160,9 +160,9 @@ impl fmt::Display for Settings {
 
 /// No stabilizer: the effort goes through as it came.
 #[derive(Clone, Copy, Debug)]
-struct Nothing;
+pub(crate) struct Nothing;
 
-impl<V: Space> Stabilizer<V> for Nothing {
+impl<V: Signal> Stabilizer<V> for Nothing {
     #[inline]
     fn stabilize(&mut self, _drive: &Drive<V>, effort: V) -> Action<V> {
         Action::none(effort)

@@ -24,7 +24,9 @@ mod trace;
 
 pub use column::{Column, NoColumn};
 pub use comparison::{CompareError, Comparison};
+pub(crate) use contestants::Nothing;
 pub use contestants::{Contestants, Settings};
 pub use document::document;
 pub use score::{Score, StepTime};
 pub(crate) use tick::{Share, Tick};
+pub(crate) use trace::Trace;

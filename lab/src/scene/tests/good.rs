@@ -3,7 +3,8 @@
 use serde_json::Value;
 
 use super::{FULL, scene, smallest_and, with};
-use crate::scene::keys::{KEYS, Key, SMALLEST};
+use crate::scene::Key;
+use crate::scene::keys::{KEYS, SMALLEST};
 use crate::scene::*;
 
 fn positive(value: f64) -> Positive {
