@@ -1,5 +1,6 @@
 //! The nominal controller of a model.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::scene::{Coordinates, DelayTicks, HoldTicks};
@@ -9,7 +10,7 @@ use crate::scene::{Coordinates, DelayTicks, HoldTicks};
 ///
 /// q are the first states of the plant, as many as it has inputs, and q̇ the same number after them; holding is what
 /// keeps a posture against gravity, of a leg only. One input takes a number, two take a list.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Controller {
     /// Gains of the places, in N.m/rad or V/rad; default 0.

@@ -20,13 +20,15 @@ mod rig;
 mod stabilizer;
 mod subject;
 mod table;
+#[cfg(test)]
+mod tests;
 
 pub use comparison::{CompareError, Comparison};
 pub use contestant::Contestant;
 pub use controller::Controller;
 pub use document::document;
 pub use meter::BOUND;
-pub use model::Model;
+pub use model::{Model, schema_text};
 pub use outcome::Score;
 pub use plant::{
     DcMotor, Ground, InvertedPendulum, Limb, Plant, ProstheticLeg, TwoLinkArm, VanDerPol,

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::controller::Controller;
@@ -9,15 +10,20 @@ use super::keys::BOOK;
 use super::plant::Plant;
 use super::stabilizer::Stabilizer;
 use crate::scene::{
-    Diagnostic, Finite, MODEL_TABLES, Positive, Scalar, StepsPerTick, names_any, read, text_of,
+    Diagnostic, Finite, MODEL_TABLES, Positive, Scalar, StepsPerTick, names_any, read, schema_of,
+    text_of,
 };
 
 /// A control-affine plant under its nominal controller, and what its stabilizers are set to: a model file.
 ///
 /// [`Model::parse`] and [`Model::load`] give only models that pass [`Model::check`]. Whoever changes a field afterwards
 /// calls it again.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(
+    title = "A model of lyapunov",
+    description = "A control-affine plant under its nominal controller, and what its stabilizers are set to. SI units."
+)]
 pub struct Model {
     /// Simulated time in s, greater than 0; required.
     pub duration: Positive,
@@ -30,6 +36,7 @@ pub struct Model {
     #[serde(default)]
     pub steps_per_tick: StepsPerTick,
     /// The state at t = 0, counted from rest, a number for each state of the plant; required.
+    #[schemars(length(min = 2, max = 4))]
     pub initial: Vec<Finite>,
     /// The plant and what its V is made of, exactly one; required.
     pub plant: Plant,
@@ -67,4 +74,10 @@ impl Model {
     pub fn ticks(&self) -> u64 {
         (self.duration.get() * self.servo_rate.get()).round() as u64
     }
+}
+
+/// A JSON Schema (draft 7, which editors of TOML know) of model files as the text of a file, made from the types that
+/// read them. The rules between values are [`Model::check`]'s.
+pub fn schema_text() -> String {
+    format!("{:#}\n", schema_of::<Model>())
 }

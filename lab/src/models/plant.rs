@@ -1,28 +1,29 @@
 //! The plants that a model file can name.
 
 use lyapunov as library;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::scene::{Finite, NonNegative, Positive, two};
 
 /// A control-affine plant, with what its V needs beside the plant's own numbers and the controller's springs.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Plant {
-    /// [`lyapunov::VanDerPol`] with V = (x² + ẋ²) / 2.
+    /// The Van der Pol oscillator, with V = (x² + ẋ²) / 2.
     VanDerPol(VanDerPol),
-    /// [`lyapunov::InvertedPendulum`] with [`lyapunov::UprightEnergy`].
+    /// A pendulum held upright, with its energy and that of the controller's spring.
     InvertedPendulum(InvertedPendulum),
-    /// [`lyapunov::DcMotor`] with [`lyapunov::MotorEnergy`].
+    /// A DC motor, with the energy of a spring wanted on its shaft.
     DcMotor(DcMotor),
-    /// [`lyapunov::TwoLinkArm`] with [`lyapunov::ArmEnergy`].
+    /// An arm of two links, with its energy and that of the controller's springs.
     TwoLinkArm(TwoLinkArm),
-    /// [`lyapunov::ProstheticLeg`] with [`lyapunov::LegEnergy`].
+    /// A leg on a test stand, with its energy and that of ground and controller's springs.
     ProstheticLeg(ProstheticLeg),
 }
 
 /// The Van der Pol oscillator.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VanDerPol {
     /// Its parameter, 0 or more, without a unit; required.
@@ -30,7 +31,7 @@ pub struct VanDerPol {
 }
 
 /// A pendulum on a motor, held upright by the controller's spring.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct InvertedPendulum {
     /// Point mass in kg, greater than 0; required.
@@ -43,7 +44,7 @@ pub struct InvertedPendulum {
 }
 
 /// A DC motor under a voltage, and the spring and the damper that its V wants on the shaft.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DcMotor {
     /// Inertia of the rotor and what it turns in kg.m², greater than 0; required.
@@ -65,7 +66,7 @@ pub struct DcMotor {
 }
 
 /// An arm of two links that hangs, its joints held by the controller's springs.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TwoLinkArm {
     /// The link at the shoulder; required.
@@ -75,7 +76,7 @@ pub struct TwoLinkArm {
 }
 
 /// A leg on a test stand, held in a posture by the controller's springs and the torques that gravity asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProstheticLeg {
     /// Angles of hip and knee in rad at which the foot just touches; required.
@@ -90,7 +91,7 @@ pub struct ProstheticLeg {
 }
 
 /// A limb: a uniform rod, but for what is given otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limb {
     /// Mass in kg, greater than 0; required.
@@ -104,7 +105,7 @@ pub struct Limb {
 }
 
 /// What a foot stands on.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ground {
     /// Stiffness in N/m, 0 or more; required.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::comparison::Comparison;
-use super::table::{cells, headings, setting, start};
+use super::table::{cells, headings, start};
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 const STYLE: &str = include_str!("../paper/report.css");
@@ -32,10 +32,9 @@ pub fn report(comparisons: &[Comparison], command: &str) -> String {
 fn section(comparison: &Comparison, page: &mut String) {
     let _ = write!(
         page,
-        "<h2>{}</h2>\n<p>{}. {}.</p>\n<figure>\n{}\n<figcaption>V over time. A curve that leaves the frame is cut off \
+        "<h2>{}</h2>\n<p>{}.</p>\n<figure>\n{}\n<figcaption>V over time. A curve that leaves the frame is cut off \
          there.</figcaption>\n</figure>\n",
         escaped(&comparison.name),
-        setting(comparison),
         start(comparison),
         comparison.figure().to_svg()
     );

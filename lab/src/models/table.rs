@@ -10,7 +10,7 @@ use crate::summary::{found, given};
 const BETWEEN: &str = "  ";
 
 /// How many columns there are.
-pub(super) const COLUMNS: usize = 8;
+const COLUMNS: usize = 8;
 
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, setting(comparison))?;

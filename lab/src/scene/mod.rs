@@ -55,7 +55,7 @@ mod stabilizer;
 mod suggest;
 mod syntax;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod written;
 
 pub(crate) use book::{Book, Key, key};
@@ -83,6 +83,7 @@ pub use quantity::{
     Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive, Probability,
     Seed, StepsPerTick, WindowTicks,
 };
+pub(crate) use schema::schema_of;
 pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;
