@@ -34,6 +34,7 @@ pub mod family;
 pub mod hard;
 pub mod map;
 mod meters;
+pub mod models;
 pub mod observe;
 mod output;
 pub mod paper;

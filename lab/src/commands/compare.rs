@@ -12,13 +12,14 @@ use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Output, OutputError, Space};
 
 use super::folder::Folder;
+use super::models::{self, Subjects};
 use super::{BAR, End, heed_interrupts, shown, standard_output};
 
 /// Ticks in all from which on there is something to wait for.
 const LONG: u64 = 1 << 20;
 
 /// The file that `--json` prints.
-const RESULTS: &str = "compare.json";
+pub(super) const RESULTS: &str = "compare.json";
 
 /// Compare stabilizers on the same scenes.
 ///
@@ -29,34 +30,36 @@ const RESULTS: &str = "compare.json";
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Compare {
-    /// The scene files, TOML.
+    /// The scene files, or model files, TOML.
     #[arg(required = true, value_name = "SCENE")]
-    scenes: Vec<PathBuf>,
-    /// Who takes part, by the names of docs/family.md, or all.
+    pub(super) scenes: Vec<PathBuf>,
+    /// Who takes part, by the names of docs/family.md, or all; of a model the same four.
     #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
-    stabilizers: Members,
-    /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there.
+    pub(super) stabilizers: Members,
+    /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there. Of models
+    /// also report.html and a CSV for each.
     #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
     ///
     /// A column is named by its key in compare.json, such as settling_time_s or ns_per_step.
     #[arg(long, value_name = "COLUMN")]
-    by: Option<Column>,
+    pub(super) by: Option<Column>,
     /// Print compare.json instead of tables.
     #[arg(long, conflicts_with = "quiet")]
-    json: bool,
+    pub(super) json: bool,
     /// Print nothing but errors.
     #[arg(long)]
-    quiet: bool,
+    pub(super) quiet: bool,
 }
 
 impl Compare {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
-        let load = |path: &PathBuf| Ok((path.display().to_string(), Scene::load(path)?));
-        let scenes: Result<Vec<(String, Scene)>, _> = self.scenes.iter().map(load).collect();
-        let scenes = scenes.map_err(|error: lyapunov_lab::scene::Diagnostic| End::input(error))?;
+        let scenes = match Subjects::load(&self.scenes)? {
+            Subjects::Scenes(scenes) => scenes,
+            Subjects::Models(models) => return models::run(self, &models),
+        };
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let comparisons = self.compare(&scenes)?;
         let text = document(&comparisons).map_err(End::internal)?;
@@ -95,7 +98,7 @@ impl Compare {
     }
 
     /// A bar where there is something to wait for.
-    fn progress(&self, ticks: u64) -> ProgressBar {
+    pub(super) fn progress(&self, ticks: u64) -> ProgressBar {
         if self.quiet || ticks < LONG {
             return ProgressBar::hidden();
         }
@@ -151,7 +154,7 @@ fn fill(
 }
 
 /// The name of each scene's figure: that of its file, with a number where two are alike.
-fn names(scenes: &[PathBuf]) -> Vec<String> {
+pub(super) fn names(scenes: &[PathBuf]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for scene in scenes {
         let stem = scene.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into());

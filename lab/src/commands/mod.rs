@@ -8,6 +8,7 @@ mod explain;
 mod folder;
 mod hard;
 mod map;
+mod models;
 mod observe;
 mod paper;
 mod run;

@@ -2,23 +2,39 @@
 
 use std::io::{self, Write};
 
-use clap::Args;
-use lyapunov_lab::scene;
+use clap::{Args, ValueEnum};
+use lyapunov_lab::{models, scene};
 
 use super::{End, standard_output};
 
-/// Print the JSON Schema of scene files, by which editors complete and check keys.
+/// Print the JSON Schema of scene files, or of model files, by which editors complete and check keys.
 ///
 /// Editors that know Taplo's directive take it from a scene's first line: `#:schema ./scene.schema.json` with
 /// `lyapunov schema > scene.schema.json` beside the scene. It holds every key, its type and its range; rules between
-/// values are checked by `lyapunov run`.
+/// values are checked when a file is read.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input.
 #[derive(Args, Debug)]
-pub(crate) struct Schema {}
+pub(crate) struct Schema {
+    /// What the files are.
+    #[arg(value_enum, default_value = "scene", value_name = "KIND")]
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Kind {
+    /// Scenes.
+    Scene,
+    /// Models of control-affine plants, for `lyapunov compare`.
+    Model,
+}
 
 impl Schema {
     pub(crate) fn run(&self) -> Result<(), End> {
-        io::stdout().write_all(scene::schema_text().as_bytes()).map_err(standard_output)
+        let text = match self.kind {
+            Kind::Scene => scene::schema_text(),
+            Kind::Model => models::schema_text(),
+        };
+        io::stdout().write_all(text.as_bytes()).map_err(standard_output)
     }
 }

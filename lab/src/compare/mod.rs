@@ -28,3 +28,4 @@ pub use contestants::{Contestants, Settings};
 pub use document::document;
 pub use score::{Score, StepTime};
 pub(crate) use tick::{Share, Tick};
+pub(crate) use trace::Trace;

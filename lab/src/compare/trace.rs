@@ -5,7 +5,7 @@ const STRETCHES: u64 = 8192;
 
 /// A quantity over time, thinned to the extremes of each of some thousand stretches if there are more ticks.
 #[derive(Clone, Debug)]
-pub(super) struct Trace {
+pub(crate) struct Trace {
     stretch: u64,
     count: u64,
     low: (f64, f64),
@@ -15,7 +15,7 @@ pub(super) struct Trace {
 
 impl Trace {
     /// A curve of about `ticks` points.
-    pub(super) fn new(ticks: u64) -> Self {
+    pub(crate) fn new(ticks: u64) -> Self {
         let stretch = ticks.div_ceil(STRETCHES).max(1);
         let unset = (0.0, 0.0);
         // A stretch of two keeps both points, and so does one of one.
@@ -23,7 +23,7 @@ impl Trace {
         Self { stretch, count: 0, low: unset, high: unset, points: Vec::new() }
     }
 
-    pub(super) fn add(&mut self, t: f64, y: f64) {
+    pub(crate) fn add(&mut self, t: f64, y: f64) {
         if self.count == 0 || y < self.low.1 {
             self.low = (t, y);
         }
@@ -37,7 +37,7 @@ impl Trace {
     }
 
     /// The points so far.
-    pub(super) fn finish(mut self) -> Vec<(f64, f64)> {
+    pub(crate) fn finish(mut self) -> Vec<(f64, f64)> {
         if self.count > 0 {
             self.end();
         }

@@ -3,8 +3,9 @@
 use std::fmt;
 
 use lyapunov::{ParameterError, Requirement};
+use serde::Serialize;
 
-use super::{Integrator, Motion, Scalar, Scene};
+use super::{Integrator, Motion, Positive, Scalar, Scene};
 use crate::Assembly;
 use crate::in_space;
 
@@ -24,7 +25,7 @@ pub struct Conflict {
 }
 
 impl Conflict {
-    pub(super) fn new(
+    pub(crate) fn new(
         key: impl Into<String>,
         problem: impl Into<String>,
         remedy: impl Into<String>,
@@ -73,40 +74,11 @@ impl Scene {
     /// # Errors
     /// The first rule that is broken, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
-        self.check_ticks()?;
+        check_ticks(self.duration, self.servo_rate)?;
         self.check_environment_rate()?;
         self.check_tables()?;
         self.check_scalar()?;
         self.check_blocks()
-    }
-
-    fn check_ticks(&self) -> Result<(), Conflict> {
-        let (duration, rate) = (self.duration.get(), self.servo_rate.get());
-        if !self.period().is_finite() {
-            return Err(Conflict {
-                key: "servo_rate".to_owned(),
-                problem: format!(
-                    "`servo_rate` = {rate:?} Hz is too small: its period 1 / servo_rate is infinite"
-                ),
-                remedy: "give a rate in Hz, for example `servo_rate = 1000.0`".to_owned(),
-                asker: None,
-            });
-        }
-        let ticks = (duration * rate).round();
-        if ticks <= MOST_TICKS {
-            return Ok(());
-        }
-        Err(Conflict {
-            key: "duration".to_owned(),
-            problem: format!(
-                "`duration` = {duration:?} s at `servo_rate` = {rate:?} Hz makes {ticks:e} ticks"
-            ),
-            remedy: format!(
-                "a run has at most 1e9 ticks: at this rate at most {:?} s",
-                MOST_TICKS / rate
-            ),
-            asker: None,
-        })
     }
 
     fn check_environment_rate(&self) -> Result<(), Conflict> {
@@ -144,25 +116,8 @@ impl Scene {
         if self.scalar != Scalar::F32 {
             return Ok(());
         }
-        // Walking the serialized form covers every number, also of tables that are added later.
-        let lost = toml::Value::try_from(self).ok().and_then(|scene| {
-            find(&scene, "", &|_, number| {
-                let single = number as f32;
-                number.is_finite() && (single.is_infinite() || (single == 0.0) != (number == 0.0))
-            })
-        });
-        let lost = lost.or_else(|| self.lost_rest());
-        match lost {
-            None => Ok(()),
-            Some((key, value)) => Err(Conflict {
-                problem: format!("`{key}` = {value:?} is beyond the range of f32"),
-                remedy:
-                    "f32 holds sizes from 1e-45 to 3.4e38; take `scalar = \"f64\"` or another value"
-                        .to_owned(),
-                key,
-                asker: None,
-            }),
-        }
+        check_single(self)?;
+        self.lost_rest().map_or(Ok(()), |(key, value)| Err(lost(key, value)))
     }
 
     /// Builds the loop, because values that are each allowed may join to one that is not.
@@ -266,6 +221,50 @@ impl Scene {
         let lost = samples.iter().find(|(_, rest)| (*rest as f32).is_infinite());
         lost.map(|(_, rest)| ("operator.motion.path".to_owned(), *rest))
     }
+}
+
+/// Checks that there are no more ticks than a run may have, and that there is time between them.
+pub(crate) fn check_ticks(duration: Positive, servo_rate: Positive) -> Result<(), Conflict> {
+    let (duration, rate) = (duration.get(), servo_rate.get());
+    if !rate.recip().is_finite() {
+        return Err(Conflict::new(
+            "servo_rate",
+            format!(
+                "`servo_rate` = {rate:?} Hz is too small: its period 1 / servo_rate is infinite"
+            ),
+            "give a rate in Hz, for example `servo_rate = 1000.0`",
+        ));
+    }
+    let ticks = (duration * rate).round();
+    if ticks <= MOST_TICKS {
+        return Ok(());
+    }
+    Err(Conflict::new(
+        "duration",
+        format!("`duration` = {duration:?} s at `servo_rate` = {rate:?} Hz makes {ticks:e} ticks"),
+        format!("a run has at most 1e9 ticks: at this rate at most {:?} s", MOST_TICKS / rate),
+    ))
+}
+
+/// Checks that single precision can hold every number of `file`.
+pub(crate) fn check_single(file: &impl Serialize) -> Result<(), Conflict> {
+    // Walking the serialized form covers every number, also of tables that are added later.
+    let found = toml::Value::try_from(file).ok().and_then(|file| {
+        find(&file, "", &|_, number| {
+            let single = number as f32;
+            number.is_finite() && (single.is_infinite() || (single == 0.0) != (number == 0.0))
+        })
+    });
+    found.map_or(Ok(()), |(key, value)| Err(lost(key, value)))
+}
+
+/// The conflict of a number that single precision cannot hold.
+fn lost(key: String, value: f64) -> Conflict {
+    Conflict::new(
+        &key,
+        format!("`{key}` = {value:?} is beyond the range of f32"),
+        "f32 holds sizes from 1e-45 to 3.4e38; take `scalar = \"f64\"` or another value",
+    )
 }
 
 /// The one of the most unusual size, of values any of which may be wrong.

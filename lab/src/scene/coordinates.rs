@@ -26,7 +26,7 @@ impl Coordinates {
     }
 
     /// How many numbers were given.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 }

@@ -128,8 +128,13 @@ pub struct LayeredWall {
     pub damping: NonNegative,
 }
 
-fn two<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[NonNegative; 2], D::Error> {
-    <[NonNegative; 2]>::try_from(Vec::deserialize(deserializer)?).map_err(|list: Vec<_>| {
+/// Exactly two, in a list.
+pub(crate) fn two<'de, D, T>(deserializer: D) -> Result<[T; 2], D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    <[T; 2]>::try_from(Vec::deserialize(deserializer)?).map_err(|list: Vec<T>| {
         D::Error::custom(format_args!("must be a list of two numbers, not of {}", list.len()))
     })
 }

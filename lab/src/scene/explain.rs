@@ -1,16 +1,16 @@
 //! Puts a fault into words: what is wrong, and what would be right.
 
+use super::book::{Book, Key};
 use super::diagnostic::Diagnostic;
 use super::excerpt::shorten;
 use super::fault::{Fault, Found, Place, Problem};
-use super::keys::{self, KEYS, Key};
 use super::suggest::nearest;
 
 /// The most places named where a key is at home.
 const MOST_HOMES: usize = 3;
 
 /// A fault of the text in words.
-pub(super) fn explain(fault: Fault, text: &str, name: &str) -> Diagnostic {
+pub(super) fn explain(book: &Book, fault: Fault, text: &str, name: &str) -> Diagnostic {
     let (problem, mut place) = fault.into_parts();
     let path = place.path();
     if path.is_empty() {
@@ -28,15 +28,17 @@ pub(super) fn explain(fault: Fault, text: &str, name: &str) -> Diagnostic {
         Problem::UnknownKey { known } => {
             let message =
                 format!("unknown key `{}` {}", shorten(&place.name), within(&place.table));
-            unknown_key(diagnostic(message), &place, known)
+            unknown_key(book, diagnostic(message), &place, known)
         }
         Problem::UnknownWord { known } => {
-            wrong_word(diagnostic, &place, known, Found::Value("the text"), given)
+            wrong_word(book, diagnostic, &place, known, Found::Value("the text"), given)
         }
-        Problem::NotWord { known, found } => wrong_word(diagnostic, &place, known, found, given),
+        Problem::NotWord { known, found } => {
+            wrong_word(book, diagnostic, &place, known, found, given)
+        }
         Problem::Missing { key } => {
             let missing = place.child(key, place.span.clone());
-            missing_key(diagnostic, &missing)
+            missing_key(book, diagnostic, &missing)
         }
         Problem::WrongKind { expected, found } => {
             let message = format!(
@@ -46,39 +48,46 @@ pub(super) fn explain(fault: Fault, text: &str, name: &str) -> Diagnostic {
             );
             let diagnostic = diagnostic(message).with_value(Some(given.clone()));
             if expected == "a table" {
-                table_help(diagnostic, &path, &given, found)
+                table_help(book, diagnostic, &path, &given, found)
             } else {
-                with_example(diagnostic, &path)
+                with_example(book, diagnostic, &path)
             }
         }
         Problem::Refused { sentence } => {
             let message = format!("`{}` {}", shorten_path(&path), sentence);
-            with_example(diagnostic(message).with_value(Some(given)), &path)
+            with_example(book, diagnostic(message).with_value(Some(given)), &path)
         }
         Problem::NoneChosen { known } => {
             let message = format!("[{}] is empty", shorten_path(&path));
-            let needed = format!("it needs one of {}", headers(&path, known));
+            let needed = format!("it needs one of {}", headers(book, &path, known));
             diagnostic(message).with_help(needed)
         }
-        Problem::SeveralChosen { chosen, known } => several(diagnostic, &place, &chosen, known),
+        Problem::SeveralChosen { chosen, known } => {
+            several(book, diagnostic, &place, &chosen, known)
+        }
     }
 }
 
-fn unknown_key(mut diagnostic: Diagnostic, place: &Place, known: &[&'static str]) -> Diagnostic {
+fn unknown_key(
+    book: &Book,
+    mut diagnostic: Diagnostic,
+    place: &Place,
+    known: &[&'static str],
+) -> Diagnostic {
     if let Some(near) = nearest(&place.name, known) {
         diagnostic = diagnostic.with_help(format!("did you mean `{near}`?"));
     }
-    if let Some(home) = home(place) {
+    if let Some(home) = home(book, place) {
         diagnostic = diagnostic.with_help(home);
     }
     diagnostic.with_help(format!("known keys here: {}", known.join(", ")))
 }
 
 /// Where a key that stands in the wrong table belongs.
-fn home(place: &Place) -> Option<String> {
+fn home(book: &Book, place: &Place) -> Option<String> {
     let path = place.path();
     let mut homes: Vec<&Key> =
-        KEYS.iter().filter(|key| key.name() == place.name && key.path != path).collect();
+        book.keys.iter().filter(|key| key.name() == place.name && key.path != path).collect();
     // Who writes a key into a table most likely means one of the tables in it.
     let within = format!("{}.", place.table);
     homes.sort_by_key(|key| !key.path.starts_with(&within));
@@ -97,6 +106,7 @@ fn home(place: &Place) -> Option<String> {
 }
 
 fn wrong_word(
+    book: &Book,
     diagnostic: impl Fn(String) -> Diagnostic,
     place: &Place,
     known: &[&'static str],
@@ -105,10 +115,10 @@ fn wrong_word(
 ) -> Diagnostic {
     let path = place.path();
     let repeated = repeat(found, &given);
-    if keys::find(&path).is_some_and(Key::is_table) {
+    if book.find(&path).is_some_and(Key::is_table) {
         let diagnostic = diagnostic(format!("`{path}` must be a table, not {repeated}"))
-            .with_help(format!("the tables it can be: {}", headers(&path, known)));
-        return with_example(diagnostic, &path).with_value(Some(given));
+            .with_help(format!("the tables it can be: {}", headers(book, &path, known)));
+        return with_example(book, diagnostic, &path).with_value(Some(given));
     }
     let mut diagnostic = diagnostic(format!("`{}` cannot be {repeated}", shorten_path(&path)));
     if let Some(near) = nearest(bare(&given), known) {
@@ -119,15 +129,19 @@ fn wrong_word(
     diagnostic.with_help(help).with_value(Some(given))
 }
 
-fn missing_key(diagnostic: impl Fn(String) -> Diagnostic, missing: &Place) -> Diagnostic {
+fn missing_key(
+    book: &Book,
+    diagnostic: impl Fn(String) -> Diagnostic,
+    missing: &Place,
+) -> Diagnostic {
     let path = missing.path();
-    let Some(key) = keys::find(&path) else {
+    let Some(key) = book.find(&path) else {
         return diagnostic(format!("missing key `{path}`")).with_key(path);
     };
     if key.is_table() {
         let header = key.example.lines().next().unwrap_or_default();
         let within = format!("{}.", header.trim_matches(['[', ']']));
-        let first = KEYS.iter().find(|key| key.path.starts_with(&within));
+        let first = book.keys.iter().find(|key| key.path.starts_with(&within));
         let first = first.map_or(path.as_str(), |key| key.path);
         return diagnostic(format!("missing key `{first}`: there is no [{path}]"))
             .with_key(first)
@@ -144,10 +158,16 @@ fn missing_key(diagnostic: impl Fn(String) -> Diagnostic, missing: &Place) -> Di
         .with_help(format!("add {place}, for example:\n{}", key.example))
 }
 
-fn table_help(diagnostic: Diagnostic, path: &str, given: &str, found: Found) -> Diagnostic {
+fn table_help(
+    book: &Book,
+    diagnostic: Diagnostic,
+    path: &str,
+    given: &str,
+    found: Found,
+) -> Diagnostic {
     let chosen = format!("{path}.{}", bare(given));
-    let path = if keys::find(&chosen).is_some() { &chosen } else { path };
-    let diagnostic = with_example(diagnostic, path);
+    let path = if book.find(&chosen).is_some() { &chosen } else { path };
+    let diagnostic = with_example(book, diagnostic, path);
     if found == Found::Structure("a list") {
         diagnostic.with_help("a table header has single brackets: [[name]] makes a list of tables")
     } else {
@@ -156,6 +176,7 @@ fn table_help(diagnostic: Diagnostic, path: &str, given: &str, found: Found) -> 
 }
 
 fn several(
+    book: &Book,
     diagnostic: impl Fn(String) -> Diagnostic,
     place: &Place,
     chosen: &[String],
@@ -169,9 +190,10 @@ fn several(
     let mut names: Vec<_> = chosen.iter().take(4).map(quote).collect();
     let last = names.pop().unwrap_or_default();
     let noun = &place.name;
-    let message = format!("{count} {noun}s, {} and {last}: a scene has only one", names.join(", "));
+    let message =
+        format!("{count} {noun}s, {} and {last}: a {} has only one", names.join(", "), book.noun);
     let path = format!("{}.{}", place.path(), chosen.first().map_or("", String::as_str));
-    let kind = if keys::find(&path).is_none_or(Key::is_table) { "tables" } else { "keys" };
+    let kind = if book.find(&path).is_none_or(Key::is_table) { "tables" } else { "keys" };
     let mut diagnostic = diagnostic(message).with_help(format!("keep one of these {kind}"));
     for name in chosen.iter().take(4) {
         if !known.contains(&name.as_str()) {
@@ -186,8 +208,8 @@ fn several(
 }
 
 /// Adds the unit of the key and a line that would be right.
-pub(super) fn with_example(diagnostic: Diagnostic, path: &str) -> Diagnostic {
-    match keys::find(path) {
+pub(super) fn with_example(book: &Book, diagnostic: Diagnostic, path: &str) -> Diagnostic {
+    match book.find(path) {
         None => diagnostic,
         Some(key) if key.is_table() => {
             diagnostic.with_help(format!("for example:\n{}", key.example))
@@ -201,10 +223,10 @@ pub(super) fn with_example(diagnostic: Diagnostic, path: &str) -> Diagnostic {
     }
 }
 
-fn headers(path: &str, known: &[&'static str]) -> String {
+fn headers(book: &Book, path: &str, known: &[&'static str]) -> String {
     let shown = |name: &&str| {
         let whole = format!("{path}.{name}");
-        let is_table = keys::find(&whole).is_none_or(Key::is_table);
+        let is_table = book.find(&whole).is_none_or(Key::is_table);
         if is_table { format!("[{whole}]") } else { format!("`{name}`") }
     };
     let headers: Vec<_> = known.iter().map(shown).collect();

@@ -1,15 +1,9 @@
 //! What messages say about each key: its unit, and a line that would be right.
 
-/// One key of a scene file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Key {
-    /// Its name with its table path.
-    pub(super) path: &'static str,
-    /// Its unit; empty where it has none.
-    pub(super) unit: &'static str,
-    /// Lines that are right, from within its table; for a table, with its header.
-    pub(super) example: &'static str,
-}
+use super::book::{Book, Key, key};
+
+/// The keys of scene files.
+pub(crate) const BOOK: Book = Book { noun: "scene", keys: KEYS, smallest: SMALLEST };
 
 /// A file that holds what is required and nothing else.
 pub(super) const SMALLEST: &str = "duration = 1.0  # s
@@ -18,10 +12,6 @@ servo_rate = 1000.0  # Hz
 mass = 0.2  # kg
 [environment.wall]
 stiffness = 8000.0  # N/m";
-
-const fn key(path: &'static str, unit: &'static str, example: &'static str) -> Key {
-    Key { path, unit, example }
-}
 
 /// Every key and table; a test holds it against the types.
 pub(super) const KEYS: &[Key] = &[
@@ -200,41 +190,12 @@ pub(super) const KEYS: &[Key] = &[
     key("effects.pulse.force", "N", "force = 2.0  # N"),
 ];
 
-impl Key {
-    /// Whether it is a table, or one that chooses among tables, rather than a value.
-    pub(super) fn is_table(&self) -> bool {
-        self.example.starts_with('[')
-    }
-
-    /// Its name without the table path.
-    pub(super) fn name(&self) -> &'static str {
-        split(self.path).1
-    }
-
-    /// The table it stands in; empty at the top level.
-    pub(super) fn table(&self) -> &'static str {
-        split(self.path).0
-    }
-}
-
 /// The keys of values that have a unit or are known to be numbers, tables and words apart.
 pub(crate) fn number_keys() -> impl Iterator<Item = &'static str> {
     KEYS.iter().filter(|key| !key.is_table() && !key.example.contains('"')).map(|key| key.path)
 }
 
-/// The unit of a key; empty where it has none.
+/// The unit of a key of a scene; empty where it has none.
 pub(crate) fn unit(key: &str) -> &'static str {
-    find(key).map_or("", |key| key.unit)
-}
-
-/// The entry of a key with this table path.
-pub(super) fn find(path: &str) -> Option<&'static Key> {
-    // What is said of a list is said of each number in it.
-    let path = path.split_once('[').map_or(path, |(list, _)| list);
-    KEYS.iter().find(|key| key.path == path)
-}
-
-/// A table path and the name in it.
-pub(super) fn split(path: &str) -> (&str, &str) {
-    path.rsplit_once('.').unwrap_or(("", path))
+    BOOK.find(key).map_or("", |key| key.unit)
 }

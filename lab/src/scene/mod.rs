@@ -29,10 +29,12 @@
 //! # Ok::<(), lyapunov_lab::scene::Diagnostic>(())
 //! ```
 
+mod book;
 mod check;
 mod choice;
 mod coordinates;
 mod diagnostic;
+mod document;
 mod effects;
 mod environment;
 mod excerpt;
@@ -53,29 +55,35 @@ mod stabilizer;
 mod suggest;
 mod syntax;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod written;
 
+pub(crate) use book::{Book, Key, key};
 pub use check::Conflict;
+pub(crate) use check::{check_single, check_ticks};
 pub use coordinates::Coordinates;
 pub use diagnostic::Diagnostic;
+pub(crate) use document::{names_any, read};
 pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
     Saturation,
 };
+pub(crate) use environment::two;
 pub use environment::{
     Cuboid, Environment, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Plane, Sphere,
     Spring, VaryingSpring, Wall,
 };
 pub(crate) use excerpt::{printable, shorten};
 pub use integrator::Integrator;
-pub(crate) use keys::{number_keys, unit};
+pub(crate) use keys::{BOOK, number_keys, unit};
+pub(crate) use load::{MODEL_TABLES, parse_at, text_of};
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{
-    Cap, DelayTicks, Dimensions, Finite, NonNegative, OutOfRange, Positive, Probability, Seed,
-    StepsPerTick, WindowTicks,
+    Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive, Probability,
+    Seed, StepsPerTick, WindowTicks,
 };
+pub(crate) use schema::schema_of;
 pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;

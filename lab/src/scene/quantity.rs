@@ -199,12 +199,28 @@ macro_rules! whole {
 
 whole!(
     /// A delay in whole servo ticks.
+    #[derive(Default)]
     DelayTicks,
     u16,
     "a whole number from 0 to 1024",
     { "type": "integer", "minimum": 0, "maximum": 1024 },
     0..=1024
 );
+
+whole!(
+    /// The whole servo ticks from one call of a controller to the next.
+    HoldTicks,
+    u16,
+    "a whole number from 1 to 1024",
+    { "type": "integer", "minimum": 1, "maximum": 1024 },
+    1..=1024
+);
+
+impl Default for HoldTicks {
+    fn default() -> Self {
+        Self(1)
+    }
+}
 
 whole!(
     /// The greatest length of an adaptive window in whole servo ticks.

@@ -1,8 +1,8 @@
 //! The schema of scene files, for editors.
 
-use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::{Transform, transform_subschemas};
+use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value};
 
 use super::written::Keys;
@@ -11,13 +11,18 @@ use super::written::Keys;
 ///
 /// It holds the keys, their types and the range of each value; the rules between values are [`Scene::check`](super::Scene::check)'s.
 pub fn schema() -> Value {
-    let settings = SchemaSettings::draft07().with_transform(AsInToml);
-    settings.into_generator().into_root_schema_for::<Keys>().to_value()
+    schema_of::<Keys>()
 }
 
 /// [`schema`] as the text of a file.
 pub fn schema_text() -> String {
     format!("{:#}\n", schema())
+}
+
+/// The schema of the files whose keys are `K`.
+pub(crate) fn schema_of<K: JsonSchema>() -> Value {
+    let settings = SchemaSettings::draft07().with_transform(AsInToml);
+    settings.into_generator().into_root_schema_for::<K>().to_value()
 }
 
 /// Takes out what a TOML file cannot say, and what an editor has no use for.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::book::Book;
 use super::diagnostic::Diagnostic;
 use super::excerpt::{boundary, shorten};
 use super::explain::{shorten_path, with_example};
@@ -74,12 +75,12 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     (
         "cannot recurse further",
         "tables or lists are nested too deeply",
-        "a scene needs no more than three levels",
+        "no file here needs more than three levels",
     ),
     (
         "recursion limit",
         "tables or lists are nested too deeply",
-        "a scene needs no more than three levels",
+        "no file here needs more than three levels",
     ),
 ];
 
@@ -90,7 +91,7 @@ const DUPLICATE: &str = "duplicate key";
 const BARE_VALUES: &[&str] = &["string values must be quoted", "invalid boolean", "invalid float"];
 
 /// The parser's error in words.
-pub(super) fn explain(error: &toml::de::Error, text: &str, name: &str) -> Diagnostic {
+pub(super) fn explain(book: &Book, error: &toml::de::Error, text: &str, name: &str) -> Diagnostic {
     let span = error.span().unwrap_or_default();
     let given = text.get(span.clone()).unwrap_or_default().trim();
     let (mut path, mut value) = assignment_at(text, span.start).unwrap_or_default();
@@ -108,14 +109,14 @@ pub(super) fn explain(error: &toml::de::Error, text: &str, name: &str) -> Diagno
         message if BARE_VALUES.iter().any(|begin| message.starts_with(begin)) => {
             unquoted(given, value)
         }
-        message => sentence(message),
+        message => sentence(book, message),
     };
     let diagnostic = Diagnostic::new(name, message)
         .with_excerpt(text, visible(text, span))
         .with_key(shorten_path(&path))
         .with_value(Some(shorten(value)).filter(|value| !value.is_empty()))
         .with_help(help);
-    if error.message() == DUPLICATE { diagnostic } else { with_example(diagnostic, &path) }
+    if error.message() == DUPLICATE { diagnostic } else { with_example(book, diagnostic, &path) }
 }
 
 fn decimal_comma(value: &str) -> bool {
@@ -143,14 +144,15 @@ fn unquoted(given: &str, value: &str) -> (String, String) {
     (format!("the text `{short}` lacks its quotes"), format!("write \"{short}\""))
 }
 
-fn sentence(message: &str) -> (String, String) {
+fn sentence(book: &Book, message: &str) -> (String, String) {
     let known = SENTENCES.iter().find(|(begin, ..)| message.starts_with(begin));
     match known {
         Some((_, sentence, help)) => ((*sentence).to_owned(), (*help).to_owned()),
         None => {
             let plain = message.trim_end_matches(", expected nothing");
-            let help = "a scene file is TOML: `key = value` lines below [table] headers";
-            (format!("this is not TOML: {plain}"), help.to_owned())
+            let noun = book.noun;
+            let help = format!("a {noun} file is TOML: `key = value` lines below [table] headers");
+            (format!("this is not TOML: {plain}"), help)
         }
     }
 }

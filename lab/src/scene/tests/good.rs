@@ -3,7 +3,8 @@
 use serde_json::Value;
 
 use super::{FULL, scene, smallest_and, with};
-use crate::scene::keys::{KEYS, Key, SMALLEST};
+use crate::scene::Key;
+use crate::scene::keys::{KEYS, SMALLEST};
 use crate::scene::*;
 
 fn positive(value: f64) -> Positive {
@@ -305,7 +306,7 @@ fn quantities_accept_what_they_say() {
 }
 
 /// The paths of all keys and tables that a schema allows.
-fn paths(schema: &Value, root: &Value, within: &str, found: &mut Vec<String>) {
+pub(crate) fn paths(schema: &Value, root: &Value, within: &str, found: &mut Vec<String>) {
     if let Some(Value::String(name)) = schema.get("$ref") {
         let pointed = root.pointer(name.trim_start_matches('#')).unwrap();
         paths(pointed, root, within, found);
@@ -388,7 +389,7 @@ fn needed_by(key: &Key) -> &'static str {
     }
 }
 
-fn merge(document: &mut toml::Table, more: toml::Table) {
+pub(crate) fn merge(document: &mut toml::Table, more: toml::Table) {
     for (key, value) in more {
         match (document.get_mut(&key), value) {
             (Some(toml::Value::Table(table)), toml::Value::Table(more)) => merge(table, more),

@@ -8,6 +8,8 @@ mod files;
 mod good;
 mod shown;
 
+pub(crate) use good::{merge, paths};
+
 use super::keys::SMALLEST;
 use super::{Diagnostic, Scene};
 

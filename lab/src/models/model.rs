@@ -1,0 +1,83 @@
+//! A model file.
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::controller::Controller;
+use super::keys::BOOK;
+use super::plant::Plant;
+use super::stabilizer::Stabilizer;
+use crate::scene::{
+    Diagnostic, Finite, MODEL_TABLES, Positive, Scalar, StepsPerTick, names_any, read, schema_of,
+    text_of,
+};
+
+/// A control-affine plant under its nominal controller, and what its stabilizers are set to: a model file.
+///
+/// [`Model::parse`] and [`Model::load`] give only models that pass [`Model::check`]. Whoever changes a field afterwards
+/// calls it again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    title = "A model of lyapunov",
+    description = "A control-affine plant under its nominal controller, and what its stabilizers are set to. SI units."
+)]
+pub struct Model {
+    /// Simulated time in s, greater than 0; required.
+    pub duration: Positive,
+    /// Rate of the servo loop in Hz, greater than 0; required.
+    pub servo_rate: Positive,
+    /// Number type the run computes in; default: f64.
+    #[serde(default)]
+    pub scalar: Scalar,
+    /// Steps of the classical Runge-Kutta method from one tick to the next; default: 1.
+    #[serde(default)]
+    pub steps_per_tick: StepsPerTick,
+    /// The state at t = 0, counted from rest, a number for each state of the plant; required.
+    #[schemars(length(min = 2, max = 4))]
+    pub initial: Vec<Finite>,
+    /// The plant and what its V is made of, exactly one; required.
+    pub plant: Plant,
+    /// The nominal controller; default: none.
+    #[serde(default)]
+    pub controller: Controller,
+    /// What the stabilizers are set to.
+    #[serde(default)]
+    pub stabilizer: Stabilizer,
+}
+
+impl Model {
+    /// Reads a model from TOML text; `name` stands for the text in messages, usually the path of its file.
+    ///
+    /// # Errors
+    /// The first rule that is broken, with its place and what would be right.
+    pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
+        read(&BOOK, text, name, |model: Self| model.check().map(|()| model))
+    }
+
+    /// Reads a model from a file of at most 1 MiB.
+    ///
+    /// # Errors
+    /// As [`Model::parse`], and a file that cannot be read or is no text.
+    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+        Self::parse(&text_of(&BOOK, path)?, &path.display().to_string())
+    }
+
+    /// Whether `text` is meant as a model rather than a scene: it has one of the tables that only models have.
+    pub fn is_in(text: &str) -> bool {
+        names_any(text, &MODEL_TABLES)
+    }
+
+    /// Number of the last tick, N = round(duration · servo_rate), from 0 to 1e9; the run has N + 1 ticks.
+    pub fn ticks(&self) -> u64 {
+        (self.duration.get() * self.servo_rate.get()).round() as u64
+    }
+}
+
+/// A JSON Schema (draft 7, which editors of TOML know) of model files as the text of a file, made from the types that
+/// read them. The rules between values are [`Model::check`]'s.
+pub fn schema_text() -> String {
+    format!("{:#}\n", schema_of::<Model>())
+}

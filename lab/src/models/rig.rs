@@ -1,0 +1,166 @@
+//! A plant behind its port, ready to run.
+
+use std::ops::ControlFlow;
+
+use lyapunov::{
+    self as library, Adapt, AffinePlant, ControlAffine, DampingLimit, Decay, Lolc,
+    LyapunovFunction, Mask, OnePort, ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar,
+    Signal, StateFeedback, WithState, decrease_of,
+};
+use nalgebra::SVector;
+
+use super::contestant::Contestant;
+use super::controller::Controller;
+use super::meter::{Meter, Tick};
+use super::model::Model;
+use super::outcome::Outcome;
+use super::stabilizer::Stabilizer;
+use crate::family::Nothing;
+
+/// The longest delay of a controller in ticks.
+const MOST_DELAY: usize = 1024;
+
+/// Ticks between two reports of progress.
+const BREATH: u64 = 1 << 14;
+
+/// Is told how many more ticks are done; says whether to go on.
+pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
+
+/// Whoever watched said that it is enough.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Stopped;
+
+/// A loop that any contestant can run, whatever the plant and the scalar.
+pub(super) trait Loop {
+    /// V at the start.
+    fn began(&self) -> f64;
+
+    /// What `contestant` comes to.
+    fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, Stopped>;
+}
+
+/// A part of a model that cannot be built: the key that is to be changed, and why.
+pub(super) type Refused = (&'static str, ParameterError);
+
+/// What differs from plant to plant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parts<P, F, T, const M: usize> {
+    pub(super) plant: P,
+    /// V.
+    pub(super) function: F,
+    /// The least apparent mass of the port.
+    pub(super) mass: T,
+    /// The inputs that act at rest.
+    pub(super) holding: SVector<T, M>,
+}
+
+/// A plant, the controller at its port and what its stabilizers are made of.
+struct Rig<P, F, C, T, const N: usize, const M: usize> {
+    plant: AffinePlant<P, F, RungeKutta4, T, N, M>,
+    controller: C,
+    function: F,
+    decay: Decay<F, T>,
+    limit: DampingLimit<T>,
+    ticks: u64,
+    servo_rate: f64,
+}
+
+/// The loop of `model` around these `parts`.
+pub(super) fn rig<P, F, T, const N: usize, const M: usize>(
+    model: &Model,
+    parts: Parts<P, F, T, M>,
+) -> Result<Box<dyn Loop>, Refused>
+where
+    T: Scalar,
+    P: ControlAffine<T, N, M> + Copy + 'static,
+    F: LyapunovFunction<SVector<T, N>> + Copy + 'static,
+{
+    let Parts { plant, function, mass, holding } = parts;
+    let period = T::of(model.servo_rate.get().recip());
+    let start = SVector::from_fn(|row, _| T::of(model.initial.get(row).map_or(0.0, |x| x.get())));
+    let plant = AffinePlant::new(plant, function, RungeKutta4, period, model.steps_per_tick.get())
+        .map_err(|error| ("servo_rate", error))?
+        .starting(start);
+    let Stabilizer { damping_cap, decay } = model.stabilizer;
+    let limit = DampingLimit::of_mass(T::of(damping_cap.get()), mass, period)
+        .map_err(|error| ("stabilizer.damping_cap", error))?;
+    let decay =
+        Decay::new(function, T::of(decay.get())).map_err(|error| ("stabilizer.decay", error))?;
+    let Controller { proportional, derivative, hold, delay } = &model.controller;
+    let [proportional, derivative] = [proportional, derivative]
+        .map(|gains| SVector::<T, M>::from_fn(|input, _| T::of(gains.axis(input))));
+    let law = move |x: SVector<T, N>| {
+        SVector::<T, M>::from_fn(|input, _| {
+            holding[input] - proportional[input] * x[input] - derivative[input] * x[M + input]
+        })
+    };
+    let controller = StateFeedback::new(law)
+        .held(hold.get().into())
+        .map_err(|error| ("controller.hold", error))?
+        .delayed::<MOST_DELAY>(delay.get().into())
+        .map_err(|error| ("controller.delay", error))?;
+    let (ticks, servo_rate) = (model.ticks(), model.servo_rate.get());
+    Ok(Box::new(Rig { plant, controller, function, decay, limit, ticks, servo_rate }))
+}
+
+impl<P, F, C, T, const N: usize, const M: usize> Rig<P, F, C, T, N, M>
+where
+    T: Scalar,
+    P: ControlAffine<T, N, M>,
+    F: LyapunovFunction<SVector<T, N>> + Copy + 'static,
+{
+    fn stabilizer(
+        &self,
+        contestant: Contestant,
+    ) -> Box<dyn library::Stabilizer<WithState<T, N, M>>> {
+        let decrease = decrease_of(self.function, self.plant.state());
+        match contestant {
+            Contestant::None => Box::new(Nothing),
+            Contestant::Popc => Box::new(Popc::new(PortEnergy, self.limit)),
+            Contestant::Decrease => Box::new(Lolc::new(decrease, self.limit)),
+            Contestant::Decay => Box::new(Lolc::new((decrease, self.decay), self.limit)),
+        }
+    }
+}
+
+impl<P, F, C, T, const N: usize, const M: usize> Loop for Rig<P, F, C, T, N, M>
+where
+    T: Scalar,
+    P: ControlAffine<T, N, M> + Copy,
+    F: LyapunovFunction<SVector<T, N>> + Copy + 'static,
+    C: OnePort<WithState<T, N, M>> + Clone,
+{
+    fn began(&self) -> f64 {
+        self.plant.value().lane(0)
+    }
+
+    fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, Stopped> {
+        let mut stabilizer = self.stabilizer(contestant);
+        let mut port = self.controller.clone().stabilized(&mut *stabilizer);
+        let (mut plant, mut drive) = (self.plant, self.plant.start());
+        let mut meter = Meter::new(self.ticks, self.servo_rate, self.began());
+        for tick in 1..=self.ticks + 1 {
+            let (flow, value) = (drive.velocity, plant.value().lane(0));
+            if !(drive.position.finite().all() && value.is_finite()) {
+                break;
+            }
+            let effort = port.respond(&drive);
+            let action = port.action();
+            drive = plant.advance(effort);
+            meter.add(Tick {
+                value,
+                effort: effort.pair(effort).sqrt().lane(0),
+                alpha: action.alpha.lane(0),
+                shortfall: action.shortfall.lane(0),
+                taken: (action.alpha * flow.pair(drive.displacement)).lane(0),
+            });
+            if tick % BREATH == 0 && watch(BREATH).is_break() {
+                return Err(Stopped);
+            }
+        }
+        // What was not run counts as done: a run that leaves the range has no more ticks.
+        let told = meter.ticks() / BREATH * BREATH;
+        let ended = watch(self.ticks + 1 - told);
+        if ended.is_break() { Err(Stopped) } else { Ok(meter.finish(contestant)) }
+    }
+}
