@@ -4,6 +4,7 @@
 //! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
 //! other parts are run one by one, see [`single`](super::single).
 
+mod aligned;
 mod field;
 mod instructions;
 mod meter;
@@ -25,6 +26,7 @@ use crate::compare::Settings;
 use crate::scene::{
     Candidate, Environment, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
+use aligned::Aligned;
 use meter::{Everything, Meter, Verdicts};
 use parts::{Laned, Nobody};
 use rollout::Rollouts;
@@ -125,8 +127,8 @@ impl Kernel {
         match (self.lanes, self.along.base.scalar) {
             (Lanes::One, Width::F64) => run.on::<f64, W>(watching),
             (Lanes::One, Width::F32) => run.on::<f32, W>(watching),
-            (Lanes::Many, Width::F64) => run.on::<AutoF64x8, W>(watching),
-            (Lanes::Many, Width::F32) => run.on::<AutoF32x16, W>(watching),
+            (Lanes::Many, Width::F64) => run.on::<Aligned<AutoF64x8>, W>(watching),
+            (Lanes::Many, Width::F32) => run.on::<Aligned<AutoF32x16>, W>(watching),
         }
     }
 }

@@ -42,7 +42,13 @@ impl<T: Scalar, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     fn tick(&mut self) {
         let effort = self.port.respond(&self.drive);
         self.meter.add(&self.drive, effort, &self.port);
-        self.drive = self.plant.advance(effort);
+        // Number by number, as the period stays: a whole drive would be put together elsewhere and copied here.
+        let next = self.plant.advance(effort);
+        self.drive.position = next.position;
+        self.drive.velocity = next.velocity;
+        self.drive.displacement = next.displacement;
+        self.drive.acted = next.acted;
+        self.drive.work = next.work;
     }
 
     /// The last tick, after which nothing moves; where its row is finite. Once a run, it need not be fast.
