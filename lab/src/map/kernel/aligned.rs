@@ -11,7 +11,7 @@ use num_traits::{One, Zero};
 /// a step is reading and writing. All else is theirs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
-pub(super) struct Aligned<T>(T);
+pub(super) struct Aligned<T>(pub(super) T);
 
 macro_rules! delegated {
     ($($operation:ident $method:ident),+ ; $($assigning:ident $assign:ident by $plain:ident),+) => {
