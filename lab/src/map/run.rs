@@ -17,8 +17,9 @@ use crate::family::Member;
 /// How long a band of cells may take: no more than this is lost when a machine stops.
 const BAND: Duration = Duration::from_millis(500);
 
-/// Cells that one thread takes at once.
+/// Cells that one thread takes at once: at most, and at least while there are so many.
 const SHARE: usize = 1024;
+const LEAST: usize = 64;
 
 /// The most cells of a band.
 const MOST: usize = 1 << 16;
@@ -255,25 +256,28 @@ impl<'a> Run<'a> {
             .map_err(|error| self.grid.at(cell, error.to_string()))
     }
 
-    /// What `of` makes of all cells, on all threads.
+    /// What `of` makes of all cells, on all threads: in shares that grow smaller, so that all are done at the same time.
     fn shared<R: Send>(
         &self,
         cells: &[u64],
         of: impl Fn(&[u64]) -> Result<Option<Vec<R>>, lyapunov::ParameterError> + Sync,
     ) -> Result<Vec<R>, RunError> {
-        // Not so many that a thread has nothing to do at the end.
-        let share = (cells.len() / (8 * self.threads())).clamp(64, SHARE);
-        let shares: Vec<Result<Vec<R>, RunError>> = self.pool.install(|| {
-            let shares = cells.par_chunks(share);
-            shares
-                .map(|cells| match of(cells) {
-                    Ok(done) => done.ok_or(RunError::Stopped),
-                    Err(error) => Err(self.blamed(cells, error)),
-                })
-                .collect()
+        let mut left = cells;
+        let shares = std::iter::from_fn(|| {
+            let share = (left.len() / (4 * self.threads())).clamp(LEAST, SHARE).min(left.len());
+            left.split_off(..share).filter(|share| !share.is_empty())
         });
+        let one = |cells: &[u64]| match of(cells) {
+            Ok(done) => done.ok_or(RunError::Stopped),
+            Err(error) => Err(self.blamed(cells, error)),
+        };
+        let mut shares: Vec<(usize, Result<Vec<R>, RunError>)> = self.pool.install(|| {
+            // Handed out in their order, as threads ask for them.
+            shares.enumerate().par_bridge().map(|(at, cells)| (at, one(cells))).collect()
+        });
+        shares.sort_unstable_by_key(|(at, _)| *at);
         let mut all = Vec::with_capacity(cells.len());
-        for share in shares {
+        for (_, share) in shares {
             all.extend(share?);
         }
         Ok(all)

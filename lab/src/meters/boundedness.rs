@@ -50,31 +50,46 @@ impl Criterion {
 pub(crate) struct Boundedness<T> {
     last: u64,
     rows: u64,
-    /// The row with which the next quarter begins.
+    /// The row with which the next quarter begins, if there is one.
     next: u64,
     quarter: usize,
-    /// The least and the largest position of each quarter: what `e` is largest at, whatever `x_eq` is.
-    low: [T; 4],
-    high: [T; 4],
+    /// The least and the largest position of this quarter: what `e` is largest at, whatever `x_eq` is.
+    low: T,
+    high: T,
+    /// Those of the quarters before.
+    lows: [T; 4],
+    highs: [T; 4],
 }
 
 impl<T: Scalar> Boundedness<T> {
     /// The meter of a run of the ticks 0 to `last`.
     pub(crate) fn new(last: u64) -> Self {
-        let (low, high) = ([T::of(f64::INFINITY); 4], [T::of(f64::NEG_INFINITY); 4]);
-        Self { last, rows: 0, next: start_of(1, last), quarter: 0, low, high }
+        let (low, high) = (T::of(f64::INFINITY), T::of(f64::NEG_INFINITY));
+        let (lows, highs) = ([low; 4], [high; 4]);
+        Self { last, rows: 0, next: start_of(1, last), quarter: 0, low, high, lows, highs }
     }
 
     #[inline(always)]
     pub(crate) fn add(&mut self, position: T) {
-        while self.rows == self.next && self.quarter < 3 {
-            self.quarter += 1;
-            self.next = start_of(self.quarter as u64 + 1, self.last);
+        if self.rows == self.next {
+            self.turn();
         }
-        let (low, high) = (&mut self.low[self.quarter], &mut self.high[self.quarter]);
-        *low = position.smaller(*low);
-        *high = position.larger(*high);
+        self.low = position.smaller(self.low);
+        self.high = position.larger(self.high);
         self.rows += 1;
+    }
+
+    /// Begins the quarter that this row is in.
+    #[cold]
+    #[inline(never)]
+    fn turn(&mut self) {
+        (self.lows[self.quarter], self.highs[self.quarter]) = (self.low, self.high);
+        (self.low, self.high) = (T::of(f64::INFINITY), T::of(f64::NEG_INFINITY));
+        while self.rows == self.next {
+            self.quarter += 1;
+            let next = self.quarter as u64 + 1;
+            self.next = if next < 4 { start_of(next, self.last) } else { u64::MAX };
+        }
     }
 
     /// Whether the run of a lane is seen to be unstable, whatever follows.
@@ -105,7 +120,11 @@ impl<T: Scalar> Boundedness<T> {
     /// The largest `e` of a quarter. A difference rounds alike on the way up, so this is the largest of all.
     fn away(&self, quarter: usize, lane: usize, criterion: &Criterion) -> f64 {
         let rest = criterion.equilibrium.unwrap_or_default();
-        let (low, high) = (self.low[quarter].lane(lane), self.high[quarter].lane(lane));
+        let (low, high) = match quarter == self.quarter {
+            true => (self.low, self.high),
+            false => (self.lows[quarter], self.highs[quarter]),
+        };
+        let (low, high) = (low.lane(lane), high.lane(lane));
         (high - rest).max(rest - low).max(0.0)
     }
 }

@@ -39,6 +39,17 @@ impl Instructions {
         }
     }
 
+    /// Whether eight products and sums in `f64` are one instruction.
+    pub(super) fn multiplies_and_adds_at_once(self) -> bool {
+        match self {
+            Self::Base => false,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(_) => false,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(_) => true,
+        }
+    }
+
     /// Runs `job` compiled for these instructions. No multiplication is fused with an addition by that: the bits are
     /// the same on all of them.
     pub(super) fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {

@@ -2,13 +2,14 @@
 
 use lyapunov::{Drive, Mask, OnePort, Scalar, Stabilizer};
 
+use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
 use crate::map::outcome::Measures;
 use crate::meters::{Boundedness, Chatter, Criterion, Energies, Settling};
 use crate::scene::Scene;
 
 /// What is looked at along a rollout: no more than what is asked for, by type.
-pub(super) trait Meter<T: Scalar> {
+pub(super) trait Meter<T: Fuse> {
     /// What a lane came to.
     type Reading: Copy + Send;
 
@@ -31,7 +32,7 @@ pub(super) struct Verdicts<T: Scalar> {
     accepted: T::Mask,
 }
 
-impl<T: Scalar> Meter<T> for Verdicts<T> {
+impl<T: Fuse> Meter<T> for Verdicts<T> {
     type Reading = Option<bool>;
 
     fn new(lanes: Lanes<'_>) -> Self {
@@ -75,7 +76,7 @@ pub(super) struct Everything<T> {
     chatter: Option<Chatter<T>>,
 }
 
-impl<T: Scalar> Meter<T> for Everything<T> {
+impl<T: Fuse> Meter<T> for Everything<T> {
     type Reading = Measures;
 
     fn new(lanes: Lanes<'_>) -> Self {

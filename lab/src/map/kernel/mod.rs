@@ -4,6 +4,8 @@
 //! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
 //! other parts are run one by one, see [`single`](super::single).
 
+mod aligned;
+mod backward;
 mod field;
 mod instructions;
 mod meter;
@@ -25,6 +27,8 @@ use crate::compare::Settings;
 use crate::scene::{
     Candidate, Environment, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
+use aligned::Aligned;
+use backward::Fuse;
 use meter::{Everything, Meter, Verdicts};
 use parts::{Laned, Nobody};
 use rollout::Rollouts;
@@ -117,6 +121,13 @@ impl Kernel {
         self.run(Run { kernel: self, contender, cells, go_on }, MeasureAll)
     }
 
+    /// Whether a quotient by the period is sooner had by multiplying and adding at once: with less lanes than eight a
+    /// division takes as long, and in `f32` many displacements are zero, which are divided.
+    fn fuses(&self) -> bool {
+        let many = self.lanes == Lanes::Many && self.along.base.scalar == Width::F64;
+        many && self.instructions.multiplies_and_adds_at_once()
+    }
+
     fn run<W: Watching>(
         &self,
         run: Run<'_>,
@@ -125,8 +136,8 @@ impl Kernel {
         match (self.lanes, self.along.base.scalar) {
             (Lanes::One, Width::F64) => run.on::<f64, W>(watching),
             (Lanes::One, Width::F32) => run.on::<f32, W>(watching),
-            (Lanes::Many, Width::F64) => run.on::<AutoF64x8, W>(watching),
-            (Lanes::Many, Width::F32) => run.on::<AutoF32x16, W>(watching),
+            (Lanes::Many, Width::F64) => run.on::<Aligned<AutoF64x8>, W>(watching),
+            (Lanes::Many, Width::F32) => run.on::<Aligned<AutoF32x16>, W>(watching),
         }
     }
 }
@@ -165,7 +176,10 @@ struct Run<'a> {
 /// What the rollouts are watched by, on lanes of any scalar.
 trait Watching: std::marker::Copy {
     type Reading: std::marker::Copy + Send;
-    type Meter<T: Scalar>: Meter<T, Reading = Self::Reading>;
+    type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
+
+    /// Whether `run` hands on instructions that multiply and add at once.
+    const FUSES: bool;
 
     fn empty(self) -> Self::Reading;
 
@@ -178,7 +192,9 @@ struct Judge;
 
 impl Watching for Judge {
     type Reading = Option<bool>;
-    type Meter<T: Scalar> = Verdicts<T>;
+    type Meter<T: Fuse> = Verdicts<T>;
+
+    const FUSES: bool = true;
 
     fn empty(self) -> Option<bool> {
         None
@@ -194,7 +210,9 @@ struct MeasureAll;
 
 impl Watching for MeasureAll {
     type Reading = Measures;
-    type Meter<T: Scalar> = Everything<T>;
+    type Meter<T: Fuse> = Everything<T>;
+
+    const FUSES: bool = false;
 
     fn empty(self) -> Measures {
         Measures::default()
@@ -210,7 +228,7 @@ impl Watching for MeasureAll {
 
 impl Run<'_> {
     /// The rollouts with the type that the stabilizer has.
-    fn on<T: Scalar, W: Watching>(
+    fn on<T: Fuse, W: Watching>(
         self,
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
@@ -228,12 +246,14 @@ impl Run<'_> {
         }
     }
 
-    fn under<T: Scalar, S: Laned<T>, W: Watching>(
+    fn under<T: Fuse, S: Laned<T>, W: Watching>(
         self,
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         let seats = Seats::new(&self.kernel.along, self.cells);
-        let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, watching.empty(), self.go_on);
+        let fuses = W::FUSES && self.kernel.fuses();
+        let empty = watching.empty();
+        let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
         // One rollout at a time has nothing to gain from vectors.
         if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
     }

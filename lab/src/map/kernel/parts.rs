@@ -1,11 +1,11 @@
 //! The parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Action, Adapt, Beyond, Body, DampingLimit, Difference, Dissipation, Drive, Held, Hold,
-    Impedance, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar, Stabilized,
-    Stabilizer, Wall,
+    Action, Adapt, Beyond, Body, DampingLimit, Dissipation, Drive, Held, Hold, Impedance, Lolc,
+    LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
 };
 
+use super::backward::{Backward, Fuse, Period};
 use crate::compare::Settings;
 use crate::scene::{self, Environment, Scene};
 
@@ -14,7 +14,7 @@ use crate::scene::{self, Environment, Scene};
 pub(super) struct Lanes<'a>(pub(super) &'a [Scene]);
 
 /// The port of the kernel: a wall behind a hold, watched, and told velocities that are taken from displacements.
-pub(super) type Watched<T, S> = Difference<Stabilized<Hold<Wall<T>, T>, S, T>>;
+pub(super) type Watched<T, S> = Backward<Stabilized<Hold<Wall<T>, T>, S, T>, T>;
 
 impl<'a> Lanes<'a> {
     /// What all scenes have in common.
@@ -40,15 +40,19 @@ impl<'a> Lanes<'a> {
         Ok(body.resting_at(self.each(|it| it.operator.rest.get())).starting(position, velocity))
     }
 
-    /// The port with the numbers of each lane.
-    pub(super) fn port<T: Scalar, S: Laned<T>>(self) -> Result<Watched<T, S>, ParameterError> {
+    /// The port with the numbers of each lane. `fuses`: as of a [`Period`].
+    pub(super) fn port<T: Fuse, S: Laned<T>>(
+        self,
+        fuses: bool,
+    ) -> Result<Watched<T, S>, ParameterError> {
         let of =
             |number: fn(&scene::Wall) -> f64| self.each(|scene| wall(scene).map_or(0.0, number));
         let wall = Wall::new(of(|it| it.stiffness.get()), of(|it| it.damping.get()))?;
         let wall = wall.at(of(|it| it.position.get()));
         let stabilizer = S::of(self, &wall)?;
         let ticks = u32::try_from(self.common().environment_ratio()).unwrap_or(u32::MAX);
-        Ok(wall.held(ticks)?.stabilized(stabilizer).differenced())
+        let period = Period::of(self.common().period(), fuses);
+        Ok(Backward::new(wall.held(ticks)?.stabilized(stabilizer), period))
     }
 }
 

@@ -1,8 +1,9 @@
 //! Rollouts on lanes: the loop over the ticks.
 
-use lyapunov::{Body, Drive, Mask, OnePort, ParameterError, Plant, Scalar};
+use lyapunov::{Body, Drive, Mask, OnePort, ParameterError, Plant};
 use pulp::NullaryFnOnce;
 
+use super::backward::Fuse;
 use super::meter::Meter;
 use super::parts::{Bodies, Laned, Watched};
 use super::seats::Seats;
@@ -17,16 +18,17 @@ const STRETCH: u64 = 64;
 ///
 /// Everything on the way from here to the arithmetic is inlined always: what is called instead of inlined is compiled
 /// for the base set of instructions, whatever this is compiled for.
-pub(super) struct Rollouts<'a, T: Scalar, S, M: Meter<T>> {
+pub(super) struct Rollouts<'a, T: Fuse, S, M: Meter<T>> {
     seats: Seats<'a>,
     readings: Vec<M::Reading>,
     bodies: Bodies<T>,
+    fuses: bool,
     go_on: &'a (dyn Fn() -> bool + Sync),
     ports: std::marker::PhantomData<S>,
 }
 
 /// A group of lanes on its way.
-struct Group<T: Scalar, S, M> {
+struct Group<T: Fuse, S, M> {
     plant: Body<T>,
     port: Watched<T, S>,
     drive: Drive<T>,
@@ -37,12 +39,18 @@ struct Group<T: Scalar, S, M> {
     count: usize,
 }
 
-impl<T: Scalar, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
+impl<T: Fuse, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     #[inline(always)]
     fn tick(&mut self) {
         let effort = self.port.respond(&self.drive);
         self.meter.add(&self.drive, effort, &self.port);
-        self.drive = self.plant.advance(effort);
+        // Number by number, as the period stays: a whole drive would be put together elsewhere and copied here.
+        let next = self.plant.advance(effort);
+        self.drive.position = next.position;
+        self.drive.velocity = next.velocity;
+        self.drive.displacement = next.displacement;
+        self.drive.acted = next.acted;
+        self.drive.work = next.work;
     }
 
     /// The last tick, after which nothing moves; where its row is finite. Once a run, it need not be fast.
@@ -54,21 +62,24 @@ impl<T: Scalar, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     }
 }
 
-impl<'a, T: Scalar, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
+impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
     pub(super) fn new(
         seats: Seats<'a>,
         empty: M::Reading,
+        fuses: bool,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Self {
         let readings = vec![empty; seats.len()];
-        Self { seats, readings, bodies: Bodies::none(), go_on, ports: std::marker::PhantomData }
+        let (bodies, ports) = (Bodies::none(), std::marker::PhantomData);
+        Self { seats, readings, bodies, fuses, go_on, ports }
     }
 
     #[inline(never)]
     fn next(&mut self) -> Result<Option<Group<T, S, M>>, ParameterError> {
         let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(None) };
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
-        let (meter, plant, port) = (M::new(lanes), lanes.body(&mut self.bodies)?, lanes.port()?);
+        let (meter, plant) = (M::new(lanes), lanes.body(&mut self.bodies)?);
+        let port = lanes.port(self.fuses)?;
         let drive = plant.start();
         Ok(Some(Group { plant, port, drive, meter, left, first, count }))
     }
@@ -93,7 +104,7 @@ impl<'a, T: Scalar, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
     }
 }
 
-impl<T: Scalar, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> {
+impl<T: Fuse, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> {
     type Output = Result<Option<Vec<M::Reading>>, ParameterError>;
 
     #[inline(always)]

@@ -1,0 +1,189 @@
+//! Velocities over a period that stays the same.
+
+use lyapunov::lanes::{AutoF32x16, AutoF64x8};
+use lyapunov::{Action, Drive, Mask, OnePort, Scalar};
+
+use super::aligned::Aligned;
+
+/// A scalar to whose products something can be added in one rounding. No step may do so, as its bits would depend on the
+/// instructions; here it makes a quotient that is the same with and without.
+pub(super) trait Fuse: Scalar {
+    /// `self factor + term`, rounded once.
+    fn fused(self, factor: Self, term: Self) -> Self;
+}
+
+impl Fuse for f64 {
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+}
+
+impl Fuse for f32 {
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+}
+
+macro_rules! lanes {
+    ($($lanes:ident),+) => {$(
+        impl Fuse for Aligned<$lanes> {
+            #[inline(always)]
+            fn fused(self, factor: Self, term: Self) -> Self {
+                let (value, factor, term) = (self.0.0, factor.0.0, term.0.0);
+                let sum = |lane: usize| value[lane].mul_add(factor[lane], term[lane]);
+                Self(std::array::from_fn(sum).into())
+            }
+        }
+    )+};
+}
+
+lanes!(AutoF64x8, AutoF32x16);
+
+/// A period to divide by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Period<T> {
+    period: T,
+    inverse: T,
+    is_fused: bool,
+}
+
+impl<T: Fuse> Period<T> {
+    /// `period` in all lanes. `fuses`: the processor multiplies and adds in one instruction, and that is faster than to
+    /// divide.
+    pub(super) fn of(period: f64, fuses: bool) -> Self {
+        // Farther out, a step on the way may leave the range of the scalar.
+        let is_fused = fuses && (1e-9..1e9).contains(&period);
+        let period = T::of(period);
+        Self { period, inverse: T::one() / period, is_fused }
+    }
+
+    /// `moved / period`, correctly rounded.
+    ///
+    /// With the inverse known, a product is within two units of the quotient, and what it leaves over, computed in one
+    /// rounding, mends it (Markstein, IBM Journal of Research and Development 34(1), 1990; Brisebarre, Muller and Raina,
+    /// IEEE Transactions on Computers 53(8), 2004). Zeros, whose sign that loses, and what is near the ends of the range
+    /// are divided.
+    #[inline(always)]
+    pub(super) fn divide(&self, moved: T) -> T {
+        if self.is_fused {
+            let square = moved * moved;
+            if (square.above(T::tiny()) & square.below(T::largest())).all() {
+                let near = moved * self.inverse;
+                let over = (-near).fused(self.period, moved);
+                return over.fused(self.inverse, near);
+            }
+        }
+        moved / self.period
+    }
+}
+
+/// A port that is told velocities taken from displacements over one period each: a
+/// [`Difference`](lyapunov::Difference), bit for bit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Backward<P, T> {
+    port: P,
+    period: Period<T>,
+}
+
+impl<P, T> Backward<P, T> {
+    pub(super) fn new(port: P, period: Period<T>) -> Self {
+        Self { port, period }
+    }
+
+    /// The port that is told them.
+    #[inline(always)]
+    pub(super) fn port(&self) -> &P {
+        &self.port
+    }
+}
+
+impl<T: Fuse, P: OnePort<T>> OnePort<T> for Backward<P, T> {
+    #[inline(always)]
+    fn respond(&mut self, drive: &Drive<T>) -> T {
+        let velocity = self.period.divide(drive.displacement);
+        self.port.respond(&Drive { velocity, ..*drive })
+    }
+
+    #[inline(always)]
+    fn action(&self) -> Action<T> {
+        self.port.action()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn same(moved: f64, period: f64) {
+        let quotient = Period::of(period, true).divide(moved);
+        assert_eq!(quotient.to_bits(), (moved / period).to_bits(), "{moved:e} / {period:e}");
+        let (moved, period) = (moved as f32, period as f32);
+        let quotient = Period::<f32>::of(period.into(), true).divide(moved);
+        assert_eq!(quotient.to_bits(), (moved / period).to_bits(), "{moved:e} / {period:e} in f32");
+    }
+
+    /// The inverse of an odd number among the integers modulo 2^64 (Newton).
+    fn inverse(odd: u64) -> u64 {
+        (0..6).fold(odd, |guess, _| guess.wrapping_mul(2_u64.wrapping_sub(odd.wrapping_mul(guess))))
+    }
+
+    /// Numbers whose quotient by `period` lies as near as can be to the middle between two numbers: with `t` the digits of
+    /// the period, the `x` of `x 2^54 = m t + k` for odd `m` and small `k`.
+    fn hardest(period: f64) -> Vec<f64> {
+        const DIGITS: u64 = 1 << 52;
+        let t = (period.to_bits() % DIGITS) | DIGITS;
+        let (odd, twos) = (t >> t.trailing_zeros(), t.trailing_zeros());
+        let small = (-40_i64..=40).filter(|k| *k != 0 && k.trailing_zeros() >= twos);
+        let middles = small.flat_map(|k| {
+            let first = (k >> twos).wrapping_neg() as u64;
+            let first = first.wrapping_mul(inverse(odd)) % (1 << (54 - twos));
+            let step = 1_u64 << (54 - twos);
+            (0..4).map(move |turn| (first + turn * step, k))
+        });
+        let numbers = middles.map(|(m, k)| {
+            let whole = (i128::from(m) * i128::from(t) + i128::from(k)) >> 54;
+            whole as f64 * 2_f64.powi(-70)
+        });
+        numbers.collect()
+    }
+
+    #[test]
+    fn quotients_next_to_the_middle_are_rounded_as_a_division_rounds() {
+        let rates = [3.0, 7.0, 60.0, 100.0, 144.0, 999.0, 1e3, 1e3 + 1e-9, 4e3, 1e4, 44_100.0];
+        let mut tried = 0;
+        for period in rates.map(|rate: f64| rate.recip()) {
+            for moved in hardest(period) {
+                (same(moved, period), same(-moved, period));
+                tried += 1;
+            }
+        }
+        assert!(tried > 1000, "{tried}");
+    }
+
+    #[test]
+    fn zeros_and_the_ends_of_the_range_are_divided() {
+        let ends = [0.0, f64::MIN_POSITIVE, 5e-324, 1e-160, 1e-154, 1e153, 1e155, 1e306, f64::MAX];
+        for moved in ends.into_iter().chain([f64::INFINITY, 1e-19, 1e-23, 1e19, 1e38]) {
+            for period in [1e-3, 1.0, 0.7, 1e-9, 5e8, 1e12, 1e-300] {
+                (same(moved, period), same(-moved, period));
+            }
+        }
+        assert!(Period::of(1e-3, true).divide(f64::NAN).is_nan());
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100_000))]
+
+        #[test]
+        fn any_quotient_is_that_of_a_division(
+            moved in any::<f64>(),
+            near in -1.0..1.0_f64,
+            period in prop_oneof![1e-6..1.0_f64, (1_u32..100_000).prop_map(|rate| 1.0 / f64::from(rate))],
+        ) {
+            (same(moved, period), same(near, period));
+        }
+    }
+}
