@@ -1,6 +1,6 @@
 //! Forces on the way out no larger than those on the way in.
 
-use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer};
+use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Stabilizer};
 
 use crate::Refine;
 

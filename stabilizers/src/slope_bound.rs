@@ -1,4 +1,4 @@
-//! Forces that grow no faster with the displacement than the device stands.
+//! Forces that change no faster with the displacement than a given slope.
 
 use lyapunov_core::{
     Accumulator, Action, Drive, ParameterError, Plain, Requirement, Scalar, Signal, Stabilizer,
@@ -6,102 +6,120 @@ use lyapunov_core::{
 
 use crate::Refine;
 
-/// A bound on the slope of force over displacement, axis by axis: `F(n)` is the effort, as far as it lies between 0 and
-/// `h = f_act(n−1) + μ Δx(n)`; and up to `ρ T` beyond either, if it may [`creep`](Self::creeping).
+/// An input-to-state stable controller: the force `F` follows the effort `f`, axis by axis, with changes in the sector of a
+/// largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
 ///
-/// **Passive.** Let `U(F) = |F|² / (2 μ)`. Over a period a held force takes `F · Δx = (|F + μ Δx|² − |F|²) / (2 μ) − μ |Δx|² / 2`
-/// from the motion, and the next force is between 0 and `F + μ Δx`, so `F · Δx ≥ ΔU − μ |Δx|² / 2`. The device's damper burns
-/// at least `b |Δx|² / T` meanwhile. With `b ≥ μ T / 2`, the condition of Colgate and Schenkel (Journal of Robotic Systems
-/// 14(1), 1997) with `μ` for the wall's stiffness, device and port together give away nothing, whatever stands behind: a wall
-/// of any stiffness, late, slow, or driven. What it renders of a wall stiffer than `μ` is a spring `μ`; one that is not stiffer
-/// passes unchanged.
+/// ```text
+/// δ(n) = δ(n−1) + Δf(n) − (Δf(n), as far as it is between 0 and μ Δx(n))        what is held back, N
+/// δ(n) nearer to 0 by at most ρ T, and then as far as it is between 0 and f(n)
+/// F(n) = f(n) − δ(n),   δ(0) = 0
+/// ```
 ///
-/// **Input-to-state stable.** A passive port cannot render what acts by itself, a moving wall or a weight: at rest nothing may
-/// grow. A creep of `ρ` N/s lets it, and then the port gives at most `ρ Σ |F| / μ` watts more than it took, a sum over the
-/// axes, instead of nothing: motions stay bounded for bounded forces of operator and environment if the device damps, and need
-/// not come to rest.
+/// An environment whose changes are in the sector passes unchanged, to the bit; a wall that is stiffer is felt as a spring `μ`,
+/// on the way in and out. Nothing asks for energy: where the environment makes loops in the graph of force over displacement,
+/// a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller would brake all, and this
+/// does nothing. So the port is not passive. It is bounded where what moves burns more than that, which a linear damper does at every
+/// size of the swing or at none. For a wall, whose force is a function of the position, no such loop is there, only the hold's
+/// leak of `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition
+/// of Colgate and Schenkel, Journal of Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
 ///
-/// Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) put the largest slope of the graph of force
-/// over displacement into a controller for this reason: to release passivity to input-to-state stability. From their
-/// approach, as later papers describe it, is the slope as the one gain. Derived here are the law, which holds an environment to a
-/// slope instead of relying on it, its proof and the creep; their feed-forward of the force's rate is left out.
+/// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A creep of `ρ`
+/// N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
 ///
-/// It needs no velocity and no memory, and adds no damping. A force that acts later than the next period is not covered: what
-/// it gives shows in `sum`, the work of the port plus `μ |Δx|² / 2` a tick, and below 0 is told as shortfall, as is what creep
-/// gives.
+/// Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) release the conservatism of passivity to
+/// input-to-state stability by a controller whose gain is the largest slope of the graph of force over displacement; the
+/// operator's force is the input. From them, as later papers tell it, are the sector and its use. Derived here is the law above, which
+/// holds an environment to the sector instead of relying on it, the figures of energy, and the creep. Left out are their
+/// analysis by hysteresis and their feed-forward of the force's rate, which adds damping to the port.
+///
+/// It needs no velocity and adds no damping. `sum` is the work of the port; what it gave more than it took is told as
+/// shortfall.
 ///
 /// ```
 /// use lyapunov_core::{Drive, Stabilizer};
 /// use lyapunov_stabilizers::SlopeBound;
 /// let mut bound = SlopeBound::of_damping(0.5, 1e-3)?; // μ = 2 b / T = 1 kN/m
-/// let pressed = Drive::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 2.0); // 2 N acted over 0.1 mm
-/// assert!((bound.stabilize(&pressed, 9.0).effort - 2.1_f64).abs() < 1e-12);
-/// assert_eq!(bound.stabilize(&pressed, 2.05).effort, 2.05);
+/// bound.stabilize(&Drive::starting(1e-3, 0.0, 0.1), 0.0);
+/// let pressed = Drive::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let effort: f64 = bound.stabilize(&pressed, 5.0).effort; // 50 kN/m
+/// assert!((effort - 0.1).abs() < 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct SlopeBound<T, A = Plain<T>> {
-    slope: T,
-    creep: T,
+pub struct SlopeBound<V: Signal, A = Plain<<V as Signal>::Scalar>> {
+    slope: V::Scalar,
+    creep: V::Scalar,
+    asked: Option<V>,
+    held: V,
     energy: A,
 }
 
-impl<T: Scalar> SlopeBound<T> {
+impl<V: Signal> SlopeBound<V> {
     /// A bound of `slope` N/m.
     ///
     /// # Errors
     /// `slope` not above 0 and finite.
-    pub fn new(slope: T) -> Result<Self, ParameterError> {
+    pub fn new(slope: V::Scalar) -> Result<Self, ParameterError> {
         let slope = Requirement::Positive.check("slope", slope)?;
-        Ok(Self { slope, creep: T::of(0.0), energy: Plain::zero() })
+        let creep = V::Scalar::of(0.0);
+        Ok(Self { slope, creep, asked: None, held: V::zero(), energy: Plain::zero() })
     }
 
-    /// The largest slope for a device that surely has the viscous `damping`, N·s/m: `μ = 2 b / T`.
+    /// The slope `2 b / T`, for a device that surely has the viscous `damping` b, N·s/m.
     ///
     /// # Errors
     /// `damping` or `period` not above 0 and finite, or a slope out of range.
-    pub fn of_damping(damping: T, period: T) -> Result<Self, ParameterError> {
+    pub fn of_damping(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let damping = Requirement::Positive.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
-        Self::new(T::of(2.0) * damping / period)
+        Self::new(V::Scalar::of(2.0) * damping / period)
     }
 }
 
-impl<T: Scalar, A: Accumulator<T>> SlopeBound<T, A> {
-    /// The same bound that lets a force grow by `rate` N/s without a displacement.
+impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
+    /// The same bound with what is held back let through by `rate` N/s.
     ///
     /// # Errors
     /// `rate` below 0, infinite or NaN.
-    pub fn creeping(self, rate: T) -> Result<Self, ParameterError> {
+    pub fn creeping(self, rate: V::Scalar) -> Result<Self, ParameterError> {
         Ok(Self { creep: Requirement::NonNegative.check("creep", rate)?, ..self })
     }
 
     /// The same bound with its energies summed in a `B`.
-    pub fn summed_in<B: Accumulator<T>>(self) -> SlopeBound<T, B> {
-        SlopeBound { slope: self.slope, creep: self.creep, energy: B::zero() }
+    pub fn summed_in<B: Accumulator<V::Scalar>>(self) -> SlopeBound<V, B> {
+        let Self { slope, creep, asked, held, .. } = self;
+        SlopeBound { slope, creep, asked, held, energy: B::zero() }
     }
 }
 
-impl<T, A> Refine for SlopeBound<T, A> {}
+impl<V: Signal, A> Refine for SlopeBound<V, A> {}
 
-impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V::Scalar, A> {
+/// `value` as far as it is between 0 and `end`.
+#[inline(always)]
+fn within<T: Scalar>(value: T, end: T) -> T {
+    value.larger(end.smaller(T::of(0.0))).smaller(end.larger(T::of(0.0)))
+}
+
+impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
     #[inline]
     fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
         let zero = V::Scalar::of(0.0);
-        let moved = drive.displacement.pair(drive.displacement);
-        let change = drive.work.sum() + V::Scalar::of(0.5) * self.slope * moved;
-        let booked = (self.energy.value() + change).finite();
-        self.energy.add(V::Scalar::choose(booked, change, zero));
+        let work = drive.work.sum();
+        let booked = (self.energy.value() + work).finite();
+        self.energy.add(V::Scalar::choose(booked, work, zero));
         let sum = self.energy.value();
 
+        let change = effort - self.asked.unwrap_or(effort);
+        let followed = change.zip(drive.displacement.scale(self.slope), within);
         let creep = self.creep * drive.period;
-        let held = drive.acted + drive.displacement.scale(self.slope);
-        let bounded = effort.zip(held, |asked, held| {
-            asked.larger(held.smaller(zero) - creep).smaller(held.larger(zero) + creep)
-        });
-        let accepted = booked & effort.finite() & held.finite() & creep.finite();
+        let held = (self.held + (change - followed))
+            .zip(effort, |held, asked| within(held - held.larger(-creep).smaller(creep), asked));
+        let sound = effort.finite() & drive.displacement.finite() & (held.sum() + creep).finite();
+        self.held = V::choose(sound, held, self.held);
+        self.asked = Some(V::choose(sound, effort, self.asked.unwrap_or(V::zero())));
+        let accepted = booked & sound;
         Action {
-            effort: V::choose(accepted, bounded, V::zero()),
+            effort: V::choose(accepted, effort - held, V::zero()),
             sum,
             alpha: zero,
             shortfall: (-sum).larger(zero),

@@ -52,7 +52,7 @@ fn alike<V: Signal>() {
 
         let bound = ForceBound::new(of(0.1)).and_then(|bound| bound.budgeted(of(1e-3)));
         check(laws::limiter(&bound.expect("a bound"), samples));
-        let slope = SlopeBound::new(of(1e3)).and_then(|bound| bound.creeping(of(5.0)));
+        let slope = SlopeBound::<V>::new(of(1e3)).and_then(|bound| bound.creeping(of(5.0)));
         check(laws::limiter(&slope.expect("a slope"), samples));
         let tank = Tank::new(PortEnergy, store()).expect("a tank");
         check(laws::limiter(&tank, samples));
