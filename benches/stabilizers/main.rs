@@ -9,9 +9,10 @@ use std::time::{Duration, Instant};
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use lyapunov::{
-    Action, Aimed, Beyond, DampingLimit, Dissipation, Drive, ForceBound, Gate, Lolc, Plain, Popc,
-    PortEnergy, ReferenceFollowing, Refine, Scalar, Signal, Stabilizer, Station, Storage, Store,
-    Tank, Weights, Windowed, laws::Samples,
+    Action, Aimed, Beyond, Coupled, Coupling, DampingLimit, Dissipation, Drive, ForceBound, Gate,
+    Lolc, OnePort, PathMemory, Plain, Popc, PortEnergy, ReferenceFollowing, Refine, Scalar, Signal,
+    SlopeBound, Spring, Stabilizer, Station, Storage, Store, Tank, Weights, Windowed,
+    laws::Samples,
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -58,6 +59,16 @@ impl<V: Signal> Gate<V> for Inside<V::Scalar> {
     }
 }
 
+/// A port in the place of a stabilizer, which answers by itself.
+struct Port<P>(P);
+
+impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Port<P> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, _effort: V) -> Action<V> {
+        Action::none(self.0.respond(drive))
+    }
+}
+
 fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     let of = V::Scalar::of;
     let fine = "what is built";
@@ -82,16 +93,27 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     time::<V>(criterion, ("rate-limit", port), popc.rate_limited::<V>(of(100.0)).expect(fine));
     time::<V>(criterion, ("reference", port), ReferenceFollowing::new(reference, limit));
     time::<V>(criterion, ("force-bound", port), ForceBound::new(of(0.1)).expect(fine));
+    time::<V>(criterion, ("slope-bound", port), SlopeBound::<V>::new(of(1e3)).expect(fine));
     time::<V>(criterion, ("tank", port), Tank::new(PortEnergy, store).expect(fine));
     time::<V>(criterion, ("aimed", port), Aimed::new(popc, weights, limit));
     time::<V>(criterion, ("station", port), Station::new(limit));
+    let coupling = Coupling { stiffness: of(1e3), damping: of(0.1), drag: of(5.0) };
+    let coupled = Coupled::new(Spring::<V>::new(of(1e4)).expect(fine), coupling).expect(fine);
+    time::<V>(criterion, ("coupling", port), Port(coupled));
+}
+
+fn line<T: Scalar>(criterion: &mut Criterion, port: &str) {
+    let memory = PathMemory::<T, 64>::beyond(T::of(-0.005), T::of(0.01)).expect("what is built");
+    time::<T>(criterion, ("path-memory-64", port), memory);
 }
 
 fn all(criterion: &mut Criterion) {
     family::<f64>(criterion, "f64/1dof");
+    line::<f64>(criterion, "f64/1dof");
     family::<Vector3<f64>>(criterion, "f64/3dof");
     family::<Vector6<f64>>(criterion, "f64/6dof");
     family::<f32>(criterion, "f32/1dof");
+    line::<f32>(criterion, "f32/1dof");
     family::<Vector3<f32>>(criterion, "f32/3dof");
     family::<Vector6<f32>>(criterion, "f32/6dof");
 }
