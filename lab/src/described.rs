@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use crate::scene::{Effects, Environment, Filter, Link, Motion, Operator, Policy, Scene, shorten};
+use crate::scene::{
+    Effects, Environment, Filter, Integrator, Link, Motion, Operator, Policy, Scene, shorten,
+};
 use crate::summary::given;
 
 /// The environment in a line, without its name.
@@ -92,6 +94,14 @@ pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     .into_iter()
     .flatten()
     .collect()
+}
+
+/// How the plant moves, if not exactly.
+pub(crate) fn integrator(integrator: Integrator) -> Option<String> {
+    let name = integrator.name();
+    let in_steps = |steps: u32| format!("{name} in {}", counted(steps as usize, "step"));
+    let within = |tolerance| format!("{name} within {}", given(tolerance));
+    integrator.steps_per_tick().map(in_steps).or(integrator.tolerance().map(within))
 }
 
 /// What operator and link do beyond the usual, in words, one each.

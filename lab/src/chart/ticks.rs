@@ -70,11 +70,13 @@ impl Ticks {
         let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(stride) == 0);
         let all = exponents
             .flat_map(|exponent| between.iter().map(move |&multiple| (multiple, exponent)));
+        // One way of writing for all of an axis.
+        let plain = -2.0 <= span.low && span.high <= 4.0;
         let marks = all
             .map(|(multiple, exponent)| Tick {
                 value: f64::from(exponent) + libm::log10(multiple as f64),
                 label: match multiple {
-                    1 if !(-2..=4).contains(&exponent) => format!("10{}", superscript(exponent)),
+                    1 if !plain => format!("10{}", superscript(exponent)),
                     _ => complete(multiple, exponent),
                 },
             })
@@ -195,7 +197,7 @@ mod tests {
         let mark = |value: i32, label: &str| (f64::from(value), label.to_owned());
         assert_eq!(
             labels(-15.0, 3.0, 5),
-            [mark(-12, "10⁻¹²"), mark(-8, "10⁻⁸"), mark(-4, "10⁻⁴"), mark(0, "1")]
+            [mark(-12, "10⁻¹²"), mark(-8, "10⁻⁸"), mark(-4, "10⁻⁴"), mark(0, "10⁰")]
         );
         let near: Vec<String> = labels(0.2, 1.1, 5).into_iter().map(|(_, label)| label).collect();
         assert_eq!(near, ["2", "5", "10"]);

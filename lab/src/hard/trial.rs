@@ -61,7 +61,37 @@ pub(super) struct Runs {
     pub(super) single_lanes: Vec<Tally>,
 }
 
+/// A program that is the same in every scalar, from starts that differ a little.
+pub(super) trait EveryScalar {
+    /// One run, with lane `i` from start `first + i`.
+    fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError>;
+
+    /// Whether it is within the range of `f32`.
+    fn fits_single(&self) -> bool {
+        true
+    }
+}
+
+/// As many starts as the widest lanes hold.
+const STARTS: usize = 8;
+
 impl Runs {
+    /// All runs of `program`: start by start, and all at once on lanes.
+    pub(super) fn of(program: &impl EveryScalar) -> Result<Self, HardError> {
+        let mut runs = Self::default();
+        for first in 0..STARTS {
+            runs.double.append(&mut program.ours_in::<f64>(first)?);
+            if program.fits_single() {
+                runs.single.append(&mut program.ours_in::<f32>(first)?);
+            }
+        }
+        runs.double_lanes = program.ours_in::<AutoF64x8>(0)?;
+        if program.fits_single() {
+            runs.single_lanes = program.ours_in::<AutoF32x8>(0)?;
+        }
+        Ok(runs)
+    }
+
     /// Whether every lane came to what a scalar run came to: the one at its place, or the first where all lanes run
     /// that one.
     pub(super) fn lanes_equal(&self) -> bool {
@@ -136,9 +166,6 @@ pub(super) trait Play: Send + Sync {
     }
 }
 
-/// As many variations as the widest lanes hold.
-const VARIATIONS: usize = 8;
-
 /// A play with our stabilizer, or any other.
 pub(super) struct Played<P>(pub(super) P);
 
@@ -168,27 +195,22 @@ impl<P: Play> Played<P> {
         }
         Ok(worst.unwrap_or_default())
     }
+}
 
+impl<P: Play> EveryScalar for Played<P> {
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
         let damper = Dissipation::of(T::of(self.0.damping()))?;
         self.under::<T, _>(first, || Ok(Lolc::new((PortEnergy, damper), self.0.limit::<T>()?)))
+    }
+
+    fn fits_single(&self) -> bool {
+        self.0.fits_single()
     }
 }
 
 impl<P: Play> Trial for Played<P> {
     fn ours(&self) -> Result<Runs, HardError> {
-        let mut runs = Runs::default();
-        for first in 0..VARIATIONS {
-            runs.double.append(&mut self.ours_in::<f64>(first)?);
-            if self.0.fits_single() {
-                runs.single.append(&mut self.ours_in::<f32>(first)?);
-            }
-        }
-        runs.double_lanes = self.ours_in::<AutoF64x8>(0)?;
-        if self.0.fits_single() {
-            runs.single_lanes = self.ours_in::<AutoF32x8>(0)?;
-        }
-        Ok(runs)
+        Runs::of(self)
     }
 
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {

@@ -230,16 +230,9 @@ impl Scene {
                 None => (vec![rate], error.to_string()),
             },
         };
-        // Any of them may be wrong; the one of the most unusual size is the most likely.
-        let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
-        let key = keys.into_iter().max_by(|one, other| odd(one.1).total_cmp(&odd(other.1)));
-        let (key, value) = key.unwrap_or(rate);
-        Conflict {
-            key: key.to_owned(),
-            problem,
-            remedy: format!("`{key}` = {value:?} stands out; give a value nearer to 1"),
-            asker: None,
-        }
+        let (key, value) = standing_out(keys).unwrap_or(rate);
+        let remedy = format!("`{key}` = {value:?} stands out; give a value nearer to 1");
+        Conflict::new(key, problem, remedy)
     }
 
     /// What else joins in the motion within one period.
@@ -273,6 +266,12 @@ impl Scene {
         let lost = samples.iter().find(|(_, rest)| (*rest as f32).is_infinite());
         lost.map(|(_, rest)| ("operator.motion.path".to_owned(), *rest))
     }
+}
+
+/// The one of the most unusual size, of values any of which may be wrong.
+fn standing_out(keys: Vec<(&str, f64)>) -> Option<(&str, f64)> {
+    let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
+    keys.into_iter().max_by(|one, other| odd(one.1).total_cmp(&odd(other.1)))
 }
 
 /// The first number of a serialized scene that `is` the one looked for, given its key, with its table path.

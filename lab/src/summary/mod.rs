@@ -204,6 +204,9 @@ impl Summary {
         if scene.velocity == Velocity::Exact {
             f.write_str(", exact velocity")?;
         }
+        if let Some(integrator) = described::integrator(scene.integrator) {
+            write!(f, ", {integrator}")?;
+        }
         if scene.scalar == Scalar::F32 {
             f.write_str(", in f32")?;
         }

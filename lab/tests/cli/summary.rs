@@ -67,6 +67,20 @@ fn what_is_not_the_default_is_told() {
 }
 
 #[test]
+fn a_plant_that_does_not_move_exactly_is_told() {
+    for (keys, words) in [
+        ("integrator = \"rk4\"\nsteps_per_tick = 4", "environment at 20 Hz, rk4 in 4 steps wall"),
+        (
+            "integrator = \"dop853\"\ntolerance = 1e-9",
+            "environment at 20 Hz, dop853 within 1e-9 wall",
+        ),
+    ] {
+        let keys = format!("environment_rate = 20\n{keys}\nduration = 10.0");
+        said_of("duration = 10.0", &keys, "").ended(0, &[words]);
+    }
+}
+
+#[test]
 fn a_plant_that_nothing_pulls_has_nowhere_to_settle() {
     let place = Place::new();
     place.put_scene("scene.toml", "stiffness = 50.0", "stiffness = 0.0");

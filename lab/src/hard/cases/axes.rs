@@ -1,6 +1,5 @@
 //! Several axes: what one sum hides.
 
-use lyapunov::lanes::{AutoF32x8, AutoF64x8};
 use lyapunov::{
     Body, DampingLimit, Drive, Impedance, Lolc, OnePort, ParameterError, PerAxis, Plant,
     PortEnergy, Scalar, Stabilizer,
@@ -11,7 +10,7 @@ use super::Nothing;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::naive::Naive;
 use crate::hard::tally::Tally;
-use crate::hard::trial::{HardError, Own, Runs, Trial};
+use crate::hard::trial::{EveryScalar, HardError, Own, Runs, Trial};
 use crate::hard::watched::{Record, Terms, Watched};
 
 const PERIOD: f64 = 1e-3;
@@ -71,6 +70,19 @@ impl Masking {
         all.into_iter().enumerate().map(told).collect()
     }
 
+    fn under(&self, stabilizer: impl Stabilizer<Plane<f64>>) -> Result<Option<Tally>, HardError> {
+        let terms = Terms::of(TICKS, f64::INFINITY);
+        let (watched, record) = Watched::new::<f64>(stabilizer, terms);
+        let value = close::<f64>(0, watched)?;
+        Ok(Self::told(&[record], value).pop())
+    }
+}
+
+fn popc_limit<T: Scalar>() -> f64 {
+    limit::<T>().map_or(f64::INFINITY, |limit| limit.most().lane(0))
+}
+
+impl EveryScalar for Masking {
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
         let popc = Lolc::new(PortEnergy, limit::<T>()?);
         let terms = || Terms::of(TICKS, popc_limit::<T>());
@@ -84,29 +96,11 @@ impl Masking {
         let value = close::<T>(first, watched)?;
         Ok(Self::told(&[record], value))
     }
-
-    fn under(&self, stabilizer: impl Stabilizer<Plane<f64>>) -> Result<Option<Tally>, HardError> {
-        let terms = Terms::of(TICKS, f64::INFINITY);
-        let (watched, record) = Watched::new::<f64>(stabilizer, terms);
-        let value = close::<f64>(0, watched)?;
-        Ok(Self::told(&[record], value).pop())
-    }
-}
-
-fn popc_limit<T: Scalar>() -> f64 {
-    limit::<T>().map_or(f64::INFINITY, |limit| limit.most().lane(0))
 }
 
 impl Trial for Masking {
     fn ours(&self) -> Result<Runs, HardError> {
-        let mut runs = Runs::default();
-        for first in 0..8 {
-            runs.double.append(&mut self.ours_in::<f64>(first)?);
-            runs.single.append(&mut self.ours_in::<f32>(first)?);
-        }
-        runs.double_lanes = self.ours_in::<AutoF64x8>(0)?;
-        runs.single_lanes = self.ours_in::<AutoF32x8>(0)?;
-        Ok(runs)
+        Runs::of(self)
     }
 
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {

@@ -59,69 +59,67 @@ effects.saturation.force = 4.0
 stabilizer.popc = {}
 ";
 
-pub(super) fn cases() -> Vec<Case> {
-    let case = |name, hard, bound, rest, credit, text: String| Case {
+fn case(
+    name: &'static str,
+    hard: &'static str,
+    (rest, credit): (f64, f64),
+    text: impl Into<String>,
+) -> Case {
+    Case {
         name,
         theme: "environment",
         hard,
         quantity: Quantity::LATE_SWING,
-        bound,
+        // The start.
+        bound: 4.0,
         apart: None,
-        trial: Box::new(Looped { text, rest, credit }),
-    };
+        trial: Box::new(Looped { text: text.into(), rest, credit }),
+    }
+}
+
+pub(super) fn cases() -> Vec<Case> {
     vec![
         case(
             "an active environment",
             "a damper of -3 N.s/m: it gives out 3 v^2 for as long as anything moves",
-            4.0,
-            0.0,
-            0.0,
-            ACTIVE.to_owned(),
+            (0.0, 0.0),
+            ACTIVE,
         ),
         case(
             "a spring that pumps",
             "500 +- 450 N/m at twice the hand's own frequency: energy from outside, for ever",
-            4.0,
-            0.0,
-            0.0,
-            PUMPING.to_owned(),
+            (0.0, 0.0),
+            PUMPING,
         ),
         case(
             "a credit larger than what burns",
             "50 kN/m at 1 kHz: the wall's own 20 N.s/m, credited, hides that it burns less; ours does not",
-            4.0,
-            0.0,
-            20.0,
-            CREDIT.to_owned(),
+            (0.0, 20.0),
+            CREDIT,
         ),
         Case {
             quantity: Quantity::GIVEN,
+            bound: 0.0,
             ..case(
                 "the same credit, taken",
                 "ours with the paper's candidate: the loop grows unseen, and the account still closes",
-                0.0,
-                0.0,
-                20.0,
+                (0.0, 20.0),
                 CREDIT.replace("device-damping", "mass-spring-damper"),
             )
         },
         case(
             "a jittered period",
             "each tick is 0.3 ms off by chance, and the velocity is wrong by as much",
-            4.0,
-            0.0,
-            0.0,
-            JITTER.to_owned(),
+            (0.0, 0.0),
+            JITTER,
         ),
         Case {
             quantity: Quantity::ACTING,
             ..case(
                 "saturation below the wall",
                 "the hand pushes with 5 N at a wall that may give 4 N: it cannot hold, only not add",
-                4.0,
-                0.1,
-                0.0,
-                SATURATED.to_owned(),
+                (0.1, 0.0),
+                SATURATED,
             )
         },
     ]

@@ -1,6 +1,5 @@
 //! The same loop in other units.
 
-use lyapunov::lanes::{AutoF32x8, AutoF64x8};
 use lyapunov::{
     Body, DampingLimit, Impedance, Lolc, OnePort, ParameterError, Plant, PortEnergy, Scalar,
     Stabilizer, Wall,
@@ -10,7 +9,7 @@ use crate::AnyStabilizer;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::naive::Naive;
 use crate::hard::tally::Tally;
-use crate::hard::trial::{HardError, Own, Runs, Trial};
+use crate::hard::trial::{EveryScalar, HardError, Own, Runs, Trial};
 use crate::hard::watched::{Terms, Watched};
 
 const TICKS: u64 = 4000;
@@ -79,7 +78,9 @@ impl Scaled {
         }
         Ok(worst)
     }
+}
 
+impl EveryScalar for Scaled {
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
         self.spread::<T, _>(first, |power| Ok(Lolc::new(PortEnergy, self.limit::<T>(power)?)))
     }
@@ -87,14 +88,7 @@ impl Scaled {
 
 impl Trial for Scaled {
     fn ours(&self) -> Result<Runs, HardError> {
-        let mut runs = Runs::default();
-        for first in 0..8 {
-            runs.double.append(&mut self.ours_in::<f64>(first)?);
-            runs.single.append(&mut self.ours_in::<f32>(first)?);
-        }
-        runs.double_lanes = self.ours_in::<AutoF64x8>(0)?;
-        runs.single_lanes = self.ours_in::<AutoF32x8>(0)?;
-        Ok(runs)
+        Runs::of(self)
     }
 
     fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {

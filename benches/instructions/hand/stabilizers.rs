@@ -1,0 +1,133 @@
+//! What corrects, and what each tells of its last tick.
+
+macro_rules! stabilizers {
+    ($real:ident) => {
+        /// The passivity observer and controller, and what it tells of its last tick.
+        #[derive(Clone, Copy, Debug)]
+        struct Passivity {
+            sum: $real,
+            most: $real,
+            told: Told,
+        }
+
+        #[derive(Clone, Copy, Debug)]
+        #[expect(dead_code, reason = "told to whoever looks, and here nobody does")]
+        struct Told {
+            effort: $real,
+            sum: $real,
+            alpha: $real,
+            shortfall: $real,
+            accepted: bool,
+        }
+
+        impl Passivity {
+            fn new() -> Self {
+                let told =
+                    Told { effort: 0.0, sum: 0.0, alpha: 0.0, shortfall: 0.0, accepted: true };
+                Self { sum: 0.0, most: MOST as $real, told }
+            }
+
+            #[inline(always)]
+            fn correct(&mut self, work: $real, square: $real, velocity: $real, force: $real) {
+                let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
+                let most = -self.most * moving;
+                self.sum += work;
+                let sum = self.sum;
+                let debt = if sum < -0.0 { sum } else { -0.0 };
+                let paid = if debt > most { debt } else { most };
+                let divisor = square * -(1.0 - 4.0 * $real::EPSILON);
+                let least = -$real::MIN_POSITIVE;
+                let alpha = paid / if divisor < least { divisor } else { least };
+                let alpha = if alpha < self.most { alpha } else { self.most };
+                let effort = force + velocity * alpha;
+                let accepted = (sum + square + effort).is_finite();
+                self.told = Told { effort, sum, alpha, shortfall: paid - debt, accepted };
+            }
+
+            #[inline(always)]
+            fn effort(
+                &mut self,
+                period: $real,
+                velocity: $real,
+                work: $real,
+                force: $real,
+            ) -> $real {
+                let before = self.sum;
+                self.correct(work, velocity * velocity * period, velocity, force);
+                if !self.told.accepted {
+                    let fits = (before + work).is_finite();
+                    self.sum = before;
+                    self.correct(if fits { work } else { 0.0 }, 0.0, 0.0, 0.0);
+                    self.told.accepted = false;
+                }
+                self.told.effort
+            }
+        }
+
+        /// A force bound, and what it tells of its last tick.
+        #[derive(Clone, Copy, Debug)]
+        struct Bound {
+            damping: $real,
+            energy: $real,
+            told: Told,
+        }
+
+        impl Bound {
+            #[inline(always)]
+            fn effort(&mut self, period: $real, moved: $real, work: $real, force: $real) -> $real {
+                let change = work + self.damping * (moved * moved / period);
+                let booked = (self.energy + change).is_finite();
+                self.energy += if booked { change } else { 0.0 };
+                let sum = self.energy;
+                let share = (4.0 - 64.0 * $real::EPSILON) * self.damping;
+                let most = (share * (if sum > 0.0 { sum } else { 0.0 } / period)).sqrt();
+                let size = (force * force).sqrt();
+                let factor = if size > most { most / size } else { 1.0 };
+                let accepted = booked && (size + most).is_finite() && force.is_finite();
+                let effort = if accepted { force * factor } else { 0.0 };
+                let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
+                self.told = Told { effort, sum, alpha: 0.0, shortfall, accepted };
+                effort
+            }
+        }
+
+        /// An energy tank, and what it tells of its last tick.
+        #[derive(Clone, Copy, Debug)]
+        struct Tank {
+            energy: $real,
+            room: $real,
+            power: $real,
+            told: Told,
+        }
+
+        impl Tank {
+            #[inline(always)]
+            fn effort(
+                &mut self,
+                period: $real,
+                velocity: $real,
+                work: $real,
+                force: $real,
+            ) -> $real {
+                let kept = if self.energy < self.room { self.energy } else { self.room };
+                let booked = (kept + work).is_finite();
+                self.energy = kept + if booked { work } else { 0.0 };
+                let sum = self.energy;
+                let available = if sum > 0.0 { sum } else { 0.0 } / period;
+                let most = if available < self.power { available } else { self.power };
+                let given = -(force * velocity);
+                let factor = if given > most { most / given } else { 1.0 };
+                let accepted = (given + period + work).is_finite() && force.is_finite();
+                let effort = if accepted { force * factor } else { 0.0 };
+                let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
+                self.told = Told { effort, sum, alpha: 0.0, shortfall, accepted };
+                effort
+            }
+        }
+
+        const NOTHING: Told =
+            Told { effort: 0.0, sum: 0.0, alpha: 0.0, shortfall: 0.0, accepted: true };
+    };
+}
+
+pub(crate) use stabilizers;
