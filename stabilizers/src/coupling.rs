@@ -39,7 +39,7 @@ impl<T: Scalar> Coupling<T> {
 /// `b ≥ K T / 2 + B`: the condition of Colgate and Schenkel for the coupling alone, whatever is behind it. For by parts
 /// `Σ f(n) · (Δx(n+1) − Δx(n)) = −Σ Δx(n) · (f(n) − f(n−1))` up to the ends, which is at most
 /// `(K / 2 + B / T) Σ (|Δx|² + |Δe|²)`, and `f(n) · Δe(n)` pays for the second. The assumption holds for every spring that is
-/// no stiffer than `k`, walls included, if `c ≥ k T / 2`, and with a damper `B_e` in it if `c ≥ k T / 2 + B_e`.
+/// no stiffer than `k`, walls included, if `c ≥ k T / 2`, and for a spring with a damper `B_e` if `c ≥ k T / 2 + B_e`.
 ///
 /// So the coupling is chosen by the device and the drag by the environment, which may be far stiffer than the device stands.
 /// What it costs: a wall feels no stiffer than `K`, and free motion feels the drag. An environment that is not passive by

@@ -73,12 +73,13 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     /// `A`: what a motion over `[from, to]` may give, J.
     #[inline(always)]
     fn allowance(&self, from: T, to: T) -> T {
-        let mut energy = T::of(0.0);
+        // Four sums side by side: one after the other, each addition waits for the last.
+        let mut sums = [T::of(0.0); 4];
         for (index, force) in self.forces.iter().enumerate() {
             let (start, end) = self.edges(index);
-            energy += *force * (to.smaller(end) - from.larger(start)).larger(T::of(0.0));
+            sums[index % 4] += *force * (to.smaller(end) - from.larger(start)).larger(T::of(0.0));
         }
-        energy
+        (sums[0] + sums[1]) + (sums[2] + sums[3])
     }
 
     /// Writes a motion from `from` in to `to` under `force` where `inwards`.

@@ -18,9 +18,9 @@ use crate::Refine;
 /// An environment whose changes are in the sector passes unchanged, to the bit; a wall that is stiffer is felt as a spring `μ`,
 /// on the way in and out. Nothing asks for energy: where the environment makes loops in the graph of force over displacement,
 /// a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller would brake all, and this
-/// does nothing. So the port is not passive. It is bounded where what moves burns more than that, which a linear damper does at every
-/// size of the swing or at none. For a wall, whose force is a function of the position, no such loop is there, only the hold's
-/// leak of `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition
+/// does nothing. So the port is not passive. It is bounded where what moves burns more than that, which a linear damper does at
+/// every size of the swing or at none: a hand and device of the damping `b` that swing at `ω` burn `π b ω d² / 4` on the way, so
+/// `μ < π b ω / 2`. For a wall, whose force does not decrease with the position, no such loop is there, only the hold's leak of `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition
 /// of Colgate and Schenkel, Journal of Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
 ///
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A creep of `ρ`

@@ -89,8 +89,8 @@ fn whatever_the_motion_it_absorbs() {
             |_: usize, force: f64| worst(force) * dice.within(2.0) + dice.within(stroke);
         assert!(least(coupled(wall()), 1.0, &mut random) >= -1e-15);
         let turned = move |tick: usize, force: f64| {
-            let to_and_fro = if tick / (1 + seed as usize) % 2 == 0 { stroke } else { -stroke };
-            to_and_fro + worst(force)
+            let inwards = (tick / (1 + seed as usize)).is_multiple_of(2);
+            worst(force) + if inwards { stroke } else { -stroke }
         };
         assert!(least(coupled(wall()), 1.0, turned) >= -1e-15);
     }
