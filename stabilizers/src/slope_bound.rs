@@ -20,17 +20,18 @@ use crate::Refine;
 /// a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller would brake all, and this
 /// does nothing. So the port is not passive. It is bounded where what moves burns more than that, which a linear damper does at
 /// every size of the swing or at none: a hand and device of the damping `b` that swing at `ω` burn `π b ω d² / 4` on the way, so
-/// `μ < π b ω / 2`. For a wall, whose force does not decrease with the position, no such loop is there, only the hold's leak of `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition
-/// of Colgate and Schenkel, Journal of Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
+/// `μ < π b ω / 2`. For a wall, whose force does not decrease with the position, no such loop is there, only the hold's leak of
+/// `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition of Colgate
+/// and Schenkel, Journal of Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
 ///
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A creep of `ρ`
 /// N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
 ///
 /// Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) release the conservatism of passivity to
 /// input-to-state stability by a controller whose gain is the largest slope of the graph of force over displacement; the
-/// operator's force is the input. From them, as later papers tell it, are the sector and its use. Derived here is the law above, which
-/// holds an environment to the sector instead of relying on it, the figures of energy, and the creep. Left out are their
-/// analysis by hysteresis and their feed-forward of the force's rate, which adds damping to the port.
+/// operator's force is the input. From them, as later papers tell it, are the sector and its use. Derived here are the law
+/// above, which holds an environment to the sector instead of relying on it, the figures of energy, and the creep. Left out are
+/// their own analysis and their feed-forward of the force's rate, which adds damping to the port.
 ///
 /// It needs no velocity and adds no damping. `sum` is the work of the port; what it gave more than it took is told as
 /// shortfall.
