@@ -60,7 +60,7 @@ impl<T: Scalar> Coupling<T> {
 ///         self.0 * drive.position
 ///     }
 /// }
-/// let coupling = Coupling { stiffness: 1000.0, damping: 0.1, drag: 5.0 };
+/// let coupling = Coupling { stiffness: 1000.0_f64, damping: 0.1, drag: 5.0 };
 /// assert!((coupling.device_damping(1e-3) - 0.6).abs() < 1e-12); // N·s/m
 /// let mut port = Coupled::new(Spring(9000.0), coupling)?;
 /// let mut force = port.respond(&Drive::new(1e-3, 1e-3, 1.0, 1e-3, 0.0));

@@ -29,7 +29,7 @@ use crate::Refine;
 /// force, and the debt. Left out are their moving objects and several axes. Beyond the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
-/// Each tick visits all cells, so that it takes the same time wherever the motion is. Take cells of about the displacement of a
+/// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a
 /// period: larger ones give less back, smaller ones cost time.
 ///
 /// ```
@@ -73,13 +73,12 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     /// `A`: what a motion over `[from, to]` may give, J.
     #[inline(always)]
     fn allowance(&self, from: T, to: T) -> T {
-        // Four sums side by side: one after the other, each addition waits for the last.
-        let mut sums = [T::of(0.0); 4];
+        let mut energy = T::of(0.0);
         for (index, force) in self.forces.iter().enumerate() {
             let (start, end) = self.edges(index);
-            sums[index % 4] += *force * (to.smaller(end) - from.larger(start)).larger(T::of(0.0));
+            energy += *force * (to.smaller(end) - from.larger(start)).larger(T::of(0.0));
         }
-        (sums[0] + sums[1]) + (sums[2] + sums[3])
+        energy
     }
 
     /// Writes a motion from `from` in to `to` under `force` where `inwards`.
