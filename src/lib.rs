@@ -22,7 +22,8 @@ pub use lyapunov_plants::{
     VaryingSpring, Wall, Walled, WalledOscillator, WithState, decrease_of, held_input, tick_of,
 };
 pub use lyapunov_stabilizers::{
-    Account, Aimed, Along, Bounded, ContactReset, DampingLimit, DriftCompensated, ForceBound, Lolc,
-    Metric, PerAxis, Popc, RateLimit, ReferenceFollowing, Refine, Rise, Spread, Station, Store,
-    Tank, Threshold, WaveTransform, Weights, Windowed,
+    Account, Aimed, Along, Bounded, ContactReset, Coupled, Coupling, DampingLimit,
+    DriftCompensated, ForceBound, Lolc, Metric, PathMemory, PerAxis, Popc, RateLimit,
+    ReferenceFollowing, Refine, Rise, SlopeBound, Spread, Station, Store, Tank, Threshold,
+    WaveTransform, Weights, Windowed,
 };

@@ -45,12 +45,12 @@ macro_rules! contest {
     };
 }
 
-/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; without, with a body
-/// that is integrated by steps; and with two that limit.
+/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; with one that credits a
+/// damper; without, with a body that is integrated by steps; and with two that limit.
 macro_rules! contests {
     ($real:ident) => {{
-        use hand::$real::{Integrated, Limited, Plain, Stabilized, Tanked};
-        use typed::{integrated, limited, plain, stabilized, tanked};
+        use hand::$real::{Credited, Integrated, Limited, Plain, Stabilized, Tanked};
+        use typed::{credited, integrated, limited, plain, stabilized, tanked};
         [
             contest!(
                 concat!("stabilized/", stringify!($real)),
@@ -65,6 +65,13 @@ macro_rules! contests {
                 roll,
                 Stabilized::new(),
                 stabilized::<$real>()
+            ),
+            contest!(
+                concat!("lolc/", stringify!($real)),
+                $real,
+                run,
+                Credited::new(),
+                credited::<$real>()
             ),
             contest!(
                 concat!("plain/", stringify!($real)),

@@ -1,9 +1,9 @@
 //! The loops composed by type.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Difference, ForceBound, Hold, Impedance, OnePort, Oscillator,
-    ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar, Stabilized, Stepped, Store, Tank,
-    Wall,
+    Adapt, Body, DampingLimit, Difference, Dissipation, ForceBound, Hold, Impedance, Lolc, OnePort,
+    Oscillator, ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar, Stabilized, Stepped,
+    Store, Tank, Wall,
 };
 
 use super::numbers::{
@@ -90,6 +90,16 @@ pub(crate) fn plain<T: Scalar>() -> Result<Loop<Body<T>, Plain<T>>, ParameterErr
 pub(crate) fn integrated<T: Scalar>() -> Result<Loop<Integrated<T>, Plain<T>>, ParameterError> {
     let plant = Stepped::new(Oscillator::new(hand())?, RungeKutta4, T::of(PERIOD), STEPS)?;
     Ok(Loop { plant: plant.starting(T::of(START), T::of(0.0)), port: wall()?.differenced() })
+}
+
+/// A wall behind a controller that credits a damper.
+pub(crate) type Credited<T> =
+    Difference<Stabilized<Wall<T>, Lolc<T, (PortEnergy, Dissipation<T>)>, T>>;
+
+pub(crate) fn credited<T: Scalar>() -> Result<Loop<Body<T>, Credited<T>>, ParameterError> {
+    let candidate = (PortEnergy, Dissipation::of(T::of(DEVICE_DAMPING))?);
+    let lolc = Lolc::new(candidate, DampingLimit::at(T::of(MOST))?);
+    Ok(Loop { plant: exact()?, port: wall()?.stabilized(lolc).differenced() })
 }
 
 /// A wall behind a force bound.

@@ -1,21 +1,32 @@
 //! One tick of each of the family, in ns: `stabilizers/<name>/<f32|f64>/<1|3|6>dof`.
 //!
 //! The same samples for all of them, which let a controller act now and then. Compare ids of one scalar and width with
-//! one another. What the forms cost against straight code is in `benches/step` and, by instructions, in
+//! one another. `<name>-by-hand` is the same as straight code, for four of them; by instructions they are compared in
 //! `benches/instructions`.
+
+mod hand;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use lyapunov::{
-    Action, Aimed, Beyond, DampingLimit, Dissipation, Drive, ForceBound, Gate, Lolc, Plain, Popc,
-    PortEnergy, ReferenceFollowing, Refine, Scalar, Signal, Stabilizer, Station, Storage, Store,
-    Tank, Weights, Windowed, laws::Samples,
+    Action, Aimed, Beyond, Coupled, Coupling, DampingLimit, Dissipation, Drive, ForceBound, Gate,
+    Lolc, OnePort, PathMemory, Plain, Popc, PortEnergy, ReferenceFollowing, Refine, Scalar, Signal,
+    SlopeBound, Spring, Stabilizer, Station, Storage, Store, Tank, Weights, Windowed,
+    laws::Samples,
 };
 use nalgebra::{Vector3, Vector6};
 
 const PERIOD: f64 = 1e-3;
+/// The most damping that may be injected, half of 0.2 kg a period, N·s/m.
+const MOST: f64 = 100.0;
+/// The damping that is credited, N·s/m.
+const CREDIT: f64 = 0.001;
+/// The damping that a force bound relies on, N·s/m.
+const BOUND_DAMPING: f64 = 0.1;
+/// A tank's start, floor and ceiling, J, and its power, W.
+const STORE: [f64; 4] = [2e-3, 1e-3, 5e-3, 3.0];
 
 #[inline(never)]
 fn block<V: Signal>(
@@ -28,24 +39,56 @@ fn block<V: Signal>(
     }
 }
 
-/// Times blocks, so that one iteration of the report is one tick.
-fn time<V: Signal>(
+/// Times `block`, which takes `ticks` ticks, so that one iteration of the report is one tick.
+fn report(
     criterion: &mut Criterion,
     (name, port): (&str, &str),
+    ticks: usize,
+    mut block: impl FnMut(),
+) {
+    let length = ticks as u64;
+    criterion.bench_function(&format!("stabilizers/{name}/{port}"), |bencher| {
+        bencher.iter_custom(|ticks| {
+            let blocks = ticks.div_ceil(length);
+            let start = Instant::now();
+            for _ in 0..blocks {
+                block();
+            }
+            start.elapsed().mul_f64(ticks as f64 / (blocks * length) as f64)
+        });
+    });
+}
+
+fn time<V: Signal>(
+    criterion: &mut Criterion,
+    id: (&str, &str),
     mut stabilizer: impl Stabilizer<V>,
 ) {
     let samples: Vec<_> = Samples::<V>::new(V::Scalar::of(PERIOD)).collect();
     let mut actions = vec![Action::none(V::zero()); samples.len()];
-    criterion.bench_function(&format!("stabilizers/{name}/{port}"), |bencher| {
-        bencher.iter_custom(|ticks| {
-            let blocks = ticks.div_ceil(samples.len() as u64);
-            let start = Instant::now();
-            for _ in 0..blocks {
-                block(black_box(&mut stabilizer), black_box(&samples), black_box(&mut actions));
-            }
-            start.elapsed().mul_f64(ticks as f64 / (blocks * samples.len() as u64) as f64)
-        });
+    report(criterion, id, samples.len(), || {
+        block(black_box(&mut stabilizer), black_box(&samples), black_box(&mut actions));
     });
+}
+
+macro_rules! by_hand {
+    ($criterion:ident, $real:ident, $n:literal, $($name:literal: $form:ident),+) => {{
+        let samples = hand::$real::samples::<$n>(PERIOD);
+        let mut told = vec![hand::$real::Told::NOTHING; samples.len()];
+        let port = concat!(stringify!($real), "/", $n, "dof");
+        $(
+            let mut form = hand::$real::$form::NEW;
+            report($criterion, (concat!($name, "-by-hand"), port), samples.len(), || {
+                hand::$real::block(black_box(&mut form), black_box(&samples), black_box(&mut told));
+            });
+        )+
+    }};
+    ($criterion:ident, $($real:ident: $n:literal),+) => {
+        $(by_hand!(
+            $criterion, $real, $n,
+            "popc": Popc, "lolc": Lolc, "force-bound": Bound, "tank": Tank
+        );)+
+    };
 }
 
 /// Open beyond a surface on the first axis, or on the sum of several.
@@ -58,15 +101,25 @@ impl<V: Signal> Gate<V> for Inside<V::Scalar> {
     }
 }
 
+/// A port in the place of a stabilizer, which answers by itself.
+struct Port<P>(P);
+
+impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Port<P> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, _effort: V) -> Action<V> {
+        Action::none(self.0.respond(drive))
+    }
+}
+
 fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     let of = V::Scalar::of;
     let fine = "what is built";
-    let limit = DampingLimit::of_mass(of(0.5), of(0.2), of(PERIOD)).expect(fine);
+    let limit = DampingLimit::at(of(MOST)).expect(fine);
     let popc: Popc<V::Scalar> = Popc::new(PortEnergy, limit);
-    let credit = Dissipation::of(of(0.001)).expect(fine);
+    let credit = Dissipation::of(of(CREDIT)).expect(fine);
     let stored = |x: V, _v: V| x.pair(x);
     let reference = (PortEnergy, Storage::starting(stored, V::zero(), V::zero()));
-    let [start, floor, ceiling, power] = [2e-3, 1e-3, 5e-3, 3.0].map(of);
+    let [start, floor, ceiling, power] = STORE.map(of);
     let store = Store { start, floor, ceiling, power };
     let windowed = popc.summed_in::<Windowed<_, Plain<_>, 16>>();
     let weights = Weights::new(V::splat(of(0.5))).expect(fine);
@@ -81,19 +134,31 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     time::<V>(criterion, ("rise", port), popc.rising_over(5).expect(fine));
     time::<V>(criterion, ("rate-limit", port), popc.rate_limited::<V>(of(100.0)).expect(fine));
     time::<V>(criterion, ("reference", port), ReferenceFollowing::new(reference, limit));
-    time::<V>(criterion, ("force-bound", port), ForceBound::new(of(0.1)).expect(fine));
+    time::<V>(criterion, ("force-bound", port), ForceBound::new(of(BOUND_DAMPING)).expect(fine));
+    time::<V>(criterion, ("slope-bound", port), SlopeBound::<V>::new(of(1e3)).expect(fine));
     time::<V>(criterion, ("tank", port), Tank::new(PortEnergy, store).expect(fine));
     time::<V>(criterion, ("aimed", port), Aimed::new(popc, weights, limit));
     time::<V>(criterion, ("station", port), Station::new(limit));
+    let coupling = Coupling { stiffness: of(1e3), damping: of(0.1), drag: of(5.0) };
+    let coupled = Coupled::new(Spring::<V>::new(of(1e4)).expect(fine), coupling).expect(fine);
+    time::<V>(criterion, ("coupling", port), Port(coupled));
+}
+
+fn line<T: Scalar>(criterion: &mut Criterion, port: &str) {
+    let memory = PathMemory::<T, 64>::beyond(T::of(-0.005), T::of(0.01)).expect("what is built");
+    time::<T>(criterion, ("path-memory-64", port), memory);
 }
 
 fn all(criterion: &mut Criterion) {
     family::<f64>(criterion, "f64/1dof");
+    line::<f64>(criterion, "f64/1dof");
     family::<Vector3<f64>>(criterion, "f64/3dof");
     family::<Vector6<f64>>(criterion, "f64/6dof");
     family::<f32>(criterion, "f32/1dof");
+    line::<f32>(criterion, "f32/1dof");
     family::<Vector3<f32>>(criterion, "f32/3dof");
     family::<Vector6<f32>>(criterion, "f32/6dof");
+    by_hand!(criterion, f64: 1, f64: 3, f64: 6, f32: 1, f32: 3, f32: 6);
 }
 
 criterion_group! {

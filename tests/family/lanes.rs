@@ -3,8 +3,8 @@
 use lyapunov::lanes::{AutoF32x4, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Aimed, Beyond, DriftCompensated, Drive, ForceBound, Plain, PortEnergy, Refine, Scalar,
-    Stabilizer, Station, Store, Tank, WaveTransform, Weights, Windowed,
+    Aimed, Beyond, DriftCompensated, Drive, ForceBound, PathMemory, Plain, PortEnergy, Refine,
+    Scalar, SlopeBound, Stabilizer, Station, Store, Tank, WaveTransform, Weights, Windowed,
 };
 
 use crate::support::{PERIOD, limit, popc};
@@ -27,6 +27,10 @@ fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
         9 => Box::new(Aimed::new(popc, Weights::new(of(0.5)).expect("one"), limit())),
         10 => Box::new(Station::new(limit())),
         11 => Box::new(DriftCompensated::<_, T>::new(popc, of(0.1)).expect("one")),
+        12 => Box::new(
+            SlopeBound::<T>::new(of(1e3)).and_then(|it| it.creeping(of(5.0))).expect("one"),
+        ),
+        13 => Box::new(PathMemory::<T, 32>::beyond(of(-0.01), of(0.1)).expect("one")),
         _ => return None,
     })
 }

@@ -3,8 +3,9 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    Aimed, Along, Always, Compensated, ForceBound, PerAxis, Plain, PortEnergy, ReferenceFollowing,
-    Refine, Scalar, Signal, Station, Storage, Store, Tank, Weights, Windowed,
+    Aimed, Along, Always, Compensated, ForceBound, PathMemory, PerAxis, Plain, PortEnergy,
+    ReferenceFollowing, Refine, Scalar, Signal, SlopeBound, Station, Storage, Store, Tank, Weights,
+    Windowed,
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -51,9 +52,20 @@ fn alike<V: Signal>() {
 
         let bound = ForceBound::new(of(0.1)).and_then(|bound| bound.budgeted(of(1e-3)));
         check(laws::limiter(&bound.expect("a bound"), samples));
+        let slope = SlopeBound::<V>::new(of(1e3)).and_then(|bound| bound.creeping(of(5.0)));
+        check(laws::limiter(&slope.expect("a slope"), samples));
         let tank = Tank::new(PortEnergy, store()).expect("a tank");
         check(laws::limiter(&tank, samples));
         check(laws::stabilizer(&tank, samples));
+    }
+}
+
+/// What serves one axis only.
+fn on_one_axis<T: Scalar>() {
+    for samples in samples::<T>() {
+        let memory = PathMemory::<T, 32>::beyond(T::of(-0.01), T::of(0.1)).expect("a memory");
+        laws::limiter(&memory, samples).expect("the laws");
+        laws::stabilizer(&memory, samples).expect("the laws");
     }
 }
 
@@ -63,6 +75,10 @@ fn on_a_line() {
     alike::<f32>();
     alike::<WideF64x4>();
     alike::<AutoF32x8>();
+    on_one_axis::<f64>();
+    on_one_axis::<f32>();
+    on_one_axis::<WideF64x4>();
+    on_one_axis::<AutoF32x8>();
 }
 
 #[test]

@@ -3,13 +3,16 @@
 mod account;
 mod admittance;
 mod aimed;
+mod coupling;
 mod force_bound;
 mod lanes;
 mod laws;
 mod neutral;
+mod path_memory;
 mod port_energy;
 mod reference;
 mod shaping;
+mod slope_bound;
 mod support;
 mod tank;
 mod two_port;

@@ -6,8 +6,9 @@ use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    Aimed, Along, Drive, ForceBound, Gate, Mask, PerAxis, Plain, PortEnergy, ReferenceFollowing,
-    Refine, Scalar, Signal, Stabilizer, Storage, Store, Tank, Windowed,
+    Aimed, Along, Drive, ForceBound, Gate, Mask, PathMemory, PerAxis, Plain, PortEnergy,
+    ReferenceFollowing, Refine, Scalar, Signal, SlopeBound, Stabilizer, Storage, Store, Tank,
+    Windowed,
 };
 use nalgebra::Vector3;
 
@@ -90,6 +91,8 @@ fn alike<V: Signal>(seed: u64) -> TestCaseResult {
     holds::<V>(seed, Aimed::new(popc, along, limit()), 0.0, none)?;
     let bound = ForceBound::new(of(DAMPING)).and_then(|it| it.budgeted(of(1e-3)));
     holds::<V>(seed, bound.expect(fine), 1e-3, damper)?;
+    let slope = SlopeBound::<V>::new(of(500.0)).and_then(|it| it.creeping(of(2.0)));
+    holds::<V>(seed, slope.expect(fine), 0.0, none)?;
     let store = Store { start: of(2e-3), floor: of(1e-3), ceiling: of(4e-3), power: of(0.5) };
     holds::<V>(seed, Tank::new(PortEnergy, store).expect(fine), 1e-3, none)
 }
@@ -101,10 +104,17 @@ fn try_all(property: fn(u64) -> TestCaseResult) {
     result.unwrap_or_else(|failed| panic!("{failed}"));
 }
 
+fn on_one_axis<T: Scalar>(seed: u64) -> TestCaseResult {
+    let memory = PathMemory::<T, 32>::beyond(T::of(-1e-3), T::of(3e-3)).expect("what is built");
+    holds::<T>(seed, memory, 0.0, none)
+}
+
 #[test]
 fn on_a_line() {
     try_all(alike::<f64>);
     try_all(alike::<f32>);
+    try_all(on_one_axis::<f64>);
+    try_all(on_one_axis::<f32>);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Numbers to try, and ports to try them on.
 
-use lyapunov::{DampingLimit, Popc, PortEnergy, Scalar, Signal};
+use lyapunov::{Body, DampingLimit, Impedance, OnePort, Plant, Popc, PortEnergy, Scalar, Signal};
 
 pub(crate) const PERIOD: f64 = 1e-3;
 
@@ -32,4 +32,24 @@ impl Dice {
     pub(crate) fn signal<V: Signal>(&mut self, size: f64) -> V {
         V::zero().map(|_| V::Scalar::of(self.within(size)))
     }
+}
+
+/// A device of 0.2 kg and 1 N·s/m in a hand of 200 N/m.
+pub(crate) const HELD: Impedance<f64> = Impedance { mass: 0.2, damping: 1.0, stiffness: 200.0 };
+
+/// How far from the origin `hand` comes at most over `ticks` from 1 mm on, and over the last tenth of them; it ends beyond 1 km.
+pub(crate) fn swing(hand: Impedance<f64>, mut port: impl OnePort<f64>, ticks: usize) -> (f64, f64) {
+    let mut body = Body::<f64>::new(hand, PERIOD).expect("a body").starting(1e-3, 0.0);
+    let (mut drive, mut most, mut late) = (body.start(), 0f64, 0f64);
+    for tick in 0..ticks {
+        drive = body.advance(port.respond(&drive));
+        most = most.max(drive.position.abs());
+        if tick >= ticks - ticks / 10 {
+            late = late.max(drive.position.abs());
+        }
+        if most > 1e3 {
+            return (most, most);
+        }
+    }
+    (most, late)
 }

@@ -1,5 +1,6 @@
 //! The loops as straight code on concrete types, without a call into the library.
 
+mod lolc;
 mod loops;
 mod masses;
 mod stabilizers;
@@ -21,6 +22,7 @@ macro_rules! hand {
             super::walls::walls!($real);
             super::stabilizers::stabilizers!($real);
             super::loops::loops!($real);
+            super::lolc::lolc!($real);
         }
     };
 }

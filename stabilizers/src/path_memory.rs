@@ -1,0 +1,130 @@
+//! Forces on the way out no larger than those on the way in.
+
+use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Stabilizer};
+
+use crate::Refine;
+
+/// Memory-based passivation: what pressing in took is kept place by place, and letting go gives no more there. One axis, one
+/// side: the environment lies beyond a surface and pushes against `+x`, like a wall.
+///
+/// The depth beyond the surface is divided into `N` cells, each with a force `Mᵢ ≥ 0`. A motion inwards under the mean force
+/// `F = work / Δx` writes `max(0, F)` into the cells that it enters, and where it starts within a cell the smaller of that
+/// and what is there. So on each stretch of the way no more than was taken there is in memory, and
+/// `A(a, b) = Σ Mᵢ |cell i ∩ [a, b]|` is what a motion from `b` out to `a` may give. What it gave more is a debt, paid off by
+/// what later motions outwards give less:
+///
+/// ```text
+/// D(n) = max(0, D(n−1) − work(n) − A(x(n), x(n−1)))    outwards
+/// D(n) = D(n−1) + max(0, −work(n))                     otherwise
+/// F(n) ≤ max(0, (A(x − l, x) − D(n)) / l)              where v < 0;  l = max(|v| T, a cell)
+/// ```
+///
+/// The port's energy is never below `−D`, whatever the motion and whatever acted: each stretch gives what it took or less, and the
+/// rest is in `D`. `D` is not 0 where a motion turns round within a period, or is faster than the last velocity; it is told as
+/// shortfall, and `sum` is `−D`. Unlike the passivity observer it does not let what was absorbed elsewhere pay; so it acts
+/// in the first contact, with small cuts, and never pushes. Efforts are only made smaller, and only on the way out.
+///
+/// Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014) keep the pressing path in a memory that the position
+/// addresses, and bound the releasing path by it. Derived here are the cells' energies, the look ahead of a period under a held
+/// force, and the debt. Left out are their moving objects and several axes. Beyond the last cell, which reaches on without an
+/// end, the smallest force of its loading bounds; before the surface nothing is bounded.
+///
+/// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a
+/// period: larger ones give less back, smaller ones cost time.
+///
+/// ```
+/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_stabilizers::PathMemory;
+/// let mut memory = PathMemory::<f64, 32>::beyond(0.0, 3.2e-3)?; // cells of 0.1 mm
+/// let pressed = Drive::new(1e-3, 1e-3, 1.0, 1e-3, 2.0); // 2 N over the first millimetre
+/// assert_eq!(memory.stabilize(&pressed, 8.0).effort, 8.0);
+/// let back = Drive::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 2.0);
+/// let effort: f64 = memory.stabilize(&back, 7.2).effort;
+/// assert!((effort - 2.0).abs() < 1e-9);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PathMemory<T, const N: usize> {
+    surface: T,
+    cell: T,
+    forces: [T; N],
+    debt: T,
+}
+
+impl<T: Scalar, const N: usize> PathMemory<T, N> {
+    /// A memory of the way beyond `surface` m, `depth` m deep.
+    ///
+    /// # Errors
+    /// `surface` infinite or NaN; `depth` not above 0 and finite, or too small or too large for `N` cells.
+    pub fn beyond(surface: T, depth: T) -> Result<Self, ParameterError> {
+        let surface = Requirement::Finite.check("surface", surface)?;
+        let depth = Requirement::Positive.check("memory depth", depth)?;
+        let cell = Requirement::Positive.check("memory cell", depth / T::of(N as f64))?;
+        Ok(Self { surface, cell, forces: [T::of(0.0); N], debt: T::of(0.0) })
+    }
+
+    /// The edges of cell `index`, from the surface on, m; the last one has no end.
+    #[inline(always)]
+    fn edges(&self, index: usize) -> (T, T) {
+        let edge = |index: usize| self.cell * T::of(index as f64);
+        (edge(index), if index + 1 == N { T::largest() } else { edge(index + 1) })
+    }
+
+    /// `A`: what a motion over `[from, to]` may give, J.
+    #[inline(always)]
+    fn allowance(&self, from: T, to: T) -> T {
+        let mut energy = T::of(0.0);
+        for (index, force) in self.forces.iter().enumerate() {
+            let (start, end) = self.edges(index);
+            energy += *force * (to.smaller(end) - from.larger(start)).larger(T::of(0.0));
+        }
+        energy
+    }
+
+    /// Writes a motion from `from` in to `to` under `force` where `inwards`.
+    #[inline(always)]
+    fn write(&mut self, from: T, to: T, force: T, inwards: T::Mask) {
+        for index in 0..N {
+            let (start, end) = self.edges(index);
+            let entered = !start.below(from);
+            let kept = self.forces[index];
+            let force = T::choose(entered, force, force.smaller(kept));
+            let crossed = inwards & start.below(to) & from.below(end);
+            self.forces[index] = T::choose(crossed, force, kept);
+        }
+    }
+}
+
+impl<T, const N: usize> Refine for PathMemory<T, N> {}
+
+impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<T>, effort: T) -> Action<T> {
+        let zero = T::of(0.0);
+        let sound = drive.finite();
+        let moved = T::choose(sound, drive.displacement, zero);
+        let work = T::choose(sound, drive.work, zero);
+        let now = T::choose(sound, drive.position - self.surface, zero);
+        let before = now - moved;
+
+        let (inwards, outwards) = (moved.above(zero), moved.below(zero));
+        let given = T::choose(outwards, -work - self.allowance(now, before), (-work).larger(zero));
+        let debt = (self.debt + given).larger(zero);
+        self.debt = T::choose(debt.finite(), debt, self.debt);
+        let mean = (work / moved).larger(zero);
+        self.write(before, now, T::choose(mean.finite(), mean, zero), inwards);
+
+        let leaving = drive.velocity.below(zero) & now.above(zero) & sound;
+        let ahead = (-drive.velocity * drive.period).larger(self.cell);
+        let most = ((self.allowance(now - ahead, now) - self.debt) / ahead).larger(zero);
+        let bounded = T::choose(leaving, effort.smaller(most), effort);
+        let accepted = sound & effort.finite() & most.finite();
+        Action {
+            effort: T::choose(accepted, bounded, zero),
+            sum: -self.debt,
+            alpha: zero,
+            shortfall: self.debt,
+            accepted,
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Forces that change no faster with the displacement than a given slope.
+
+use lyapunov_core::{
+    Accumulator, Action, Drive, ParameterError, Plain, Requirement, Scalar, Signal, Stabilizer,
+};
+
+use crate::Refine;
+
+/// An input-to-state stable controller: the force `F` follows the effort `f`, axis by axis, with changes in the sector of a
+/// largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
+///
+/// ```text
+/// δ(n) = δ(n−1) + Δf(n) − (Δf(n), as far as it is between 0 and μ Δx(n))        what is held back, N
+/// δ(n) nearer to 0 by at most ρ T, and then as far as it is between 0 and f(n)
+/// F(n) = f(n) − δ(n),   δ(0) = 0
+/// ```
+///
+/// An environment whose changes are in the sector passes unchanged, to the bit; a wall that is stiffer is felt as a spring `μ`,
+/// on the way in and out. Nothing asks for energy: where the environment makes loops in the graph of force over displacement,
+/// a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller would brake all, and this
+/// does nothing. So the port is not passive. It is bounded where what moves burns more than that, which a linear damper does at
+/// every size of the swing or at none: a hand and device of the damping `b` that swing at `ω` burn `π b ω d² / 4` on the way, so
+/// `μ < π b ω / 2`. For a wall, whose force does not decrease with the position, no such loop is there, only the hold's leak of
+/// `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition of Colgate
+/// and Schenkel, Journal of Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
+///
+/// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A creep of `ρ`
+/// N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
+///
+/// Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) release the conservatism of passivity to
+/// input-to-state stability by a controller whose gain is the largest slope of the graph of force over displacement; the
+/// operator's force is the input. From them, as later papers tell it, are the sector and its use. Derived here are the law
+/// above, which holds an environment to the sector instead of relying on it, the figures of energy, and the creep. Left out are
+/// their own analysis and their feed-forward of the force's rate, which adds damping to the port.
+///
+/// It needs no velocity and adds no damping. `sum` is the work of the port; what it gave more than it took is told as
+/// shortfall.
+///
+/// ```
+/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_stabilizers::SlopeBound;
+/// let mut bound = SlopeBound::of_damping(0.5, 1e-3)?; // μ = 2 b / T = 1 kN/m
+/// bound.stabilize(&Drive::starting(1e-3, 0.0, 0.1), 0.0);
+/// let pressed = Drive::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let effort: f64 = bound.stabilize(&pressed, 5.0).effort; // 50 kN/m
+/// assert!((effort - 0.1).abs() < 1e-12);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SlopeBound<V: Signal, A = Plain<<V as Signal>::Scalar>> {
+    slope: V::Scalar,
+    creep: V::Scalar,
+    asked: Option<V>,
+    held: V,
+    energy: A,
+}
+
+impl<V: Signal> SlopeBound<V> {
+    /// A bound of `slope` N/m.
+    ///
+    /// # Errors
+    /// `slope` not above 0 and finite.
+    pub fn new(slope: V::Scalar) -> Result<Self, ParameterError> {
+        let slope = Requirement::Positive.check("slope", slope)?;
+        let creep = V::Scalar::of(0.0);
+        Ok(Self { slope, creep, asked: None, held: V::zero(), energy: Plain::zero() })
+    }
+
+    /// The slope `2 b / T`, for a device that surely has the viscous `damping` b, N·s/m.
+    ///
+    /// # Errors
+    /// `damping` or `period` not above 0 and finite, or a slope out of range.
+    pub fn of_damping(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
+        let damping = Requirement::Positive.check("device damping", damping)?;
+        let period = Requirement::Positive.check("period", period)?;
+        Self::new(V::Scalar::of(2.0) * damping / period)
+    }
+}
+
+impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
+    /// The same bound with what is held back let through by `rate` N/s.
+    ///
+    /// # Errors
+    /// `rate` below 0, infinite or NaN.
+    pub fn creeping(self, rate: V::Scalar) -> Result<Self, ParameterError> {
+        Ok(Self { creep: Requirement::NonNegative.check("creep", rate)?, ..self })
+    }
+
+    /// The same bound with its energies summed in a `B`.
+    pub fn summed_in<B: Accumulator<V::Scalar>>(self) -> SlopeBound<V, B> {
+        let Self { slope, creep, asked, held, .. } = self;
+        SlopeBound { slope, creep, asked, held, energy: B::zero() }
+    }
+}
+
+impl<V: Signal, A> Refine for SlopeBound<V, A> {}
+
+/// `value` as far as it is between 0 and `end`.
+#[inline(always)]
+fn within<T: Scalar>(value: T, end: T) -> T {
+    value.larger(end.smaller(T::of(0.0))).smaller(end.larger(T::of(0.0)))
+}
+
+impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
+    #[inline]
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        let zero = V::Scalar::of(0.0);
+        let work = drive.work.sum();
+        let booked = (self.energy.value() + work).finite();
+        self.energy.add(V::Scalar::choose(booked, work, zero));
+        let sum = self.energy.value();
+
+        let change = effort - self.asked.unwrap_or(effort);
+        let followed = change.zip(drive.displacement.scale(self.slope), within);
+        let creep = self.creep * drive.period;
+        let held = (self.held + (change - followed))
+            .zip(effort, |held, asked| within(held - held.larger(-creep).smaller(creep), asked));
+        let sound = effort.finite() & drive.displacement.finite() & (held.sum() + creep).finite();
+        self.held = V::choose(sound, held, self.held);
+        self.asked = Some(V::choose(sound, effort, self.asked.unwrap_or(V::zero())));
+        let accepted = booked & sound;
+        Action {
+            effort: V::choose(accepted, effort - held, V::zero()),
+            sum,
+            alpha: zero,
+            shortfall: (-sum).larger(zero),
+            accepted,
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! A force that stays in its sector: what passes, what is held back, and what it may cost.
+
+use std::f64::consts::PI;
+
+use lyapunov::{Drive, OnePort, Popc, Scalar, SlopeBound, Spring, Stabilizer, Wall};
+use nalgebra::Vector3;
+
+use crate::support::{Dice, HELD, PERIOD, popc, swing};
+
+/// Half of what HELD stands, so that a swing decays.
+const SLOPE: f64 = 1000.0;
+
+fn bound() -> SlopeBound<f64> {
+    SlopeBound::of_damping(0.5 * HELD.damping, PERIOD).expect("a slope")
+}
+
+/// The efforts that come out, tick by tick, over positions and the efforts that go in.
+fn run(mut bound: SlopeBound<f64>, ticks: &[(f64, f64)]) -> Vec<f64> {
+    let mut last = ticks[0].0;
+    let follow = |&(position, effort): &(f64, f64)| {
+        let drive = Drive::new(PERIOD, position, 0.0, position - last, 0.0);
+        last = position;
+        bound.stabilize(&drive, effort).effort
+    };
+    ticks.iter().map(follow).collect()
+}
+
+#[test]
+fn changes_are_in_the_sector_or_towards_nothing() {
+    let mut bound = SlopeBound::<Vector3<f64>>::new(SLOPE).expect("a slope");
+    let mut dice = Dice::of(8);
+    let (mut before, mut rises) = (Vector3::zeros(), 0);
+    bound.stabilize(&Drive::starting(PERIOD, before, before), before);
+    for _ in 0..20_000 {
+        let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(5.0));
+        let drive = Drive::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, before);
+        let force = bound.stabilize(&drive, asked).effort;
+        for axis in 0..3 {
+            let (change, most) = (force[axis] - before[axis], SLOPE * moved[axis]);
+            let inside = change * most >= -1e-12 && change.abs() <= most.abs() + 1e-12;
+            let fallen = force[axis].abs() <= before[axis].abs() + 1e-12
+                || force[axis].abs() <= most.abs() + 1e-12;
+            assert!(inside || fallen, "{change} N for {most} N");
+            rises += i32::from(inside && change.abs() > 1e-3);
+            let between =
+                force[axis] * asked[axis] >= 0.0 && force[axis].abs() <= asked[axis].abs();
+            assert!(between, "{} N for {} N", force[axis], asked[axis]);
+        }
+        before = force;
+    }
+    assert!(rises > 1000);
+}
+
+/// A softer spring passes to the bit, in every scalar, however long it swings.
+#[test]
+fn what_is_in_the_sector_passes() {
+    fn check<T: Scalar>() {
+        let mut bound = SlopeBound::<T>::new(T::of(SLOPE)).expect("a slope");
+        let (mut dice, mut position) = (Dice::of(4), T::of(2e-3));
+        for _ in 0..100_000 {
+            let next = T::of(dice.within(3e-3));
+            let drive = Drive::new(T::of(PERIOD), next, T::of(0.0), next - position, T::of(0.0));
+            position = next;
+            let asked = T::of(0.9 * SLOPE) * position;
+            assert_eq!(bound.stabilize(&drive, asked).effort, asked);
+        }
+    }
+    check::<f64>();
+    check::<f32>();
+}
+
+/// A wall that is stiffer is a spring of the slope, on the way in and out.
+#[test]
+fn a_stiffer_wall_is_a_spring_of_the_slope() {
+    let depths =
+        (0..=200).map(|tick| 1e-5 * f64::from(if tick <= 100 { tick } else { 200 - tick }));
+    let ticks: Vec<_> = depths.map(|depth| (depth, 50_000.0 * depth)).collect();
+    for ((depth, _), force) in ticks.iter().zip(run(bound(), &ticks)) {
+        assert!((force - SLOPE * depth).abs() < 1e-9, "{force} N at {depth} m");
+    }
+}
+
+/// Ten times the slope, on both sides and on one.
+#[test]
+fn a_wall_ten_times_too_stiff() {
+    let spring = || Spring::new(10.0 * SLOPE).expect("a spring").at(1e-3);
+    let (alone, _) = swing(HELD, spring(), 20_000);
+    assert!(alone > 1.0, "{alone} m");
+    // It starts where the spring rests; the hand pulls it away from there, by 1 mm of 200 N/m in 1200 N/m.
+    let (most, late) = swing(HELD, spring().stabilized(bound()), 20_000);
+    let rest = 1e-3 * SLOPE / (SLOPE + HELD.stiffness);
+    assert!(most <= 1e-3 && (late - rest).abs() < 1e-9, "{most} m, then {late} m for {rest} m");
+    let wall = Wall::new(10.0 * SLOPE, 0.0).expect("a wall").at(-2e-3);
+    let (most, late) = swing(HELD, wall.stabilized(bound()), 20_000);
+    let stored = (10.0 * SLOPE / HELD.stiffness).sqrt() * 3e-3;
+    assert!(most < stored && late <= most, "{most} m, then {late} m");
+}
+
+/// An environment that makes the most of it: on the way in it asks for ever more, holds that on the way out, and lets go
+/// where the motion turns.
+struct Pump {
+    bound: SlopeBound<f64>,
+    asked: f64,
+    out: bool,
+}
+
+impl OnePort<f64> for Pump {
+    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
+        let inwards = drive.displacement > 0.0;
+        match (inwards, self.out) {
+            (true, true) => self.asked = 0.0,
+            (true, false) => self.asked += 1e3,
+            _ => {}
+        }
+        self.out = !inwards;
+        self.bound.stabilize(drive, self.asked).effort
+    }
+}
+
+/// A way in and out of `2 A` gives up to `2 μ A²`, and the hand burns `π b ω A²` on it.
+#[test]
+fn what_it_may_cost_and_what_bounds_it() {
+    let rate = (HELD.stiffness / HELD.mass).sqrt();
+    let balance = PI * HELD.damping * rate / 2.0;
+    let pumped = |slope: f64| {
+        let bound = SlopeBound::new(slope).expect("a slope");
+        swing(HELD, Pump { bound, asked: 0.0, out: false }, 20_000)
+    };
+    let (below, above) = (pumped(0.8 * balance), pumped(1.25 * balance));
+    assert!(below.0 <= 1e-3 && below.1 < 1e-5, "{below:?} m");
+    assert!(above.1 > 0.1, "{above:?} m");
+}
+
+/// A held spring that the device's own damper makes passive needs no help: POPC, which does not know the damper, corrects it
+/// all the same.
+#[test]
+fn less_conservative_than_popc() {
+    struct Corrections<S>(S, f64);
+    impl<S: Stabilizer<f64>> Stabilizer<f64> for &mut Corrections<S> {
+        fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> lyapunov::Action<f64> {
+            let action = self.0.stabilize(drive, effort);
+            self.1 = self.1.max((action.effort - effort).abs());
+            action
+        }
+    }
+    let spring = || Spring::new(0.9 * SLOPE).expect("a spring").at(1e-3);
+    let mut slope = Corrections(bound(), 0.0);
+    let (most, _) = swing(HELD, spring().stabilized(&mut slope), 5000);
+    assert!(slope.1 == 0.0 && most <= 1e-3, "{} N", slope.1);
+    let alone: Popc<f64> = popc();
+    let mut passivity = Corrections(alone, 0.0);
+    swing(HELD, spring().stabilized(&mut passivity), 5000);
+    assert!(passivity.1 > 0.01, "{} N", passivity.1);
+}
+
+/// At rest a weight is felt only through the creep, by `ρ T` a tick.
+#[test]
+fn a_weight_creeps_in() {
+    let mut ticks = vec![(0.0, 0.0)];
+    ticks.resize(100, (0.0, 1.0));
+    assert!(run(bound(), &ticks).iter().all(|force| *force == 0.0));
+    let creeping = bound().creeping(20.0).expect("a rate");
+    for (tick, force) in run(creeping, &ticks).into_iter().enumerate() {
+        assert!((force - (0.02 * tick as f64).min(1.0)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn what_cannot_be_right_is_refused() {
+    assert!(SlopeBound::<f64>::new(0.0).is_err() && SlopeBound::<f64>::new(f64::INFINITY).is_err());
+    assert!(SlopeBound::<f64>::of_damping(1e300, 1e-300).is_err());
+    assert!(SlopeBound::<f64>::of_damping(1.0, 0.0).is_err());
+    assert!(bound().creeping(-1.0).is_err() && bound().creeping(f64::NAN).is_err());
+}
