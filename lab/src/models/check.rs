@@ -78,16 +78,16 @@ impl Model {
                 (Plant::ProstheticLeg(_), _) => "give two numbers above 0".to_owned(),
                 _ => "give numbers of 0 or more".to_owned(),
             };
+            let value = error.value;
             let problem = format!(
-                "`{key}` is {:?}: V has this spring, and with it V is not positive away from rest",
-                error.value
+                "with `{key}` = {value:?}, a spring of V, V is not positive away from rest"
             );
             return Conflict::new(key, problem, least);
         }
         Conflict::new(
             key,
-            format!("the loop is beyond the range of {scalar}: {error}"),
-            "give values nearer to 1",
+            format!("the loop is beyond the range of {scalar}"),
+            format!("{error}: give values nearer to 1"),
         )
     }
 }

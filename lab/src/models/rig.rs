@@ -20,7 +20,7 @@ use crate::family::Nothing;
 /// The longest delay of a controller in ticks.
 const MOST_DELAY: usize = 1024;
 
-/// Ticks between two reports of progress.
+/// Steps of the integrator between two reports of progress, or one tick where that has more.
 const BREATH: u64 = 1 << 14;
 
 /// Is told how many more ticks are done; says whether to go on.
@@ -63,6 +63,8 @@ struct Rig<P, F, C, T, const N: usize, const M: usize> {
     limit: DampingLimit<T>,
     ticks: u64,
     servo_rate: f64,
+    /// Ticks between two reports of progress.
+    breath: u64,
 }
 
 /// The loop of `model` around these `parts`.
@@ -100,7 +102,8 @@ where
         .delayed::<MOST_DELAY>(delay.get().into())
         .map_err(|error| ("controller.delay", error))?;
     let (ticks, servo_rate) = (model.ticks(), model.servo_rate.get());
-    Ok(Box::new(Rig { plant, controller, function, decay, limit, ticks, servo_rate }))
+    let breath = (BREATH / u64::from(model.steps_per_tick.get())).max(1);
+    Ok(Box::new(Rig { plant, controller, function, decay, limit, ticks, servo_rate, breath }))
 }
 
 impl<P, F, C, T, const N: usize, const M: usize> Rig<P, F, C, T, N, M>
@@ -154,12 +157,12 @@ where
                 shortfall: action.shortfall.lane(0),
                 taken: (action.alpha * flow.pair(drive.displacement)).lane(0),
             });
-            if tick % BREATH == 0 && watch(BREATH).is_break() {
+            if tick % self.breath == 0 && watch(self.breath).is_break() {
                 return Err(Stopped);
             }
         }
         // What was not run counts as done: a run that leaves the range has no more ticks.
-        let told = meter.ticks() / BREATH * BREATH;
+        let told = meter.ticks() / self.breath * self.breath;
         let ended = watch(self.ticks + 1 - told);
         if ended.is_break() { Err(Stopped) } else { Ok(meter.finish(contestant)) }
     }

@@ -78,7 +78,8 @@ fn a_fault_is_named_with_its_key_its_place_and_its_remedy() {
         for word in *words {
             assert!(unfolded.contains(word), "no {word:?} in:\n{shown}");
         }
-        for line in shown.lines() {
+        // Only the path of the file can make a line longer.
+        for line in shown.lines().skip(1) {
             assert!(line.chars().count() <= 100, "too wide: {line}");
         }
     }
