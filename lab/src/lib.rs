@@ -50,7 +50,7 @@ pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
 pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
 pub use nalgebra::SVector;
-pub use output::{Output, OutputError};
+pub use output::{Output, OutputError, Outputs};
 pub use prices::{Prices, PricesError};
 pub use rollout::Rollout;
 pub use row::{Row, further_columns};

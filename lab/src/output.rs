@@ -120,6 +120,41 @@ impl Output {
     }
 }
 
+/// Files of one folder that appear together: all of them are written before the first takes its name.
+#[derive(Debug)]
+pub struct Outputs<'a> {
+    folder: &'a Path,
+    written: Vec<Output>,
+}
+
+impl<'a> Outputs<'a> {
+    /// Those of `folder`, none so far.
+    pub fn of(folder: &'a Path) -> Self {
+        Self { folder, written: Vec::new() }
+    }
+
+    /// Writes the file that will be called `name`.
+    ///
+    /// # Errors
+    /// As [`Output::create`], and a device that is full.
+    pub fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
+        let mut output = Output::create(&self.folder.join(name))?;
+        // Flushed here: a device that is full is noticed before anything takes its name.
+        let written = output.write_all(bytes.as_ref()).and_then(|()| output.flush());
+        written.map_err(|error| output.blame(error))?;
+        self.written.push(output);
+        Ok(())
+    }
+
+    /// Puts all files in their places.
+    ///
+    /// # Errors
+    /// As [`Output::keep`].
+    pub fn keep(self) -> Result<(), OutputError> {
+        self.written.into_iter().try_for_each(Output::keep)
+    }
+}
+
 /// Where the file is or will be: through a link, the file it points to is replaced, not the link.
 fn resolved(path: &Path) -> io::Result<PathBuf> {
     // `new/` is a path without a file's name too, although its last part would pass for one.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use lyapunov_lab::Output;
+use lyapunov_lab::Outputs;
 use lyapunov_lab::accuracy::{AccuracyError, Study};
 use lyapunov_lab::scene::Scene;
 
@@ -34,7 +34,7 @@ pub(crate) struct Accuracy {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Say which setting is the fastest that is off by no more than this, as keys for the scene.
-    #[arg(long, value_name = "METRES", value_parser = metres)]
+    #[arg(long, value_name = "METRES", value_parser = metres, allow_negative_numbers = true)]
     target: Option<f64>,
     /// Print accuracy.json instead of tables.
     #[arg(long, conflicts_with = "quiet")]
@@ -106,20 +106,16 @@ impl Accuracy {
             Some(metres) => format!("{command} --target {metres:e}"),
         };
         let figure = study.figure();
-        let files = [
-            ("report.html", study.to_html(&command, self.target).into_bytes()),
-            ("accuracy.svg", figure.to_svg().into_bytes()),
-            ("accuracy.png", figure.to_png(2.0).map_err(End::internal)?),
-            (RESULTS, text.as_bytes().to_vec()),
-        ];
-        let mut outputs = Vec::new();
-        for (name, bytes) in &files {
-            let mut output = Output::create(&folder.path().join(name)).map_err(End::input)?;
-            output.write_all(bytes).map_err(|error| End::input(output.blame(error)))?;
-            outputs.push(output);
-        }
+        let picture = figure.to_png(2.0).map_err(End::internal)?;
+        let mut outputs = Outputs::of(folder.path());
+        outputs
+            .put("report.html", study.to_html(&command, self.target))
+            .and_then(|()| outputs.put("accuracy.svg", figure.to_svg()))
+            .and_then(|()| outputs.put("accuracy.png", picture))
+            .and_then(|()| outputs.put(RESULTS, text))
+            .map_err(End::input)?;
         End::if_interrupted()?;
         folder.keep();
-        outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
+        outputs.keep().map_err(End::input)
     }
 }

@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
 use lyapunov_lab::family::Members;
 use lyapunov_lab::scene::{Scalar, Scene};
-use lyapunov_lab::{Output, OutputError, Space};
+use lyapunov_lab::{Outputs, Space};
 
 use super::folder::Folder;
 use super::models::{self, Subjects};
@@ -33,7 +33,8 @@ pub(crate) struct Compare {
     /// The scene files, or model files, TOML.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
-    /// Who takes part, by the names of docs/family.md, or all; of a model the same four.
+    /// Who takes part, by the names of docs/family.md, or all; of a model all four of
+    /// docs/any-plant.md take part.
     #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
     pub(super) stabilizers: Members,
     /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there. Of models
@@ -133,24 +134,18 @@ fn fill(
     comparisons: &[Comparison],
     text: &str,
 ) -> Result<(), End> {
-    let mut outputs = Vec::new();
-    let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
-        let mut output = Output::create(&folder.path().join(name))?;
-        output.write_all(bytes).map_err(|error| output.blame(error))?;
-        outputs.push(output);
-        Ok(())
-    };
+    let mut outputs = Outputs::of(folder.path());
     for (name, comparison) in names(scenes).iter().zip(comparisons) {
         End::if_interrupted()?;
         let figure = comparison.figure();
         let picture = figure.to_png(2.0).map_err(End::internal)?;
-        put(&format!("{name}.svg"), figure.to_svg().as_bytes()).map_err(End::input)?;
-        put(&format!("{name}.png"), &picture).map_err(End::input)?;
+        outputs.put(&format!("{name}.svg"), figure.to_svg()).map_err(End::input)?;
+        outputs.put(&format!("{name}.png"), picture).map_err(End::input)?;
     }
-    put(RESULTS, text.as_bytes()).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)?;
     End::if_interrupted()?;
     folder.keep();
-    outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
+    outputs.keep().map_err(End::input)
 }
 
 /// The name of each scene's figure: that of its file, with a number where two are alike.

@@ -19,9 +19,9 @@ use super::{End, heed_interrupts, standard_output};
 #[derive(Args, Debug)]
 pub(crate) struct Effects {
     /// Print JSON instead of tables.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Print nothing but errors, and the JSON if it is asked for.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }
@@ -42,10 +42,12 @@ impl Effects {
             error => End::internal(error),
         })?;
         bar.finish_and_clear();
-        let text = match (self.json, self.quiet) {
-            (true, _) => prices.document().map_err(End::internal)?,
-            (false, true) => return Ok(()),
-            (false, false) => prices.to_string(),
+        if self.quiet {
+            return Ok(());
+        }
+        let text = match self.json {
+            true => prices.document().map_err(End::internal)?,
+            false => prices.to_string(),
         };
         io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
     }

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
+use lyapunov_lab::Outputs;
 use lyapunov_lab::family::{Contender, Member};
 use lyapunov_lab::hard::{Catalogue, HardError};
-use lyapunov_lab::{Output, OutputError};
 
 use super::folder::Folder;
 use super::{BAR, End, heed_interrupts, shown, standard_output};
@@ -91,14 +91,10 @@ impl Hard {
 /// Writes everything, and only then lets it appear.
 fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str, command: &str) -> Result<(), End> {
     let page = catalogue.report(command);
-    let put = |name: &str, bytes: &[u8]| -> Result<Output, OutputError> {
-        let mut output = Output::create(&folder.path().join(name))?;
-        output.write_all(bytes).map_err(|error| output.blame(error))?;
-        Ok(output)
-    };
-    let report = put("report.html", page.as_bytes()).map_err(End::input)?;
-    let results = put(RESULTS, text.as_bytes()).map_err(End::input)?;
+    let mut outputs = Outputs::of(folder.path());
+    outputs.put("report.html", page).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)?;
     End::if_interrupted()?;
     folder.keep();
-    [report, results].into_iter().try_for_each(Output::keep).map_err(End::input)
+    outputs.keep().map_err(End::input)
 }

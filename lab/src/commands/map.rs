@@ -12,7 +12,7 @@ use lyapunov_lab::map::{
     document, files, merge,
 };
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Output, OutputError};
+use lyapunov_lab::{Output, Outputs};
 
 use super::folder::Folder;
 use super::{End, heed_interrupts, shown, standard_output};
@@ -305,18 +305,10 @@ fn fill(
     text: &str,
     command: &str,
 ) -> Result<(), End> {
-    let mut outputs = Vec::new();
-    let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
-        let mut output = Output::create(&folder.join(name))?;
-        // Flushed here, so that a device that is full is noticed before anything takes its name.
-        let written = output.write_all(bytes).and_then(|()| output.flush());
-        written.map_err(|error| output.blame(error))?;
-        outputs.push(output);
-        Ok(())
-    };
+    let mut outputs = Outputs::of(folder);
     for (name, bytes) in files(survey, bounds, command).map_err(End::internal)? {
-        put(&name, &bytes).map_err(End::input)?;
+        outputs.put(&name, bytes).map_err(End::input)?;
     }
-    put(RESULTS, text.as_bytes()).map_err(End::input)?;
-    outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
+    outputs.put(RESULTS, text).map_err(End::input)?;
+    outputs.keep().map_err(End::input)
 }

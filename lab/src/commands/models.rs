@@ -8,7 +8,7 @@ use lyapunov_lab::family::Members;
 use lyapunov_lab::models::{
     CompareError, Comparison, Contestant, Model, Subject, document, report,
 };
-use lyapunov_lab::{Output, OutputError, Scene};
+use lyapunov_lab::{Outputs, Scene};
 
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
@@ -49,7 +49,7 @@ pub(super) fn run(asked: &Compare, models: &[(String, Model)]) -> Result<(), End
         return Err(End::input(message));
     }
     if asked.stabilizers != Members::standard() {
-        let message = "--stabilizers names stabilizers of scenes\n  = of a model the same four are compared: leave it out";
+        let message = "--stabilizers names stabilizers of scenes\n  = of a model popc, lolc-decrease and lolc-decay are compared with none: leave it out";
         return Err(End::input(message));
     }
     let folder = asked.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
@@ -92,26 +92,20 @@ fn fill(
     comparisons: &[Comparison],
     text: &str,
 ) -> Result<(), End> {
-    let mut outputs = Vec::new();
-    let mut put = |name: &str, bytes: &[u8]| -> Result<(), OutputError> {
-        let mut output = Output::create(&folder.path().join(name))?;
-        output.write_all(bytes).map_err(|error| output.blame(error))?;
-        outputs.push(output);
-        Ok(())
-    };
+    let mut outputs = Outputs::of(folder.path());
     for (name, comparison) in names(models).iter().zip(comparisons) {
         End::if_interrupted()?;
         let figure = comparison.figure();
         let picture = figure.to_png(2.0).map_err(End::internal)?;
-        put(&format!("{name}.svg"), figure.to_svg().as_bytes()).map_err(End::input)?;
-        put(&format!("{name}.png"), &picture).map_err(End::input)?;
-        put(&format!("{name}.csv"), comparison.csv().as_bytes()).map_err(End::input)?;
+        outputs.put(&format!("{name}.svg"), figure.to_svg()).map_err(End::input)?;
+        outputs.put(&format!("{name}.png"), picture).map_err(End::input)?;
+        outputs.put(&format!("{name}.csv"), comparison.csv()).map_err(End::input)?;
     }
     let given: Vec<String> = models.iter().map(|path| path.display().to_string()).collect();
     let command = format!("lyapunov compare {} --out {}", given.join(" "), folder.path().display());
-    put("report.html", report(comparisons, &command).as_bytes()).map_err(End::input)?;
-    put(RESULTS, text.as_bytes()).map_err(End::input)?;
+    outputs.put("report.html", report(comparisons, &command)).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)?;
     End::if_interrupted()?;
     folder.keep();
-    outputs.into_iter().try_for_each(Output::keep).map_err(End::input)
+    outputs.keep().map_err(End::input)
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use lyapunov_lab::observe::{self, Candidate, Columns, Observed, Scale, Settings};
-use lyapunov_lab::{Output, OutputError};
+use lyapunov_lab::{OutputError, Outputs};
 
 use super::source::Source;
 use super::{End, heed_interrupts, standard_output};
@@ -166,11 +166,9 @@ fn write(folder: &Path, observed: &Observed) -> Result<(), End> {
     ];
     let refused = |error| End::input(OutputError::new(folder, error));
     fs::create_dir_all(folder).map_err(refused)?;
-    let mut outputs = Vec::new();
+    let mut outputs = Outputs::of(folder);
     for (name, bytes) in files {
-        let mut output = Output::create(&folder.join(name)).map_err(End::input)?;
-        output.write_all(&bytes).map_err(|error| End::input(output.blame(error)))?;
-        outputs.push(output);
+        outputs.put(name, bytes).map_err(End::input)?;
     }
-    outputs.into_iter().try_for_each(|output| output.keep().map_err(End::input))
+    outputs.keep().map_err(End::input)
 }

@@ -67,6 +67,8 @@ impl fmt::Display for Members {
 pub enum NoMembers {
     /// A name that nobody has.
     Unknown(NoMember),
+    /// `all` beside a name.
+    AllAndMore,
     /// A name that is there before.
     Twice(Member),
     /// Nobody.
@@ -77,6 +79,9 @@ impl fmt::Display for NoMembers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unknown(error) => error.fmt(f),
+            Self::AllAndMore => f.write_str(
+                "`all` stands by itself\n  = leave the other names out, or name who is meant",
+            ),
             Self::Twice(member) => {
                 write!(f, "`{member}` is named twice\n  = name each stabilizer once")
             }
@@ -93,6 +98,9 @@ impl FromStr for Members {
     fn from_str(given: &str) -> Result<Self, NoMembers> {
         if given == "all" {
             return Ok(Self(Member::ALL.to_vec()));
+        }
+        if given.split(',').any(|name| name == "all") {
+            return Err(NoMembers::AllAndMore);
         }
         let named: Result<Vec<Member>, _> = given.split(',').map(str::parse).collect();
         Self::of(named.map_err(NoMembers::Unknown)?)

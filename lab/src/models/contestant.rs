@@ -21,9 +21,9 @@ impl Contestant {
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",
-            Self::Popc => "POPC",
-            Self::Decrease => "LOLC decrease",
-            Self::Decay => "LOLC decay",
+            Self::Popc => "popc",
+            Self::Decrease => "lolc-decrease",
+            Self::Decay => "lolc-decay",
         }
     }
 }

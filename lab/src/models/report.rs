@@ -17,8 +17,8 @@ pub fn report(comparisons: &[Comparison], command: &str) -> String {
          <title>Stabilizers of control-affine plants</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
          <h1>Stabilizers of control-affine plants</h1>\n\
          <p>By <code>{}</code>, lyapunov {VERSION}.</p>\n\
-         <p>Each plant once without a stabilizer, once with the sum of what its input takes from V (POPC), once with \
-         the sum of all that V loses (LOLC decrease), and once with V asked to decay as well (LOLC decay). All numbers are \
+         <p>Each plant once without a stabilizer, once with the sum of what its input takes from V (<code>popc</code>), once with \
+         the sum of all that V loses (<code>lolc-decrease</code>), and once with V asked to decay as well (<code>lolc-decay</code>). All numbers are \
          in <code>compare.json</code>.</p>\n",
         escaped(command)
     );

@@ -3,7 +3,7 @@
 use super::keys::{BOOK, KEYS, SMALLEST};
 use super::{Model, Plant};
 use crate::scene::schema_of;
-use crate::scene::tests::{merge, paths};
+use crate::scene::tests::{assert_keys_of, merge};
 
 /// A model of `plant` that says what it cannot be without.
 fn smallest(plant: &str) -> toml::Table {
@@ -23,14 +23,7 @@ fn smallest(plant: &str) -> toml::Table {
 
 #[test]
 fn messages_know_every_key_and_no_other() {
-    let schema = schema_of::<Model>();
-    let mut written = Vec::new();
-    paths(&schema, &schema, "", &mut written);
-    written.sort();
-    written.dedup();
-    let mut known: Vec<_> = KEYS.iter().map(|key| key.path.to_owned()).collect();
-    known.sort();
-    assert_eq!(written, known);
+    assert_keys_of(&schema_of::<Model>(), KEYS);
 }
 
 #[test]

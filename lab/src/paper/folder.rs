@@ -1,13 +1,13 @@
 //! The folder that `lyapunov paper` fills.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use super::figures::figures;
 use super::report::Report;
 use super::study::Study;
 use super::{Case, PaperError};
-use crate::{Csv, Output, OutputError, Row};
+use crate::{Csv, OutputError, Outputs, Row};
 
 pub(super) fn write(study: &Study, folder: &Path, command: &str) -> Result<(), PaperError> {
     let figures = figures()?;
@@ -24,19 +24,10 @@ pub(super) fn write(study: &Study, folder: &Path, command: &str) -> Result<(), P
         let text = csv(&case.rows()?).map_err(|error| OutputError::new(folder, error))?;
         files.push((format!("{}.csv", case.name()), text));
     }
-    put(folder, &files)
-}
-
-/// Writes all files before the first of them takes its name.
-fn put(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), PaperError> {
     std::fs::create_dir_all(folder).map_err(|error| OutputError::new(folder, error))?;
-    let mut outputs = Vec::new();
-    for (name, bytes) in files {
-        let mut output = Output::create(&folder.join(name))?;
-        output.write_all(bytes).map_err(|error| output.blame(error))?;
-        outputs.push(output);
-    }
-    outputs.into_iter().try_for_each(|output| Ok(output.keep()?))
+    let mut outputs = Outputs::of(folder);
+    files.into_iter().try_for_each(|(name, bytes)| outputs.put(&name, bytes))?;
+    Ok(outputs.keep()?)
 }
 
 fn csv(rows: &[Row]) -> io::Result<Vec<u8>> {

@@ -23,7 +23,7 @@ fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
     let said = lyapunov(arguments);
     assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
     let out = text(&said.stdout);
-    for row in ["none  ", "POPC  ", "LOLC decrease  ", "LOLC decay  "] {
+    for row in ["none  ", "popc  ", "lolc-decrease  ", "lolc-decay  "] {
         assert_eq!(out.lines().filter(|line| line.starts_with(row)).count(), 5, "{row}:\n{out}");
     }
     // Only the path can make a line longer.
@@ -73,7 +73,7 @@ fn what_is_written_is_what_was_measured() {
         assert_eq!(json["models"][0]["v_start"], values[0]);
     }
     let page = fs::read_to_string(out.join("report.html")).unwrap();
-    assert!(page.contains("<svg") && page.contains("LOLC decay") && !page.contains("NaN"));
+    assert!(page.contains("<svg") && page.contains("lolc-decay") && !page.contains("NaN"));
 }
 
 #[test]

@@ -6,9 +6,10 @@ mod broken;
 mod edits;
 mod files;
 mod good;
+mod keys;
 mod shown;
 
-pub(crate) use good::{merge, paths};
+pub(crate) use keys::{assert_keys_of, merge};
 
 use super::keys::SMALLEST;
 use super::{Diagnostic, Scene};
