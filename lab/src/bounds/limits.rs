@@ -96,10 +96,7 @@ fn notes(
         range.is_some_and(|[_, end]| end.is_infinite()),
         "the exact limit is none: all are stable",
     );
-    note(
-        effects.friction.is_none() || effects.encoder.is_none(),
-        "the limit of friction and encoder is for scenes with both",
-    );
+    friction_notes(scene).into_iter().for_each(|text| note(true, text));
     note(matches!(environment, Environment::LayeredWall(_)), "the stiffness is the first layer's");
     note(
         matches!(environment, Environment::VaryingSpring(_)),
@@ -126,4 +123,19 @@ fn notes(
     note(scene.operator.grip.is_some(), "the grip is the one at the start");
     note(scene.stabilizer.is_some(), "the limits are those of the loop without its stabilizer");
     notes
+}
+
+/// What the limit of friction and encoder takes for granted and the scene does not have.
+fn friction_notes(scene: &Scene) -> Vec<&'static str> {
+    let effects = &scene.effects;
+    if effects.friction.is_none() || effects.encoder.is_none() {
+        return vec!["the limit of friction and encoder is for scenes with both"];
+    }
+    let delays = effects.delay.is_some_and(|it| it.ticks.get() > 0);
+    let damps = impedance(&scene.environment).is_some_and(|it| it.damping > 0.0);
+    let all = [
+        (delays, "the limit of friction and encoder knows nothing of the delay"),
+        (damps, "the limit of friction and encoder knows nothing of the wall's damper"),
+    ];
+    all.into_iter().filter_map(|(holds, text)| holds.then_some(text)).collect()
 }

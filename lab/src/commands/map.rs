@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 use lyapunov_lab::family::Members;
 use lyapunov_lab::map::{
     Axis, Book, BookError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard, Survey,
-    document, files, merge,
+    areas, document, files, merge,
 };
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Output, Outputs};
@@ -106,9 +106,10 @@ impl Map {
         };
         let scene = Scene::load(scene).map_err(End::input)?;
         let grid = Grid::new(scene, x.clone(), y.clone(), self.stabilizers.clone());
-        let grid = grid.map_err(End::input)?;
+        let grid = grid.map_err(|error| self.blame(error))?;
         let shard = self.shard.unwrap_or(Shard::WHOLE);
-        let run = Run::of(&grid, self.threads.map(usize::from)).map_err(End::input)?;
+        let run =
+            Run::of(&grid, self.threads.map(usize::from)).map_err(|error| self.blame(error))?;
         let mut survey = Survey::of(&grid);
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let mut book = match &folder {
@@ -171,8 +172,16 @@ impl Map {
             )),
             (RunError::Stopped, None) => End::Interrupted,
             (error @ RunError::Threads(_), _) => End::internal(error),
+            (error @ RunError::Cell(_), _) => self.blame(error),
             (error, _) => End::input(error),
         })
+    }
+
+    /// What is wrong with the map of this file.
+    fn blame(&self, error: impl std::fmt::Display) -> End {
+        let file =
+            self.scene.as_deref().map_or_else(String::new, |path| path.display().to_string());
+        End::input(format!("{file}: {error}"))
     }
 
     /// The command that makes the same map.
@@ -203,7 +212,7 @@ impl Map {
         if shard != Shard::WHOLE {
             let _ = writeln!(said, "shard {shard} of the map");
         }
-        said += &table(survey, bounds);
+        said += &areas(survey, bounds);
         let how = match computation.instructions {
             Some(set) if survey.grid().members.iter().all(|it| it.contender().is_some()) => {
                 format!("{} cells at once ({set})", computation.lanes)
@@ -235,7 +244,7 @@ impl Merge {
         match (self.json, self.quiet) {
             (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
             (_, true) => Ok(()),
-            _ => out.write_all(table(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
+            _ => out.write_all(areas(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
         }
     }
 
@@ -269,32 +278,6 @@ impl Merge {
         }
         Ok(tables)
     }
-}
-
-/// What each stabilizer renders stably.
-fn table(survey: &Survey, bounds: Option<&Bounds>) -> String {
-    let grid = survey.grid();
-    let mut text = format!("{}\n{}\n\n", grid.x, grid.y);
-    let _ = writeln!(
-        text,
-        "  {:24} {:>10} {:>10} {:>8}  {:>12}  {:>14}",
-        "stabilizer", "stable", "of cells", "share", "area", "of exact bound"
-    );
-    for (index, member) in grid.members.iter().enumerate() {
-        let area = survey.area(index);
-        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
-        let _ = writeln!(
-            text,
-            "  {:24} {:>10} {:>10} {:>6.2} %  {:>12.6e}  {:>14}",
-            member.name(),
-            area.stable,
-            area.judged,
-            100.0 * area.share,
-            area.area,
-            over.map_or("-".to_owned(), |over| format!("{over:.4}"))
-        );
-    }
-    text
 }
 
 /// Writes everything beside the table, and only then lets it appear.

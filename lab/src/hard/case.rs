@@ -93,8 +93,8 @@ pub struct Row {
     pub ledger_off: f64,
     /// Whether each kind of number kept the bound; none where it takes no part.
     pub verdict: Verdicts,
-    /// Whether every lane did what its own scalar run did, bit for bit.
-    pub lanes_equal: bool,
+    /// Whether every lane did what its own scalar run did, bit for bit; none where no lanes ran.
+    pub lanes_equal: Option<bool>,
     /// Why scalars are left out or may differ.
     pub apart: Option<&'static str>,
     /// The scene, if it is one.
@@ -228,7 +228,7 @@ impl Case {
             bound: self.bound,
             measured,
             promised,
-            passed: (verdict.kept() || !promised) && broken.is_none() && lanes_equal,
+            passed: (verdict.kept() || !promised) && broken.is_none() && lanes_equal != Some(false),
             naive,
             without,
             broken: broken.map(|(law, tick)| format!("tick {tick}: {law}")),

@@ -9,12 +9,16 @@ pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::R
         writeln!(f, "{name} in the place of ours, in f64 and f32\n")?;
     }
     let mut theme = "";
-    let ours = if catalogue.stabilizer.is_some() { "measured" } else { "ours" };
+    let [bound, ours] = match catalogue.stabilizer {
+        // Of another one a bound may be no promise.
+        Some(_) => ["bound", "measured"],
+        None => ["promised", "ours"],
+    };
     for row in &catalogue.rows {
         if row.theme != theme {
             let gap = if theme.is_empty() { "" } else { "\n" };
             theme = row.theme;
-            writeln!(f, "{gap}      {theme:31} {:>36} {:>11} {:>11}", "promised", ours, "naive")?;
+            writeln!(f, "{gap}      {theme:31} {bound:>36} {ours:>11} {:>11}", "naive")?;
         }
         one(row, f)?;
     }

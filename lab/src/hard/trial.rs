@@ -106,15 +106,18 @@ impl Runs {
     }
 
     /// Whether every lane came to what a scalar run came to: the one at its place, or the first where all lanes run
-    /// that one.
-    pub(super) fn lanes_equal(&self) -> bool {
+    /// that one; none without lanes.
+    pub(super) fn lanes_equal(&self) -> Option<bool> {
         let alike = |lanes: &[Tally], scalars: &[Tally]| {
             let same = scalars.len() != lanes.len();
             lanes.iter().enumerate().all(|(lane, tally)| {
                 scalars.get(if same { 0 } else { lane }).is_none_or(|scalar| scalar == tally)
             })
         };
-        alike(&self.double_lanes, &self.double) && alike(&self.single_lanes, &self.single)
+        let lanes = self.double_lanes.len() + self.single_lanes.len();
+        (lanes > 0).then(|| {
+            alike(&self.double_lanes, &self.double) && alike(&self.single_lanes, &self.single)
+        })
     }
 
     /// All of them.

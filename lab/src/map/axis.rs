@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::scene::unit;
+
 /// The most values along an axis.
 const MOST: u64 = 1_000_000;
 
@@ -44,6 +46,14 @@ impl Axis {
         match self.spacing {
             Spacing::Linear => self.from + (self.to - self.from) * index / steps,
             Spacing::Logarithmic => self.from * libm::pow(self.to / self.from, index / steps),
+        }
+    }
+
+    /// The unit of its width: that of the number, or decades; empty where it has none.
+    pub fn unit(&self) -> &'static str {
+        match self.spacing {
+            Spacing::Linear => unit(&self.key),
+            Spacing::Logarithmic => "decades",
         }
     }
 

@@ -1,5 +1,7 @@
 //! What the formulas say, over a map.
 
+use std::fmt;
+
 use rayon::prelude::*;
 
 use super::axis::Axis;
@@ -7,6 +9,7 @@ use super::grid::Grid;
 use super::survey::Survey;
 use crate::bounds::Limits;
 use crate::scene::Scene;
+use crate::summary::found;
 
 /// The most values of the other axis at which the formulas are evaluated.
 const SAMPLES: u64 = 97;
@@ -18,6 +21,21 @@ pub struct Bounds {
     upwards: bool,
     /// The number of each value of the other axis, the value, and the bounds there.
     samples: Vec<(u64, f64, Limits)>,
+}
+
+/// The stiffness that a stabilizer renders stably, over the exact bound of the loop without one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverExact {
+    /// The one over the other.
+    pub ratio: f64,
+    /// Whether it is more: the stabilizer holds up to the edge of the map.
+    pub is_least: bool,
+}
+
+impl fmt::Display for OverExact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&format!("{}{}", if self.is_least { ">= " } else { "" }, found(self.ratio)))
+    }
 }
 
 /// A bound along one axis for each value of the other.
@@ -76,10 +94,14 @@ impl Bounds {
         names.into_iter().enumerate().filter_map(curve).collect()
     }
 
-    /// The middle one of the ratios of what stabilizer `index` renders stably, from the first stiffness on without a break,
-    /// to the exact bound of the loop without a stabilizer; over the values of the other axis at which both are within
-    /// the map. None if there is no such value.
-    pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<f64> {
+    /// The stiffness below the first that is unstable under stabilizer `index`, over the exact bound of the loop without one:
+    /// the middle one of the values of the other axis.
+    ///
+    /// Where nothing is unstable up to the map's edge that edge counts, and where the first stiffness is unstable 0. Left
+    /// out are values that tell nothing: without a bound, or with both beyond the same edge. None if no value is left, or
+    /// no cell was judged.
+    pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<OverExact> {
+        survey.area(index).share?;
         let grid = survey.grid();
         let (axis, counts): (&Axis, &[u64]) = if self.upwards {
             (&grid.y, survey.along_y(index))
@@ -88,12 +110,18 @@ impl Bounds {
         };
         let ratio = |(other, _, limits): &(u64, f64, Limits)| {
             let (count, exact) = (counts[*other as usize], limits.exact?);
-            let seen = (1..axis.count).contains(&count) && (axis.from..axis.to).contains(&exact);
-            seen.then(|| axis.value(count - 1) / exact)
+            let is_least = count == axis.count;
+            let unknown =
+                if is_least { exact >= axis.to } else { count == 0 && exact <= axis.from };
+            let reached = if count == 0 { 0.0 } else { axis.value(count - 1) };
+            (!unknown && exact > 0.0).then(|| OverExact { ratio: reached / exact, is_least })
         };
-        let mut ratios: Vec<f64> = self.samples.iter().filter_map(ratio).collect();
-        ratios.sort_by(f64::total_cmp);
-        ratios.get(ratios.len() / 2).copied()
+        let mut ratios: Vec<OverExact> = self.samples.iter().filter_map(ratio).collect();
+        ratios.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
+        let middle = ratios.len() / 2;
+        // One that is more than it says could be beyond the middle.
+        let is_least = ratios.iter().take(middle + 1).any(|over| over.is_least);
+        ratios.get(middle).map(|over| OverExact { is_least, ..*over })
     }
 }
 

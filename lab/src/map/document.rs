@@ -76,10 +76,13 @@ struct Line {
     stabilizer: &'static str,
     stable_cells: u64,
     judged_cells: u64,
-    stable_share: f64,
-    area: f64,
-    /// None where the stiffness is no axis, or the bound is not on the map.
+    /// None where no cell was judged.
+    stable_share: Option<f64>,
+    area: Option<f64>,
+    /// None where the stiffness is no axis, or nothing on the map tells.
     stiffness_over_exact: Option<f64>,
+    /// Whether that is the least that it can be.
+    stiffness_over_exact_is_least: bool,
 }
 
 fn along(axis: &Axis) -> Along<'_> {
@@ -102,13 +105,15 @@ pub fn document(
     let grid = survey.grid();
     let line = |(index, member): (usize, &Member)| {
         let area = survey.area(index);
+        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         Line {
             stabilizer: member.name(),
             stable_cells: area.stable,
             judged_cells: area.judged,
             stable_share: area.share,
             area: area.area,
-            stiffness_over_exact: bounds.and_then(|bounds| bounds.over_exact(survey, index)),
+            stiffness_over_exact: over.map(|over| over.ratio),
+            stiffness_over_exact_is_least: over.is_some_and(|over| over.is_least),
         }
     };
     let document = Document {

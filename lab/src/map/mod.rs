@@ -1,5 +1,6 @@
 //! Stability maps: any two numbers of a scene on a grid, under several stabilizers.
 
+mod areas;
 mod axis;
 mod book;
 mod bounds;
@@ -21,9 +22,10 @@ mod vary;
 
 use crate::family::contender;
 
+pub use areas::areas;
 pub use axis::{Axis, NoAxis, Spacing};
 pub use book::{Book, BookError};
-pub use bounds::Bounds;
+pub use bounds::{Bounds, OverExact};
 pub use contender::Contender;
 pub use document::{Computation, document};
 pub use files::files;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::areas::cells;
 use super::bounds::Bounds;
 use super::picture::Drawn;
 use super::survey::Survey;
@@ -58,24 +59,19 @@ fn areas(page: &mut String, survey: &Survey, bounds: Option<&Bounds>) {
          <th class=\"number\">Area</th><th class=\"number\">Of the exact bound</th></tr></thead>\n<tbody>\n",
     );
     for (index, member) in survey.grid().members.iter().enumerate() {
-        let area = survey.area(index);
-        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
-        let _ = writeln!(
-            page,
-            "<tr><td>{member}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
-             <td class=\"number\">{:.2} %</td><td class=\"number\">{:.5e}</td><td class=\"number\">{}</td></tr>",
-            area.stable,
-            area.judged,
-            100.0 * area.share,
-            area.area,
-            over.map_or("–".to_owned(), |over| format!("{over:.3}"))
-        );
+        let _ = write!(page, "<tr><td>{member}</td>");
+        for cell in cells(survey, bounds, index) {
+            let _ = write!(page, "<td class=\"number\">{}</td>", escape(&cell));
+        }
+        page.push_str("</tr>\n");
     }
-    page.push_str(
-        "</tbody>\n</table></div>\n<p>The area is the share of the rectangle of both axes, in their units; a \
-         logarithmic axis counts in decades. Of the exact bound: the largest stiffness up to which every cell is stable, over the \
-         exact bound of the loop without a stabilizer, the middle one over the values of the other axis at which both are on \
-         the map.</p>\n",
+    let _ = write!(
+        page,
+        "</tbody>\n</table></div>\n<p>The area, in {}, is the share of the rectangle of both axes; a \
+         logarithmic axis counts in decades. Of the exact bound: the stiffness below the first that is unstable, over the \
+         exact bound of the loop without a stabilizer, the middle one over the values of the other axis; &gt;= where it holds \
+         up to the edge of the map.</p>\n",
+        survey.unit()
     );
 }
 

@@ -20,7 +20,7 @@ pub struct Survey {
 struct Layer {
     stable: u64,
     judged: u64,
-    /// How many cells of each row, counted from its beginning, are stable without a break; and of each column.
+    /// How many cells of each row, counted from its beginning, come before the first that is unstable; and of each column.
     along_x: Vec<u64>,
     along_y: Vec<u64>,
     /// For each element: how many cells, how many of them stable or not judged.
@@ -37,10 +37,10 @@ pub struct Area {
     pub stable: u64,
     /// Cells that were judged: all, but for those where no spring pulls the plant anywhere.
     pub judged: u64,
-    /// The one of the other, 0 if none was judged.
-    pub share: f64,
+    /// The one of the other; none if none was judged.
+    pub share: Option<f64>,
     /// The same share of the rectangle, in the units of both axes; of a logarithmic axis in decades.
-    pub area: f64,
+    pub area: Option<f64>,
 }
 
 impl Survey {
@@ -67,13 +67,13 @@ impl Survey {
         let column = at(x, self.grid.x.count, self.columns);
         let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
-            let is_stable = outcome.stable == Some(true);
+            let is_kept = outcome.stable != Some(false);
             layer.judged += u64::from(outcome.stable.is_some());
-            layer.stable += u64::from(is_stable);
-            layer.along_x[y as usize] += u64::from(is_stable && layer.along_x[y as usize] == x);
-            layer.along_y[x as usize] += u64::from(is_stable && layer.along_y[x as usize] == y);
+            layer.stable += u64::from(outcome.stable == Some(true));
+            layer.along_x[y as usize] += u64::from(is_kept && layer.along_x[y as usize] == x);
+            layer.along_y[x as usize] += u64::from(is_kept && layer.along_y[x as usize] == y);
             layer.cells[element] += 1;
-            layer.kept[element] += u32::from(outcome.stable != Some(false));
+            layer.kept[element] += u32::from(is_kept);
             for (measure, sums) in Measure::ALL.iter().zip(&mut layer.sums) {
                 if let Some(value) = measure.of(&outcome.measures) {
                     sums[element].0 += value;
@@ -91,12 +91,21 @@ impl Survey {
     /// What stabilizer `index` renders stably.
     pub fn area(&self, index: usize) -> Area {
         let Layer { stable, judged, .. } = self.layers[index];
-        let share = if judged > 0 { stable as f64 / judged as f64 } else { 0.0 };
-        let area = share * self.grid.x.width() * self.grid.y.width();
+        let share = (judged > 0).then(|| stable as f64 / judged as f64);
+        let area = share.map(|share| share * self.grid.x.width() * self.grid.y.width());
         Area { stable, judged, share, area }
     }
 
-    /// How many values of x, from the first on, are stable under stabilizer `index` without a break, for each value of y.
+    /// The unit of areas.
+    pub fn unit(&self) -> String {
+        let units = [self.grid.x.unit(), self.grid.y.unit()].map(|unit| match unit {
+            "" => "1",
+            unit => unit,
+        });
+        units.join(" x ")
+    }
+
+    /// How many values of x come before the first that is unstable under stabilizer `index`, for each value of y.
     pub fn along_x(&self, index: usize) -> &[u64] {
         &self.layers[index].along_x
     }

@@ -118,7 +118,10 @@ fn known(tree: &Value, key: &str) -> String {
     let all: Vec<&str> = keys.iter().map(String::as_str).collect();
     match nearest(key, &all) {
         Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the numbers of this scene are {}", all.join(", ")),
+        None => {
+            let rows: Vec<String> = all.chunks(3).map(|keys| keys.join(", ")).collect();
+            format!("the numbers of this scene are:\n    {}", rows.join("\n    "))
+        }
     }
 }
 

@@ -1,9 +1,12 @@
 //! Maps from outside: lanes against runs by themselves, and both against the comparison of stabilizers.
 
 use lyapunov_lab::Scene;
+use lyapunov_lab::bounds::Limits;
 use lyapunov_lab::compare::{Comparison, Contestants};
 use lyapunov_lab::family::Member;
-use lyapunov_lab::map::{Contender, Grid, Instructions, Kernel, Lanes, Outcome, Run};
+use lyapunov_lab::map::{
+    Bounds, Contender, Grid, Instructions, Kernel, Lanes, Outcome, OverExact, Run, Survey,
+};
 use proptest::prelude::*;
 
 /// A wall before a hand, with other lines in the place of these.
@@ -154,4 +157,37 @@ fn a_scene_without_a_spring_is_not_judged_but_measured() {
         assert!(outcomes[0].measures.peak_force.unwrap() > 0.0);
         assert_eq!(outcomes[0].measures.settling_time, None);
     }
+}
+
+/// What is told of a map of three rows that hold up to so many of its ten stiffnesses each.
+fn told(x: &str, held: [u64; 3]) -> Option<OverExact> {
+    let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
+    let grid = grid(more, x, "initial.position=-0.005..-0.003:3", &[Contender::Popc]);
+    let mut survey = Survey::of(&grid);
+    for cell in 0..grid.cells() {
+        let stable = Some(cell % 10 < held[(cell / 10) as usize]);
+        survey.add(cell, &[Outcome { stable, ..Outcome::default() }]);
+    }
+    Bounds::of(&grid).unwrap().over_exact(&survey, 0)
+}
+
+/// A stabilizer that holds to the edge is told as better than that, and one that holds nothing as nothing.
+#[test]
+fn what_lies_beyond_the_edge_counts_as_the_edge() {
+    let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
+    let exact = Limits::of(&scene(more)).exact.unwrap();
+    assert!((2000.0..5500.0).contains(&exact), "{exact}");
+    let x = format!("{STIFFNESS}=1000..10000:10");
+    let over = |stiffness: f64, is_least| Some(OverExact { ratio: stiffness / exact, is_least });
+    assert_eq!(told(&x, [10, 10, 10]), over(10_000.0, true));
+    assert_eq!(told(&x, [6, 6, 10]), over(6000.0, false));
+    assert_eq!(told(&x, [6, 10, 10]), over(10_000.0, true));
+    assert_eq!(told(&x, [0, 0, 6]), over(0.0, false));
+    // Both beyond the same edge: nothing is known.
+    let [soft, hard] = ["10..100:10", "20000..50000:10"].map(|it| format!("{STIFFNESS}={it}"));
+    assert_eq!(told(&soft, [10, 10, 10]), None);
+    assert_eq!(told(&hard, [0, 0, 0]), None);
+    assert_eq!(told(&hard, [10, 10, 10]), over(50_000.0, true));
+    // A map that begins beyond the bound shows what holds there.
+    assert_eq!(told(&hard, [1, 1, 1]), over(20_000.0, false));
 }

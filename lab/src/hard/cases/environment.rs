@@ -93,7 +93,7 @@ pub(super) fn cases() -> Vec<Case> {
         ),
         case(
             "a credit larger than what burns",
-            "50 kN/m at 1 kHz: the wall's own 20 N.s/m, credited, hides that it burns less; ours does not",
+            "50 kN/m at 1 kHz: the wall's own 20 N.s/m, credited, hides that it burns less; the device's own does not",
             (0.0, 20.0),
             CREDIT,
         ),
@@ -102,7 +102,7 @@ pub(super) fn cases() -> Vec<Case> {
             bound: 0.0,
             ..case(
                 "the same credit, taken",
-                "ours with the paper's candidate: the loop grows unseen, and the account still closes",
+                "with the paper's candidate: the loop grows unseen, and the account still closes",
                 (0.0, 20.0),
                 CREDIT.replace("device-damping", "mass-spring-damper"),
             )
