@@ -23,7 +23,7 @@ pub use lyapunov_plants::{
 };
 pub use lyapunov_stabilizers::{
     Account, Aimed, Along, Bounded, ContactReset, Coupled, Coupling, DampingLimit,
-    DriftCompensated, ForceBound, Lolc, Metric, PathMemory, PerAxis, Popc, RateLimit,
+    DriftCompensated, ForceBound, Inertia, Lolc, Metric, PathMemory, PerAxis, Popc, RateLimit,
     ReferenceFollowing, Refine, Rise, SlopeBound, Spread, Station, Store, Tank, Threshold,
     WaveTransform, Weights, Windowed,
 };

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use lyapunov_lab::family::Member;
+use lyapunov_lab::Scene;
+use lyapunov_lab::compare::{Comparison, Contestants, Score};
+use lyapunov_lab::family::{Member, Members};
 use serde_json::Value;
 
 fn shipped(name: &str) -> PathBuf {
@@ -74,8 +76,17 @@ fn tables_files_and_documents_agree() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     names.sort();
-    let figures = ["paper-50k-popc.png", "paper-50k-popc.svg", "press-1khz.png", "press-1khz.svg"];
-    assert_eq!(names, [&["compare.json"][..], &figures].concat());
+    let mut expected = vec!["compare.json".to_owned()];
+    for scene in ["paper-50k-popc", "press-1khz"] {
+        for end in [".svg", ".png", ".force.svg", ".force.png"] {
+            expected.push(format!("{scene}{end}"));
+        }
+        for question in ["energy", "trade-off"] {
+            expected.extend(["svg", "png", "csv"].map(|kind| format!("{scene}.{question}.{kind}")));
+        }
+    }
+    expected.sort();
+    assert_eq!(names, expected);
 
     let written = fs::read_to_string(out.join("compare.json")).unwrap();
     let printed = text(&compare(&[&one, &other, &"--json"]).stdout);
@@ -89,6 +100,82 @@ fn tables_files_and_documents_agree() {
     assert_eq!(value(4, "settling_time_s"), 2.35);
     assert!(value(0, "stiffness_felt_n_per_m").is_null());
     assert!((90.0..100.0).contains(&value(6, "stiffness_felt_percent").as_f64().unwrap()));
+}
+
+/// The lines of a table below its head, in cells.
+fn cells(path: &Path) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(path).unwrap();
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect();
+    text.lines().skip(1).map(cells).collect()
+}
+
+/// What came in is what went, and what the controller took is what the table says of it.
+#[test]
+fn energies_by_cause_add_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = compare(&[&shipped("press-1khz.toml"), &"--json", &"--out", &folder.path()]);
+    let rows = timeless(&text(&output.stdout))["rows"].clone();
+    let parts = cells(&folder.path().join("press-1khz.energy.csv"));
+    // Without a stabilizer the scene is unstable, and has no energies.
+    assert!(parts.iter().all(|part| part[0] != "none"));
+    for row in &rows.as_array().unwrap()[1..] {
+        let name = row["stabilizer"].as_str().unwrap();
+        let given = |part: &Vec<String>| part[2].parse::<f64>().unwrap();
+        let own: Vec<_> = parts.iter().filter(|part| part[0] == name).collect();
+        assert_eq!(own.len(), 14, "{name}");
+        let came: f64 = own.iter().map(|part| given(part).max(0.0)).sum();
+        let left: f64 = own.iter().map(|part| given(part)).sum();
+        assert!(left.abs() < 1e-9 * came && came > 1e-3, "{name}: {left} of {came} J");
+        let controller = own.iter().find(|part| part[1] == "controller").unwrap();
+        let taken = 1e-3 * row["energy_taken_mj"].as_f64().unwrap();
+        assert!((given(controller) + taken).abs() < 1e-9 * taken, "{name}");
+    }
+}
+
+/// Each wall by itself, as one compares it.
+#[test]
+fn the_trade_off_is_what_144_comparisons_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("short.toml");
+    let scene = |stiffness: f64, damping: f64| {
+        format!(
+            "duration = 0.6\nservo_rate = 1000.0\nenvironment_rate = 200.0\ndevice.mass = 0.2\n\
+             operator = {{ mass = 0.1, stiffness = 200.0, damping = 1.0, rest = 0.01 }}\n\
+             environment.wall = {{ stiffness = {stiffness:?}, damping = {damping:?} }}\n"
+        )
+    };
+    fs::write(&path, scene(2000.0, 1.0)).unwrap();
+    let names = "none,popc,lolc-mass-spring-damper";
+    compare(&[&path, &"--stabilizers", &names, &"--quiet", &"--out", &folder.path()]);
+    let told = cells(&folder.path().join("short.trade-off.csv"));
+
+    let mut errors: Vec<Vec<Option<f64>>> = Vec::new();
+    for (row, column) in (0..12).flat_map(|row| (0..12).map(move |column| (row, column))) {
+        let stiffness = 2000.0 * 16f64.powf(f64::from(column) / 5.5 - 1.0);
+        let text = scene(stiffness, 0.3 * 200.0 * f64::from(row) / 11.0);
+        let wall = Scene::parse(&text, "wall").unwrap();
+        let members: Members = names.parse().unwrap();
+        let contestants = Contestants::<f64>::of(members);
+        let comparison = Comparison::of("wall", &wall, &contestants).unwrap();
+        let error =
+            |score: &Score| (score.stable == Some(true)).then(|| score.force_error.unwrap());
+        errors.push(comparison.scores().map(error).collect());
+    }
+    let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
+    let common: Vec<_> = errors.iter().filter(|it| it[1].is_some() && it[2].is_some()).collect();
+    assert!(stable(0) < stable(2) && stable(2) < stable(1) && common.len() > 20);
+    for (index, line) in told.iter().enumerate() {
+        let counts = [stable(index), 144, common.len()].map(|count| count.to_string());
+        assert_eq!(line[1..4], counts, "{line:?}");
+        if index == 0 {
+            assert_eq!(line[4], "");
+            continue;
+        }
+        let mut own: Vec<f64> = common.iter().map(|wall| wall[index].unwrap()).collect();
+        own.sort_by(f64::total_cmp);
+        let (middle, told) = (own[(own.len() - 1) / 2], line[4].parse::<f64>().unwrap());
+        assert!((told - middle).abs() <= 1e-9 * middle, "{told} {middle}");
+    }
 }
 
 #[test]
@@ -199,4 +286,5 @@ fn the_family_takes_part_by_name() {
 
     refused(&[&scene, &"--stabilizers", &"tnk"], &["`tnk`", "did you mean `tank`?", "popc-rising"]);
     refused(&[&scene, &"--stabilizers", &"popc,popc"], &["`popc` is named twice"]);
+    refused(&[&scene, &"--stabilizers", &"none,all"], &["`all` stands by itself"]);
 }

@@ -26,7 +26,7 @@ mod two_port;
 mod wave;
 
 pub use account::{Account, Bounded, ContactReset, Windowed};
-pub use aimed::{Aimed, Along, Metric, Weights};
+pub use aimed::{Aimed, Along, Inertia, Metric, Weights};
 pub use coupling::{Coupled, Coupling};
 pub use damping_limit::DampingLimit;
 pub use force_bound::ForceBound;

@@ -1,7 +1,11 @@
 //! As much is burnt, where it is wanted.
 
-use lyapunov::{Aimed, Along, DampingLimit, Drive, Metric, Stabilizer, Weights};
-use nalgebra::Vector3;
+use lyapunov::lanes::AutoF32x4;
+use lyapunov::{
+    Aimed, Along, DampingLimit, Drive, Inertia, Metric, Popc, PortEnergy, Scalar, Stabilizer,
+    Weights,
+};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use crate::support::{Dice, PERIOD, limit, popc};
 
@@ -37,6 +41,85 @@ fn along_a_direction_and_by_weights() {
         assert!((correction - velocity.component_mul(&weights) * ratio).norm() < 1e-12);
         assert!((burnt(correction) + action.shortfall - 1e-6).abs() < 1e-15);
     }
+}
+
+/// A matrix that is above 0, in random directions: a sum of `c aᵢ aᵢᵀ`.
+fn inertia(dice: &mut Dice, scale: f64) -> Matrix3<f64> {
+    (0..4).fold(Matrix3::zeros(), |sum, _| {
+        let axis: Vector3<f64> = dice.signal(1.0);
+        sum + axis * axis.transpose() * scale
+    })
+}
+
+/// A body with that inertia loses the same share of its speed in every direction: its velocity keeps its direction.
+#[test]
+fn coupled_axes_are_slowed_in_proportion() {
+    let mut dice = Dice::of(13);
+    for scale in [1e-150, 1e-3, 1.0, 1e150] {
+        for _ in 0..300 {
+            let inertia = inertia(&mut dice, scale);
+            let metric = Inertia::new(inertia).expect("an inertia");
+            let cap = 0.5;
+            let most = DampingLimit::of_mass(cap, metric.norm(), PERIOD).expect("a limit");
+            let velocity: Vector3<f64> = dice.signal(0.5);
+            let energy = 0.5 * velocity.dot(&(inertia * velocity));
+            let solve =
+                |impulse: Vector3<f64>| inertia.cholesky().expect("above 0").solve(&impulse);
+
+            // A small debt is paid in full, a large one up to the share `cap` of the speed.
+            for (debt, paid) in [(0.1 * energy, true), (1e3 * energy, false)] {
+                // The stabilizer inside is not what limits.
+                let mut free = Aimed::new(
+                    Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY).expect("none")),
+                    metric,
+                    most,
+                );
+                let action = free.stabilize(&drive(velocity, debt), Vector3::zeros());
+                let slower = solve(action.effort * PERIOD);
+                let share = slower.dot(&velocity) / velocity.norm_squared();
+                assert!((slower - velocity * share).norm() < 1e-6 * velocity.norm(), "{scale:e}");
+                assert!(share <= cap * (1.0 + 1e-6));
+                let burnt = action.effort.dot(&velocity) * PERIOD;
+                assert!((burnt + action.shortfall - debt).abs() <= 1e-9 * debt);
+                assert_eq!(action.shortfall <= 1e-9 * debt, paid);
+            }
+        }
+    }
+}
+
+/// Of a matrix that is diagonal it is the weights, and every lane is its own.
+#[test]
+fn a_diagonal_is_a_weight_for_each_axis() {
+    let (weights, velocity) = (Vector3::new(1.0, 0.25, 0.5), Vector3::new(0.1, -0.2, 0.3));
+    let metric = Inertia::new(Matrix3::from_diagonal(&(weights * 8.0))).expect("an inertia");
+    assert_eq!(metric.apply(velocity), Weights::new(weights).expect("weights").apply(velocity));
+    assert_eq!(metric.norm(), 8.0);
+
+    let of = |lane: usize| inertia(&mut Dice::of(lane as u64), 1.0).map(|entry| entry as f32);
+    let lanes = SMatrix::<AutoF32x4, 3, 3>::from_fn(|row, column| {
+        AutoF32x4::from([0, 1, 2, 3].map(|lane| of(lane)[(row, column)]))
+    });
+    let spread = SVector::from_fn(|axis, _| AutoF32x4::of(velocity[axis]));
+    let together = Inertia::new(lanes).expect("an inertia").apply(spread);
+    for lane in 0..4 {
+        let own = velocity.map(|axis| axis as f32);
+        let alone = Inertia::new(of(lane)).expect("an inertia").apply(own);
+        assert_eq!(together.map(|axis| axis.lane(lane)), alone.map(f64::from));
+    }
+}
+
+#[test]
+fn an_inertia_is_above_nothing_in_every_direction() {
+    let of = |matrix: [[f64; 3]; 3]| Inertia::new(Matrix3::from(matrix));
+    assert!(of([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
+    assert!(of([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
+    assert!(of([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
+    assert!(of([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert!(of([[1.0, bad, 0.0], [bad, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
+    }
+    let error = of([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).unwrap_err().to_string();
+    assert!(error.contains("inertia's pivot is -1"), "{error}");
 }
 
 /// Where nothing moves along the direction nothing can be burnt, and where little does, no more than the limit.

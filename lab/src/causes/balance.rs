@@ -1,10 +1,13 @@
 //! Where the energy of a run came from and where it went.
 
+use lyapunov::ParameterError;
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
 use super::law::{Motion, force, work};
+use super::trial::Trial;
 use crate::scene::{Scene, Velocity};
+use crate::{Rollout, Space};
 
 /// The energies of a stretch of a run by cause, J; docs/explain.md has the equations.
 ///
@@ -51,6 +54,34 @@ pub struct Balance {
 }
 
 impl Balance {
+    /// That of a whole run of `scene`, under whichever stabilizer, or of as much of it as is in the range of the numbers.
+    ///
+    /// # Errors
+    /// A scene whose body cannot be made.
+    pub fn along<V: Space>(scene: &Scene, rollout: Rollout<V>) -> Result<Self, ParameterError> {
+        Trial::along(scene, rollout).map(|trial| trial.whole)
+    }
+
+    /// What the parts are called, each with what it gave; what was taken is below 0.
+    pub fn parts(&self) -> [(&'static str, f64); 14] {
+        [
+            ("store", -self.gained),
+            ("hand", self.hand),
+            ("push", self.push),
+            ("hold", self.hold),
+            ("delay", self.delay),
+            ("filter", self.filter),
+            ("encoder", self.encoder),
+            ("saturation", self.saturation),
+            ("device", -self.device),
+            ("operator", -self.operator),
+            ("link", -self.link),
+            ("wall", -self.wall),
+            ("controller", -self.controller),
+            ("friction", -self.friction),
+        ]
+    }
+
     /// What came in through the sampled loop, all causes together, J.
     pub fn leaked(&self) -> f64 {
         self.hold + self.delay + self.filter + self.encoder + self.saturation

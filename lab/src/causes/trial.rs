@@ -33,7 +33,14 @@ pub(super) struct Feel {
 impl Trial {
     /// Runs `scene` as it is.
     pub(super) fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
-        let mut rollout = Rollout::<V>::of(scene)?;
+        Self::along(scene, Rollout::<V>::of(scene)?)
+    }
+
+    /// Runs a loop of `scene`.
+    pub(super) fn along<V: Space>(
+        scene: &Scene,
+        mut rollout: Rollout<V>,
+    ) -> Result<Self, ParameterError> {
         let (mut fate, mut account) = (Fate::new(scene), Account::new(scene, Body::of(scene)?));
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
         let mut open = true;

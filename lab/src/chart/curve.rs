@@ -38,7 +38,7 @@ impl Curve {
         let first = run.first().copied().unwrap_or_default();
         let is_one_place =
             run.iter().all(|(x, y)| (x - first.0).abs() < 0.05 && (y - first.1).abs() < 0.05);
-        if trace == Trace::Dots || is_one_place {
+        if trace == Trace::Dots || (is_one_place && trace != Trace::Bars) {
             let inside = run.into_iter().filter(|place| area.contains(*place));
             self.dots.extend(thinned_dots(inside.collect()));
             return;
@@ -76,7 +76,12 @@ fn runs(series: &Series, axes: &Axes) -> Vec<Vec<Place>> {
         .filter(|run| !run.is_empty())
         .map(|run| run.iter().map(|point| axes.place(*point)).collect())
         .collect();
-    if series.trace == Trace::Dots || runs.len() > MOST_GAPS { vec![runs.concat()] } else { runs }
+    let as_one = match series.trace {
+        Trace::Dots => true,
+        Trace::Bars => false,
+        Trace::Line | Trace::Steps => runs.len() > MOST_GAPS,
+    };
+    if as_one { vec![runs.concat()] } else { runs }
 }
 
 /// The path of values that are held until the next point.

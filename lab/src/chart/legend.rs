@@ -73,7 +73,7 @@ impl Legend {
                 if entry.is_dotted {
                     markup.dots(&[(x + 0.5 * SWATCH, y)], entry.stroke.colour, 4.0);
                 } else {
-                    let stroke = Stroke { width: 1.8, ..entry.stroke };
+                    let stroke = Stroke { width: entry.stroke.width.max(1.8), ..entry.stroke };
                     markup.lines(&[((x, y), (x + SWATCH, y))], stroke);
                 }
                 let lettering = Lettering::new(SIZE, INK, Anchor::Start);

@@ -165,7 +165,10 @@ impl<'a> Cell<'a> {
     fn of(panel: &'a Panel, frame_height: f64) -> Self {
         let x = panel.x_span();
         let y = panel.y_span(x);
-        let y_ticks = axes::y_ticks(y, panel.y_numbers, frame_height, NUMBER_SIZE);
+        let y_ticks = match panel.rows.as_slice() {
+            [] => axes::y_ticks(y, panel.y_numbers, frame_height, NUMBER_SIZE),
+            rows => Ticks::named(rows),
+        };
         let label = if panel.y_label.trim().is_empty() { 0.0 } else { LABEL_SIZE + 7.0 };
         let numbers = axes::widest(&y_ticks, NUMBER_SIZE) + 8.0;
         let note = text::width(&y_ticks.note, NUMBER_SIZE, Weight::Regular) + 10.0;

@@ -1,6 +1,6 @@
 //! Colours and dashes.
 
-use super::series::Series;
+use super::series::{Series, Trace};
 
 /// Colours of the series, in the order of their index: those of Okabe and Ito that stand out on
 /// white, told apart with every common form of colour blindness.
@@ -15,6 +15,9 @@ pub(super) const FAINT_INK: &str = "#555555";
 pub(super) const FRAME: &str = "#444444";
 pub(super) const GRID: &str = "#e4e4e4";
 pub(super) const PAPER: &str = "#ffffff";
+
+/// How broad a bar is.
+const BAR: f64 = 11.0;
 
 /// How a line is stroked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +40,7 @@ impl Stroke {
         let round = series.colour / PALETTE.len() % DASHES.len();
         Self {
             colour: PALETTE[series.colour % PALETTE.len()],
-            width: 1.3,
+            width: if series.trace == Trace::Bars { BAR } else { 1.3 },
             dash: DASHES[(round + usize::from(series.dashed)) % DASHES.len()],
         }
     }

@@ -33,6 +33,8 @@ pub struct Panel {
     pub x_numbers: Numbering,
     /// How the numbers of the ordinate are written.
     pub y_numbers: Numbering,
+    /// Names in the place of the numbers of the ordinate; empty: there are numbers.
+    pub rows: Vec<String>,
     /// A field of colours below everything else, over the whole frame.
     pub heat: Option<HeatMap>,
     /// Curves, the first one lowest.
@@ -85,6 +87,13 @@ impl Panel {
         Self { x_numbers, y_numbers, ..self }
     }
 
+    /// The same panel with a row for each name in the place of an ordinate: number `i`, from the top, is where `y = −i`.
+    #[must_use]
+    pub fn with_rows(self, rows: Vec<String>) -> Self {
+        let last = rows.len().saturating_sub(1) as f64;
+        Self { rows, ..self.with_y_range(-last - 0.6, 0.6) }
+    }
+
     /// The same panel with a magnified part.
     #[must_use]
     pub fn with_inset(mut self, inset: Inset) -> Self {
@@ -114,9 +123,12 @@ impl Panel {
             .series
             .iter()
             .any(|series| series.trace == Trace::Dots || series.points.len() == 1);
+        let has_bars = self.series.iter().any(|series| series.trace == Trace::Bars);
         let room = if has_dots { 0.03 } else { 0.0 };
+        // A bar stands on one edge, and that it ends has to be seen at the other.
+        let shown = |span: Span| if has_bars { span.beyond(0.03) } else { span.padded(room) };
         Span::given(self.x_range)
-            .or_else(|| automatic.map(|span| span.readable().padded(room)))
+            .or_else(|| automatic.map(|span| shown(span.readable())))
             .unwrap_or(Span::UNIT)
     }
 

@@ -10,6 +10,8 @@ pub enum Trace {
     Steps,
     /// One dot per point.
     Dots,
+    /// A broad bar from each point to the next; a point that is not finite ends one.
+    Bars,
 }
 
 /// Data of one curve, and how it is drawn.
@@ -43,6 +45,13 @@ impl Series {
     /// A series drawn as one dot per point.
     pub fn dots(label: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
         Self { trace: Trace::Dots, ..Self::line(label, colour, points) }
+    }
+
+    /// A series drawn as level bars, each from a start to an end at a height.
+    pub fn bars(label: impl Into<String>, colour: usize, bars: &[(f64, f64, f64)]) -> Self {
+        let points =
+            bars.iter().flat_map(|(start, end, y)| [(*start, *y), (*end, *y), (f64::NAN, *y)]);
+        Self { trace: Trace::Bars, ..Self::line(label, colour, points.collect()) }
     }
 
     /// The same series, drawn dashed.

@@ -53,6 +53,11 @@ impl Span {
         Self { low: (self.low - room).max(f64::MIN), high: (self.high + room).min(f64::MAX) }
     }
 
+    /// The range with a share of its width added at the high end.
+    pub(super) fn beyond(self, share: f64) -> Self {
+        Self { low: self.low, ..self.padded(share) }
+    }
+
     /// Where the value lies: 0 at the low end, 1 at the high one.
     ///
     /// Limited to a million widths, so that a far value keeps its direction and stays finite.

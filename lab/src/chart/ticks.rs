@@ -47,6 +47,13 @@ impl Step {
 }
 
 impl Ticks {
+    /// Names in rows, from the top.
+    pub(super) fn named(rows: &[String]) -> Self {
+        let mark =
+            |(row, name): (usize, &String)| Tick { value: -(row as f64), label: name.clone() };
+        Self { marks: rows.iter().enumerate().map(mark).collect(), note: String::new() }
+    }
+
     /// About `count` round numbers within the span, two at least.
     pub(super) fn within(span: Span, count: usize) -> Self {
         const ENOUGH: usize = 10;

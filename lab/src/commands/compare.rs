@@ -6,7 +6,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
+use lyapunov_lab::chart::Figure;
+use lyapunov_lab::compare::{
+    Column, CompareError, Comparison, Contestants, Energies, TradeOff, document,
+};
+
 use lyapunov_lab::family::Members;
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Outputs, Space};
@@ -37,8 +41,10 @@ pub(crate) struct Compare {
     /// docs/any-plant.md take part.
     #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
     pub(super) stabilizers: Members,
-    /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there. Of models
-    /// also report.html and a CSV for each.
+    /// Write compare.json and figures of each scene (SVG, PNG and CSV) into this folder; made if not there.
+    ///
+    /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
+    /// transparent it is, which takes 144 further runs of each stabilizer. Of models one figure, and report.html.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
@@ -62,10 +68,10 @@ impl Compare {
             Subjects::Models(models) => return models::run(self, &models),
         };
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-        let comparisons = self.compare(&scenes)?;
+        let (comparisons, answers): (Vec<_>, Vec<_>) = self.compare(&scenes)?.into_iter().unzip();
         let text = document(&comparisons).map_err(End::internal)?;
         if let Some(folder) = folder {
-            fill(&folder, &self.scenes, &comparisons, &text)?;
+            fill(&folder, &self.scenes, comparisons.iter().zip(&answers), &text)?;
         }
         let mut out = io::stdout().lock();
         if self.json {
@@ -79,23 +85,22 @@ impl Compare {
         Ok(())
     }
 
-    fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<Comparison>, End> {
+    fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<(Comparison, Answers)>, End> {
+        let ticks = |scene: &Scene| {
+            let once = scene.ticks() + 1;
+            let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
+            once + self.out.as_ref().map_or(0, |_| drawn)
+        };
         let contestants = self.stabilizers.len() as u64;
-        let ticks = scenes.iter().map(|(_, scene)| contestants * (scene.ticks() + 1)).sum();
+        let ticks = scenes.iter().map(|(_, scene)| contestants * ticks(scene)).sum();
         let bar = self.progress(ticks);
-        let mut comparisons = Vec::new();
-        for (name, scene) in scenes {
-            let mut comparison = match scene.scalar {
-                Scalar::F64 => self.meet::<f64>(name, scene, &bar)?,
-                Scalar::F32 => self.meet::<f32>(name, scene, &bar)?,
-            };
-            if let Some(column) = self.by {
-                comparison.sort_by(column);
-            }
-            comparisons.push(comparison);
-        }
+        let met = scenes.iter().map(|(name, scene)| match scene.scalar {
+            Scalar::F64 => self.meet::<f64>(name, scene, &bar),
+            Scalar::F32 => self.meet::<f32>(name, scene, &bar),
+        });
+        let met = met.collect();
         bar.finish_and_clear();
-        Ok(comparisons)
+        met
     }
 
     /// A bar where there is something to wait for.
@@ -111,7 +116,7 @@ impl Compare {
         name: &str,
         scene: &Scene,
         bar: &ProgressBar,
-    ) -> Result<Comparison, End> {
+    ) -> Result<(Comparison, Answers), End> {
         let watch = |ticks| {
             bar.inc(ticks);
             match End::if_interrupted() {
@@ -120,27 +125,62 @@ impl Compare {
             }
         };
         let contestants = Contestants::<T>::of(self.stabilizers.iter().copied());
-        Comparison::watched(name, scene, &contestants, &watch).map_err(|error| match error {
+        let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),
-        })
+        };
+        let mut comparison =
+            Comparison::watched(name, scene, &contestants, &watch).map_err(refused)?;
+        if let Some(column) = self.by {
+            comparison.sort_by(column);
+        }
+        let mut answers = Answers::default();
+        if self.out.is_some() {
+            let energies = Energies::of(&comparison, &contestants, &watch).map_err(refused)?;
+            answers.push("energy", &energies.figure(), energies.csv())?;
+            let trade_off = TradeOff::of(&comparison, &contestants, &watch).map_err(refused)?;
+            if let Some(trade_off) = trade_off {
+                answers.push("trade-off", &trade_off.figure(), trade_off.csv())?;
+            }
+        }
+        Ok((comparison, answers))
+    }
+}
+
+/// What takes runs of its own to be drawn: the end of a file's name, and its text or picture.
+#[derive(Default)]
+struct Answers(Vec<(String, Vec<u8>)>);
+
+impl Answers {
+    fn push(&mut self, question: &str, figure: &Figure, csv: String) -> Result<(), End> {
+        let picture = figure.to_png(2.0).map_err(End::internal)?;
+        self.0.push((format!(".{question}.svg"), figure.to_svg().into_bytes()));
+        self.0.push((format!(".{question}.png"), picture));
+        self.0.push((format!(".{question}.csv"), csv.into_bytes()));
+        Ok(())
     }
 }
 
 /// Writes everything, and only then lets it appear.
-fn fill(
+fn fill<'a>(
     folder: &Folder<'_>,
     scenes: &[PathBuf],
-    comparisons: &[Comparison],
+    comparisons: impl Iterator<Item = (&'a Comparison, &'a Answers)>,
     text: &str,
 ) -> Result<(), End> {
     let mut outputs = Outputs::of(folder.path());
-    for (name, comparison) in names(scenes).iter().zip(comparisons) {
+    for (name, (comparison, answers)) in names(scenes).iter().zip(comparisons) {
         End::if_interrupted()?;
-        let figure = comparison.figure();
-        let picture = figure.to_png(2.0).map_err(End::internal)?;
-        outputs.put(&format!("{name}.svg"), figure.to_svg()).map_err(End::input)?;
-        outputs.put(&format!("{name}.png"), picture).map_err(End::input)?;
+        for (name, figure) in
+            [(name.clone(), comparison.figure()), (format!("{name}.force"), comparison.forces())]
+        {
+            let picture = figure.to_png(2.0).map_err(End::internal)?;
+            outputs.put(&format!("{name}.svg"), figure.to_svg()).map_err(End::input)?;
+            outputs.put(&format!("{name}.png"), picture).map_err(End::input)?;
+        }
+        for (end, bytes) in &answers.0 {
+            outputs.put(&format!("{name}{end}"), bytes).map_err(End::input)?;
+        }
     }
     outputs.put(RESULTS, text).map_err(End::input)?;
     End::if_interrupted()?;
@@ -148,11 +188,13 @@ fn fill(
     outputs.keep().map_err(End::input)
 }
 
-/// The name of each scene's figure: that of its file, with a number where two are alike.
+/// What each scene's files begin with: the name of its own, with a number where two are alike.
+///
+/// Without a dot, which is what the name of a question follows: no file takes the name of another's.
 pub(super) fn names(scenes: &[PathBuf]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for scene in scenes {
-        let stem = scene.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into());
+        let stem = scene.file_stem().unwrap_or_default().to_string_lossy().replace('.', "-");
         let numbered = (2..).map(|number| format!("{stem}-{number}"));
         let free = std::iter::once(stem.clone()).chain(numbered).find(|name| !names.contains(name));
         names.push(free.unwrap_or(stem));

@@ -27,11 +27,12 @@ pub(super) struct Bout<V: Space> {
     pub(super) samples: Samples<V>,
 }
 
-/// The curves of a run: time and position in m, time and observer sum in J.
+/// The curves of a run: time and position in m, observer sum in J, force on the plant in N.
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
     pub(super) position: Vec<(f64, f64)>,
     pub(super) observer: Vec<(f64, f64)>,
+    pub(super) force: Vec<(f64, f64)>,
 }
 
 /// Why a bout has no result.
@@ -94,6 +95,7 @@ struct Meters {
     chatter: Option<Chatter<f64>>,
     position: Trace,
     observer: Trace,
+    force: Trace,
 }
 
 impl Meters {
@@ -108,6 +110,7 @@ impl Meters {
             chatter: Chatter::new(scene.servo_rate.get()),
             position: Trace::new(scene.ticks()),
             observer: Trace::new(scene.ticks()),
+            force: Trace::new(scene.ticks()),
         }
     }
 
@@ -122,6 +125,7 @@ impl Meters {
         }
         self.position.add(t, x);
         self.observer.add(t, observer);
+        self.force.add(t, f_act);
     }
 
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
@@ -151,7 +155,8 @@ impl Meters {
             step_time: None,
             state_bytes,
         };
-        let (position, observer) = (self.position.finish(), self.observer.finish());
-        (score, Curves { position, observer })
+        let [position, observer, force] =
+            [self.position, self.observer, self.force].map(Trace::finish);
+        (score, Curves { position, observer, force })
     }
 }

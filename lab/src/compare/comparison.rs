@@ -143,6 +143,11 @@ impl Comparison {
     pub fn figure(&self) -> Figure {
         picture::of(self)
     }
+
+    /// The forces on the plant of all contestants, drawn over each other.
+    pub fn forces(&self) -> Figure {
+        picture::forces(self)
+    }
 }
 
 impl fmt::Display for Comparison {

@@ -11,6 +11,7 @@ mod contacts;
 mod contestants;
 mod cost;
 mod document;
+mod energies;
 mod picture;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -21,11 +22,14 @@ mod table;
 mod tests;
 mod tick;
 mod trace;
+mod trade_off;
 
 pub use column::{Column, NoColumn};
 pub use comparison::{CompareError, Comparison};
 pub use contestants::{Contestants, Settings};
 pub use document::document;
+pub use energies::Energies;
 pub use score::{Score, StepTime};
 pub(crate) use tick::{Share, Tick};
 pub(crate) use trace::Trace;
+pub use trade_off::TradeOff;

@@ -19,10 +19,14 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
     let observed: Vec<&Outcome> =
         everyone.iter().copied().filter(|outcome| observes(outcome)).collect();
-    let position = Drawing { label: "position, mm", curve: |outcome| &outcome.curves.position };
-    let observer = Drawing { label: "observer sum, mJ", curve: |outcome| &outcome.curves.observer };
-    let figure = Figure::new(format!("{}: {}", comparison.name, Setting(&comparison.scene)))
-        .with_width(960.0);
+    let position =
+        Drawing { label: "position, mm", scale: 1e3, curve: |outcome| &outcome.curves.position };
+    let observer = Drawing {
+        label: "observer sum, mJ",
+        scale: 1e3,
+        curve: |outcome| &outcome.curves.observer,
+    };
+    let figure = empty(comparison);
     let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
     let on_surface = |panel: Panel| match surface {
         Some(surface) => panel.with_guide(Guide::horizontal(surface, "wall surface")),
@@ -44,15 +48,34 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
             },
         );
     }
-    let unstable = |outcomes: &[&Outcome]| outcomes.iter().any(|outcome| is_unstable(outcome));
-    let reach = position.range(comparison, &everyone).filter(|_| unstable(&everyone));
-    let moved = position.panel(comparison, "position", &everyone, reach);
+    let moved = position.overlaid(comparison, "position", &everyone);
     let figure = figure.with_panel_height(280.0).with_panel(on_surface(moved));
     if observed.is_empty() {
         return figure;
     }
-    let sums = observer.range(comparison, &observed).filter(|_| unstable(&observed));
-    figure.with_panel(about_zero(observer.panel(comparison, "observer", &observed, sums)))
+    figure.with_panel(about_zero(observer.overlaid(comparison, "observer", &observed)))
+}
+
+/// The forces on the plant: over each other, or of many contestants in a row each.
+pub(super) fn forces(comparison: &Comparison) -> Figure {
+    let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
+    let force = Drawing { label: "force, N", scale: 1.0, curve: |outcome| &outcome.curves.force };
+    let figure = empty(comparison);
+    if everyone.len() <= PALETTE.len() {
+        let panel = force.overlaid(comparison, "force on the plant", &everyone);
+        return figure.with_panel_height(320.0).with_panel(panel);
+    }
+    let reach = force.range(comparison, &everyone);
+    everyone.iter().fold(figure.with_columns(2).with_panel_height(ALONE), |figure, outcome| {
+        let name = &outcome.score.stabilizer;
+        figure.with_panel(force.panel(comparison, name, &[outcome], reach))
+    })
+}
+
+/// A figure of a comparison, with nothing in it yet.
+fn empty(comparison: &Comparison) -> Figure {
+    let title = format!("{}: {}", comparison.name, Setting(&comparison.scene));
+    Figure::new(title).with_width(960.0)
 }
 
 /// Whether the contestant has a sum to show.
@@ -63,6 +86,8 @@ fn observes(outcome: &Outcome) -> bool {
 /// What is drawn of every outcome.
 struct Drawing {
     label: &'static str,
+    /// Units of the label in one of the curve.
+    scale: f64,
     curve: fn(&Outcome) -> &Points,
 }
 
@@ -95,16 +120,23 @@ impl Drawing {
             let kept = &points[..end.map_or(points.len(), |end| end + 1)];
             let unstable = if is_unstable(outcome) { " (unstable, cut off)" } else { "" };
             let name = format!("{}{unstable}", outcome.score.stabilizer);
-            let scaled = kept.iter().map(|(t, y)| (*t, 1e3 * y)).collect();
+            let scaled = kept.iter().map(|(t, y)| (*t, self.scale * y)).collect();
             let series = Series::line(name, outcome.number, scaled);
             // Over an equal curve, dashes let both be seen.
             let hides = outcomes[..index].iter().any(|other| (self.curve)(other) == points);
             panel = panel.with_series(if hides { series.dashed() } else { series });
         }
         match range {
-            Some((low, high)) => panel.with_y_range(1e3 * low, 1e3 * high),
+            Some((low, high)) => panel.with_y_range(self.scale * low, self.scale * high),
             None => panel,
         }
+    }
+
+    /// All curves in one frame: of the stable ones, where some are not.
+    fn overlaid(&self, comparison: &Comparison, title: &str, outcomes: &[&Outcome]) -> Panel {
+        let unstable = outcomes.iter().any(|outcome| is_unstable(outcome));
+        let range = self.range(comparison, outcomes).filter(|_| unstable);
+        self.panel(comparison, title, outcomes, range)
     }
 }
 

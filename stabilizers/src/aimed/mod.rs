@@ -1,9 +1,11 @@
 //! Dissipation along chosen directions.
 
 mod along;
+mod inertia;
 mod weights;
 
 pub use along::Along;
+pub use inertia::Inertia;
 pub use weights::Weights;
 
 use lyapunov_core::{Action, Drive, Scalar, Signal, Stabilizer};
@@ -19,9 +21,9 @@ pub trait Metric<V: Signal> {
 /// A stabilizer whose dissipation is aimed: the correction is `β M v` instead of `α v`, and burns as much.
 ///
 /// `β = (c · v) / (v · M v)`, up to a limit, with `c` the correction of the stabilizer inside. One account for the port as a
-/// whole says how much has to be burnt; the metric says where. [`Weights`] weigh the axes (by the inertia that each of
-/// them moves, so that all are slowed in proportion, or of a joint that must not feel the controller 0); [`Along`] burns
-/// in one direction only. Where hardly anything moves in the directions chosen, the limit keeps `β` finite, and what it
+/// whole says how much has to be burnt; the metric says where. [`Inertia`] slows all directions in
+/// proportion, [`Weights`] weigh the axes (of a joint that must not feel the controller 0), [`Along`] burns in one direction
+/// only. Where hardly anything moves in the directions chosen, the limit keeps `β` finite, and what it
 /// leaves is told as shortfall. `alpha` tells the damping that would burn as much on the whole motion.
 ///
 /// ```

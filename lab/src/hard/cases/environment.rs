@@ -93,7 +93,7 @@ pub(super) fn cases() -> Vec<Case> {
         ),
         case(
             "a credit larger than what burns",
-            "50 kN/m at 1 kHz: the wall's own 20 N.s/m, credited, hides that it burns less; the device's own does not",
+            "50 kN/m at 1 kHz: 20 N.s/m of the wall, credited, hide that it burns less; the device's do not",
             (0.0, 20.0),
             CREDIT,
         ),
