@@ -47,7 +47,7 @@ impl<T: Scalar, const N: usize> Inertia<T, N> {
                 let factor = left[(row, pivot)] / diagonal;
                 for column in pivot + 1..=row {
                     let part = factor * left[(column, pivot)];
-                    left[(row, column)] = left[(row, column)] - part;
+                    left[(row, column)] -= part;
                 }
             }
         }
