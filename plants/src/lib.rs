@@ -60,7 +60,7 @@ pub use integrators::{
     RungeKutta4, SemiImplicitEuler,
 };
 pub use models::{
-    ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, Limb, MotorEnergy, MotorParts,
-    ProstheticLeg, TwoLinkArm, UprightEnergy, VanDerPol,
+    AdmittanceDevice, ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, Limb, MotorEnergy,
+    MotorParts, ProstheticLeg, TwoLinkArm, UprightEnergy, VanDerPol,
 };
 pub use random::{Random, Source};

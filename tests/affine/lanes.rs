@@ -8,7 +8,7 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
-use crate::{arm, leg, motor, pendulum};
+use crate::{arm, device, leg, motor, pendulum};
 
 /// Every state, flattened, of a stabilized loop under a late controller, started by lane.
 fn path<T, P, F, const N: usize, const M: usize>(
@@ -45,19 +45,21 @@ where
     path
 }
 
-fn paths<T: Scalar>(lane: impl Fn(usize) -> usize) -> [Vec<T>; 5] {
+fn paths<T: Scalar>(lane: impl Fn(usize) -> usize) -> [Vec<T>; 6] {
     let of = T::of;
     let circle = QuadraticForm::sum_of_squares();
     let upright = UprightEnergy::new(pendulum::<T>(), of(6.0)).expect("an energy");
     let current = MotorEnergy::new(motor::<T>(), of(0.05), of(0.004)).expect("a function");
     let springs = ArmEnergy::new(arm::<T>(), [of(40.0), of(10.0)]).expect("an energy");
     let standing = LegEnergy::new(leg::<T>(), [of(150.0), of(80.0)]).expect("an energy");
+    let rendered = device::<T>().energy(of(0.2)).expect("an energy");
     [
         path(VanDerPol::new(of(1.0)).expect("a parameter"), circle, 1.0, &lane),
         path(pendulum::<T>(), upright, 6.0, &lane),
         path(motor::<T>(), current, 10.0, &lane),
         path(arm::<T>(), springs, 40.0, &lane),
         path(leg::<T>(), standing, 150.0, &lane),
+        path(device::<T>(), rendered, 2.0, &lane),
     ]
 }
 

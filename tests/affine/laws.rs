@@ -7,7 +7,7 @@ use lyapunov::{
 };
 use nalgebra::{SVector, Vector2};
 
-use crate::{Draw, arm, leg, motor, pendulum};
+use crate::{Draw, arm, device, leg, motor, pendulum};
 
 fn states<T: Scalar, const N: usize>(size: f64) -> impl Iterator<Item = SVector<T, N>> {
     let mut draw = Draw(9);
@@ -25,6 +25,8 @@ fn those_that_ship_keep_the_laws<T: Scalar>() {
     laws::lyapunov_function(&springs, states(1.0)).expect("the arm's");
     let standing = LegEnergy::new(leg::<T>(), [of(150.0), of(80.0)]).expect("an energy");
     laws::lyapunov_function(&standing, states(0.5)).expect("the leg's");
+    let rendered = device::<T>().energy(of(0.2)).expect("an energy");
+    laws::lyapunov_function(&rendered, states(0.1)).expect("the device's");
     let rows =
         [[2.0, -0.5, 0.1], [-0.5, 1.0, 0.2], [0.1, 0.2, 0.7]].map(|row| SVector::from(row.map(of)));
     let form = QuadraticForm::new(rows).expect("a form");

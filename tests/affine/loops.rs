@@ -7,7 +7,7 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
-use crate::{Draw, arm, leg, motor, pendulum};
+use crate::{Draw, arm, device, leg, motor, pendulum};
 
 /// V over a run, by what it began with: the largest, and that at the end.
 struct Run {
@@ -108,6 +108,21 @@ fn upright<T: Scalar>() {
     }
 }
 
+fn admittance<T: Scalar>() {
+    let of = T::of;
+    let function = device::<T>().energy(of(0.2)).expect("an energy");
+    let mass = device::<f64>().compliance();
+    let rendered =
+        Loop { plant: device::<T>(), function, mass, decay: 4.0, period: 1e-3, ticks: 2000 };
+    let law = |x: SVector<T, 2>| SVector::<T, 1>::from([x[1] / of(0.2)]);
+    let late = || StateFeedback::new(law).delayed::<2>(2).expect("a delay");
+    for start in starts(5e-3) {
+        assert!(rendered.run(late(), start, 0.0).largest > 100.0, "swings up");
+        let with = rendered.run(late(), start, 0.5);
+        assert!(with.largest < SLACK && with.last < 0.1, "{} {}", with.largest, with.last);
+    }
+}
+
 fn position_loop<T: Scalar>() {
     let of = T::of;
     let function = MotorEnergy::new(motor::<T>(), of(0.05), of(0.004)).expect("a function");
@@ -174,4 +189,4 @@ macro_rules! each {
     )+};
 }
 
-each!(van_der_pol, upright, position_loop, arm_on_springs, leg_on_its_stand);
+each!(van_der_pol, upright, admittance, position_loop, arm_on_springs, leg_on_its_stand);

@@ -10,7 +10,8 @@ mod refused;
 mod truth;
 
 use lyapunov::{
-    DcMotor, Ground, InvertedPendulum, Limb, MotorParts, ProstheticLeg, Scalar, TwoLinkArm,
+    AdmittanceDevice, DcMotor, Ground, InvertedPendulum, Limb, MotorParts, ProstheticLeg, Scalar,
+    TwoLinkArm,
 };
 use nalgebra::SVector;
 
@@ -44,6 +45,11 @@ fn motor<T: Scalar>() -> DcMotor<T> {
         inductance: T::of(0.02),
     };
     DcMotor::new(parts).expect("a motor")
+}
+
+/// In a hand of 1 kN/m.
+fn device<T: Scalar>() -> AdmittanceDevice<T> {
+    AdmittanceDevice::new(T::of(1000.0)).expect("a device")
 }
 
 fn arm<T: Scalar>() -> TwoLinkArm<T> {

@@ -54,6 +54,33 @@ fn the_pendulum_falls_as_its_linearisation_does() {
     assert!((plant.state()[0] / exact - 1.0).abs() < 1e-8);
 }
 
+/// Held over a tick, `x⁺ = x + T u` and `q⁺ = q − k (T x + T² u / 2)` with `u = q / m`: a map whose determinant is
+/// `1 + k T² / (2 m)`, so that it gains by holding alone.
+#[test]
+fn the_admittance_device_moves_as_its_map_does() {
+    let (stiffness, mass, period) = (1000.0_f64, 0.2, 1e-3);
+    let device = lyapunov::AdmittanceDevice::new(stiffness).expect("a device");
+    let energy = device.energy(mass).expect("an energy");
+    let start = Vector2::new(5e-3, 0.0);
+    let mut plant =
+        AffinePlant::new(device, energy, RungeKutta4, period, 1).expect("a plant").starting(start);
+    assert_eq!(energy.value(start), 0.5 * stiffness * 5e-3 * 5e-3);
+    let (mut place, mut impulse) = (5e-3, 0.0);
+    for _ in 0..2000 {
+        let flow = impulse / mass;
+        assert_eq!(device.flow(&energy, plant.state())[0], stiffness * plant.state()[0]);
+        plant.advance(WithState::of_input(Vector1::new(-plant.state()[1] / mass)));
+        impulse -= stiffness * (period * place + 0.5 * period * period * flow);
+        place += period * flow;
+        let off = (plant.state() - Vector2::new(place, impulse)).abs();
+        assert!(off[0] < 1e-12 && off[1] < 1e-11, "{off}");
+    }
+    let rotation = (stiffness / mass).sqrt();
+    let gained = energy.value(plant.state()) / energy.value(start);
+    let expected = (1.0 + 0.5 * (rotation * period).powi(2)).powi(2000);
+    assert!((gained / expected).ln().abs() < 0.05, "{gained} {expected}");
+}
+
 #[test]
 fn the_motor_runs_at_the_speed_of_its_data_sheet_and_its_loop_at_rouths_limit() {
     let rest = MotorEnergy::new(motor(), 0.05, 0.004).expect("a function");

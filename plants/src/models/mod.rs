@@ -1,5 +1,6 @@
 //! Control-affine plants that are well known, and Lyapunov functions for them.
 
+mod admittance_device;
 mod arm_energy;
 mod dc_motor;
 mod inverted_pendulum;
@@ -11,6 +12,7 @@ mod two_link_arm;
 mod upright_energy;
 mod van_der_pol;
 
+pub use admittance_device::AdmittanceDevice;
 pub use arm_energy::ArmEnergy;
 pub use dc_motor::{DcMotor, MotorParts};
 pub use inverted_pendulum::InvertedPendulum;
