@@ -1,8 +1,9 @@
 //! From a model to its loop.
 
 use lyapunov::{
-    ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, MotorEnergy, MotorParts,
-    ParameterError, ProstheticLeg, QuadraticForm, Scalar, TwoLinkArm, UprightEnergy, VanDerPol,
+    AdmittanceDevice, ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, MotorEnergy,
+    MotorParts, ParameterError, ProstheticLeg, QuadraticForm, Scalar, TwoLinkArm, UprightEnergy,
+    VanDerPol,
 };
 use nalgebra::SVector;
 
@@ -42,6 +43,12 @@ fn built_in<T: Scalar>(model: &Model) -> Result<Box<dyn Loop>, Refused> {
             let function = MotorEnergy::new(plant, T::of(stiffness), T::of(damping))
                 .map_err(|error| ("plant.dc-motor.wanted_stiffness", error))?;
             rig(model, Parts { plant, function, mass: parts.inductance, holding: none })
+        }
+        Plant::AdmittanceDevice(it) => {
+            let device = AdmittanceDevice::new(T::of(it.hand_stiffness.get()));
+            let plant = device.map_err(in_table(model))?;
+            let function = plant.energy(T::of(it.wanted_mass.get())).map_err(in_table(model))?;
+            rig(model, Parts { plant, function, mass: plant.compliance(), holding: none })
         }
         Plant::TwoLinkArm(it) => {
             let plant =
@@ -94,6 +101,7 @@ fn in_table(model: &Model) -> impl Fn(ParameterError) -> Refused {
         Plant::VanDerPol(_) => "plant.van-der-pol",
         Plant::InvertedPendulum(_) => "plant.inverted-pendulum",
         Plant::DcMotor(_) => "plant.dc-motor",
+        Plant::AdmittanceDevice(_) => "plant.admittance-device",
         Plant::TwoLinkArm(_) => "plant.two-link-arm",
         Plant::ProstheticLeg(_) => "plant.prosthetic-leg",
     };

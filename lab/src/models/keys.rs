@@ -44,6 +44,13 @@ pub(super) const KEYS: &[Key] = &[
     key("plant.dc-motor.wanted_stiffness", "N.m/rad", "wanted_stiffness = 0.05  # N.m/rad"),
     key("plant.dc-motor.wanted_damping", "N.m.s/rad", "wanted_damping = 0.004  # N.m.s/rad"),
     key(
+        "plant.admittance-device",
+        "",
+        "[plant.admittance-device]\nhand_stiffness = 1000.0  # N/m\nwanted_mass = 0.2  # kg",
+    ),
+    key("plant.admittance-device.hand_stiffness", "N/m", "hand_stiffness = 1000.0  # N/m"),
+    key("plant.admittance-device.wanted_mass", "kg", "wanted_mass = 0.2  # kg"),
+    key(
         "plant.two-link-arm",
         "",
         "[plant.two-link-arm]\nupper = { mass = 2.0, length = 0.4 }  # kg, m\n\

@@ -16,6 +16,8 @@ pub enum Plant {
     InvertedPendulum(InvertedPendulum),
     /// A DC motor, with the energy of a spring wanted on its shaft.
     DcMotor(DcMotor),
+    /// A device that measures a force and moves, with the energy of the hand's spring and of the mass that it renders.
+    AdmittanceDevice(AdmittanceDevice),
     /// An arm of two links, with its energy and that of the controller's springs.
     TwoLinkArm(TwoLinkArm),
     /// A leg on a test stand, with its energy and that of ground and controller's springs.
@@ -63,6 +65,16 @@ pub struct DcMotor {
     /// Damping that V wants on the shaft in N.m.s/rad, 0 or more; default 0.
     #[serde(default)]
     pub wanted_damping: NonNegative,
+}
+
+/// A device that measures the force of a hand's spring and moves as it is told, and the mass that its V wants rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AdmittanceDevice {
+    /// Stiffness of the hand in N/m, greater than 0; required.
+    pub hand_stiffness: Positive,
+    /// Mass that V wants felt in kg, greater than 0: -1 over the controller's derivative; required.
+    pub wanted_mass: Positive,
 }
 
 /// An arm of two links that hangs, its joints held by the controller's springs.
@@ -125,6 +137,7 @@ impl Plant {
             Self::VanDerPol(_) => "van-der-pol",
             Self::InvertedPendulum(_) => "inverted-pendulum",
             Self::DcMotor(_) => "dc-motor",
+            Self::AdmittanceDevice(_) => "admittance-device",
             Self::TwoLinkArm(_) => "two-link-arm",
             Self::ProstheticLeg(_) => "prosthetic-leg",
         }
@@ -136,6 +149,7 @@ impl Plant {
             Self::VanDerPol(_) => &["x", "rate of x"],
             Self::InvertedPendulum(_) => &["angle in rad", "rate in rad/s"],
             Self::DcMotor(_) => &["angle in rad", "rate in rad/s", "current in A"],
+            Self::AdmittanceDevice(_) => &["place in m", "impulse of the hand in N.s"],
             Self::TwoLinkArm(_) => {
                 &["shoulder in rad", "elbow in rad", "rate of shoulder in rad/s", "of elbow"]
             }
@@ -148,7 +162,10 @@ impl Plant {
     /// How many inputs it has, each with a gain of its own.
     pub fn inputs(&self) -> usize {
         match self {
-            Self::VanDerPol(_) | Self::InvertedPendulum(_) | Self::DcMotor(_) => 1,
+            Self::VanDerPol(_)
+            | Self::InvertedPendulum(_)
+            | Self::DcMotor(_)
+            | Self::AdmittanceDevice(_) => 1,
             Self::TwoLinkArm(_) | Self::ProstheticLeg(_) => 2,
         }
     }
@@ -163,6 +180,7 @@ impl Plant {
         match self {
             Self::VanDerPol(_) => "",
             Self::DcMotor(_) => "V",
+            Self::AdmittanceDevice(_) => "m/s",
             Self::InvertedPendulum(_) | Self::TwoLinkArm(_) | Self::ProstheticLeg(_) => "N.m",
         }
     }

@@ -14,6 +14,7 @@ fn smallest(plant: &str) -> toml::Table {
         "van-der-pol" => ("[0.5, 0.0]", "0.0"),
         "inverted-pendulum" => ("[0.1, 0.0]", "6.0"),
         "dc-motor" => ("[1.0, 0.0, 0.0]", "1.0"),
+        "admittance-device" => ("[0.1, 0.0]", "0.0"),
         _ => ("[0.1, 0.1, 0.0, 0.0]", "[300.0, 150.0]"),
     };
     let more = format!("initial = {states}\ncontroller.proportional = {gains}");

@@ -25,7 +25,7 @@ const CASES: &[(&str, &str, &str, &str, &[&str])] = &[
     ("van-der-pol", "[plant.van-der-pol]", "[plant.van-der-pool]", "plant.van-der-pool",
         &["unknown key `van-der-pool` in [plant]", "did you mean `van-der-pol`?"]),
     ("van-der-pol", "[plant.van-der-pol]", "[plant.duffing]", "plant.duffing",
-        &["van-der-pol, inverted-pendulum, dc-motor, two-link-arm, prosthetic-leg"]),
+        &["van-der-pol, inverted-pendulum, dc-motor, admittance-device, two-link-arm, prosthetic-leg"]),
     ("van-der-pol", "[plant.van-der-pol]\nmu = 1.0", "[plant]", "plant", &["[plant] is empty"]),
     ("van-der-pol", "[plant.van-der-pol]\nmu = 1.0", "[controller]", "plant.van-der-pol.mu",
         &["there is no [plant]", "[plant.van-der-pol] mu = 1.0"]),

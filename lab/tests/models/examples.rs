@@ -1,9 +1,9 @@
 //! The other models against the loops of their examples.
 
 use lyapunov::{
-    Adapt, AffinePlant, ArmEnergy, ControlAffine, DampingLimit, DcMotor, Decay, Ground, LegEnergy,
-    Limb, Lolc, LyapunovFunction, MotorEnergy, MotorParts, OnePort, Plant, ProstheticLeg,
-    RungeKutta4, StateFeedback, TwoLinkArm, WithState, decrease_of,
+    Adapt, AdmittanceDevice, AffinePlant, ArmEnergy, ControlAffine, DampingLimit, DcMotor, Decay,
+    Ground, LegEnergy, Limb, Lolc, LyapunovFunction, MotorEnergy, MotorParts, OnePort, Plant,
+    ProstheticLeg, RungeKutta4, StateFeedback, TwoLinkArm, WithState, decrease_of,
 };
 use lyapunov_lab::models::Contestant;
 use nalgebra::{SVector, Vector1, Vector2, Vector3, Vector4};
@@ -93,6 +93,22 @@ fn the_motor_is_its_example() {
     };
     example
         .equals("dc-motor", StateFeedback::new(move |x: Vector3<f64>| Vector1::new(-gain * x[0])));
+}
+
+#[test]
+fn the_admittance_device_is_its_loop_in_a_program() {
+    let device = AdmittanceDevice::new(1000.0).unwrap();
+    let example = Example {
+        plant: device,
+        energy: device.energy(0.2).unwrap(),
+        start: Vector2::new(5e-3, 0.0),
+        steps: 1,
+        mass: 1e-3,
+        decay: 4.0,
+        ticks: 2000,
+    };
+    let rendered = StateFeedback::new(|x: Vector2<f64>| Vector1::new(x[1] * 5.0));
+    example.equals("admittance-device", rendered.delayed::<2>(2).unwrap());
 }
 
 #[test]

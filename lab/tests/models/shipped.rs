@@ -7,8 +7,14 @@ use std::path::{Path, PathBuf};
 use lyapunov_lab::models::{Comparison, Contestant, Model, schema_text};
 use serde_json::Value;
 
-pub(crate) const NAMES: [&str; 5] =
-    ["van-der-pol", "inverted-pendulum", "dc-motor", "two-link-arm", "prosthetic-leg"];
+pub(crate) const NAMES: [&str; 6] = [
+    "van-der-pol",
+    "inverted-pendulum",
+    "dc-motor",
+    "admittance-device",
+    "two-link-arm",
+    "prosthetic-leg",
+];
 
 pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/models/{name}.toml"))
