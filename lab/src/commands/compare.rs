@@ -9,10 +9,10 @@ use indicatif::ProgressBar;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Contestants, document};
 use lyapunov_lab::family::Members;
 use lyapunov_lab::scene::{Scalar, Scene};
-use lyapunov_lab::{Output, OutputError, Space};
+use lyapunov_lab::{Output, OutputError, Space, models, teleoperation};
 
 use super::folder::Folder;
-use super::models::{self, Subjects};
+use super::subjects::{self, Subjects};
 use super::{BAR, End, heed_interrupts, shown, standard_output};
 
 /// Ticks in all from which on there is something to wait for.
@@ -30,14 +30,14 @@ pub(super) const RESULTS: &str = "compare.json";
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Compare {
-    /// The scene files, or model files, TOML.
+    /// The scene files, or files of models or of teleoperators, TOML.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
-    /// Who takes part, by the names of docs/family.md, or all; of a model the same four.
+    /// Who takes part, by the names of docs/family.md, or all; files that are no scenes have rows of their own.
     #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
     pub(super) stabilizers: Members,
     /// Write compare.json and a figure for each scene (SVG and PNG) into this folder; made if not there. Of models
-    /// also report.html and a CSV for each.
+    /// and teleoperators also report.html and a CSV for each.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
@@ -58,7 +58,10 @@ impl Compare {
         heed_interrupts(true);
         let scenes = match Subjects::load(&self.scenes)? {
             Subjects::Scenes(scenes) => scenes,
-            Subjects::Models(models) => return models::run(self, &models),
+            Subjects::Models(models) => return subjects::run::<models::Comparison>(self, &models),
+            Subjects::Teleoperators(them) => {
+                return subjects::run::<teleoperation::Comparison>(self, &them);
+            }
         };
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let comparisons = self.compare(&scenes)?;
