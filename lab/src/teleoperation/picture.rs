@@ -7,14 +7,14 @@ use crate::chart::{Figure, Guide, Panel, Series};
 /// Millimetres of a metre.
 const MILLI: f64 = 1e3;
 
-/// Positions over time, all panels over one range: that of the runs that are bounded, and of twice the start.
+/// Positions over time, all panels over one range: that of the runs that are bounded, and of one and a half times the start.
 pub(super) fn of(comparison: &Comparison) -> Figure {
     let file = &comparison.file;
     let wall = file.slave.wall.map(|wall| MILLI * wall.position.get());
     let bounded = comparison.outcomes.iter().filter(|outcome| outcome.score.bounded);
     let seen = bounded.flat_map(|it| it.curves.master.iter().chain(&it.curves.slave));
     let start = MILLI * file.master.start.get().abs();
-    let largest = seen.fold(2.0 * start, |most, (_, x)| most.max(1.05 * MILLI * x.abs()));
+    let largest = seen.fold(1.5 * start, |most, (_, x)| most.max(1.05 * MILLI * x.abs()));
     let mut figure = Figure::new(format!("{}: {}", comparison.name, setting(file)))
         .with_columns(2)
         .with_width(1000.0)
