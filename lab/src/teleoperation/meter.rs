@@ -9,6 +9,10 @@ use crate::compare::Trace;
 /// a run that counts as bounded: 4, which is twice as far or as fast.
 pub const BOUND: f64 = 4.0;
 
+/// The least that a correction burns on a tick that counts as active, of the energy at the start: at rest, debts of the last
+/// digits come and go.
+const ACTIVE: f64 = 1e-9;
+
 /// Millimetres of a metre, millijoules of a joule.
 const MILLI: f64 = 1e3;
 
@@ -20,19 +24,26 @@ pub(super) struct Tick {
     /// Where the slave is wanted.
     pub(super) command: f64,
     pub(super) felt: f64,
-    /// What has crossed both ports, with what the corrections are about to burn, J.
-    pub(super) kept: f64,
+    /// What has crossed both ports, J.
+    pub(super) crossed: f64,
+    /// What the corrections at master and slave are about to burn, J.
+    pub(super) burnt: [f64; 2],
     /// The debt of both ends that could not be served, J.
     pub(super) shortfall: f64,
-    /// Whether master and slave were corrected.
-    pub(super) active: [bool; 2],
 }
 
 impl Tick {
+    /// What both ports have absorbed once the corrections are made, J.
+    fn kept(&self) -> f64 {
+        self.crossed + self.burnt[0] + self.burnt[1]
+    }
+
     pub(super) fn is_finite(&self) -> bool {
         let moved = self.master.iter().chain(&self.slave).all(|it| it.is_finite());
         moved
-            && [self.command, self.felt, self.kept, self.shortfall].iter().all(|it| it.is_finite())
+            && [self.command, self.felt, self.kept(), self.shortfall]
+                .iter()
+                .all(|it| it.is_finite())
     }
 }
 
@@ -97,10 +108,11 @@ impl<'a> Meter<'a> {
         self.error = self.error.max((x - y).abs());
         self.felt = self.felt.max(tick.felt.abs());
         self.contact = self.contact.max(contact);
-        self.kept = self.kept.min(tick.kept);
+        self.kept = self.kept.min(tick.kept());
         self.shortfall = self.shortfall.max(tick.shortfall);
-        for (count, active) in self.active.iter_mut().zip(tick.active) {
-            *count += u64::from(active);
+        let least = ACTIVE * self.file.stored_at_start();
+        for (count, burnt) in self.active.iter_mut().zip(tick.burnt) {
+            *count += u64::from(burnt > least);
         }
         self.ticks += 1;
         self.last = Some(tick);

@@ -118,9 +118,9 @@ impl<T: Scalar> Rig<T> {
             slave: [slave.position, slave.velocity].map(|it| it.lane(0)),
             command: command.lane(0),
             felt: felt.effort.lane(0),
-            kept: *crossed + served(master, &felt) + served(load, &moves),
+            crossed: *crossed,
+            burnt: [burnt(master, &felt), burnt(load, &moves)],
             shortfall: (felt.shortfall + moves.shortfall).lane(0),
-            active: [felt, moves].map(|action| action.alpha.lane(0) > 0.0),
         };
         let sound = tick.is_finite();
         if sound {
@@ -137,6 +137,6 @@ impl<T: Scalar> Rig<T> {
 }
 
 /// What a correction is about to burn, J.
-fn served<T: Scalar>(drive: &Drive<T>, action: &Action<T>) -> f64 {
+fn burnt<T: Scalar>(drive: &Drive<T>, action: &Action<T>) -> f64 {
     (action.alpha * (drive.velocity * drive.velocity * drive.period)).lane(0)
 }

@@ -40,10 +40,10 @@ pub struct Score {
     /// Largest debt of both ends together that a tick could not serve.
     #[serde(rename = "shortfall_mj")]
     pub shortfall: Option<f64>,
-    /// Share of the ticks on which damping was injected at the master, percent.
+    /// Share of the ticks on which the correction at the master burns more than rounding, percent.
     #[serde(rename = "active_master_percent")]
     pub active_master: f64,
-    /// Share of the ticks on which a mobility was injected at the slave, percent.
+    /// Share of the ticks on which the correction at the slave burns more than rounding, percent.
     #[serde(rename = "active_slave_percent")]
     pub active_slave: f64,
 }
