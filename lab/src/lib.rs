@@ -44,7 +44,9 @@ mod rollout;
 mod row;
 pub mod scene;
 pub mod shipped;
+pub mod subjects;
 mod summary;
+pub mod teleoperation;
 
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
 pub use csv::{COLUMNS, Csv};

@@ -3,7 +3,7 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Adaptive, Body, DormandPrince5, DormandPrince8, Friction, Impedance, ImplicitMidpoint,
+    Adaptive, Body, DormandPrince5, DormandPrince8, Exact, Friction, Impedance, ImplicitMidpoint,
     Integrator, Located, Oscillator, Plant, Requirement, RubbingOscillator, RungeKutta4, Scalar,
     SemiImplicitEuler, State, Stepped, Stribeck, Transition, WalledOscillator,
 };
@@ -89,6 +89,24 @@ fn adaptive_steps_meet_their_tolerance_across_an_impact() {
             .starting(START[0], START[1]);
         let error = (plant.advance(0.0).position - x).abs();
         assert!(error < 100.0 * tolerance, "{error:e} at {tolerance:e}");
+    }
+}
+
+/// Exact in each piece, and cut between them: the closed form to rounding, however long the step.
+#[test]
+fn exact_pieces_are_the_closed_form() {
+    for more in [0.0, 0.013, 0.026, 0.039] {
+        let ([x, v], touched) = bounced(PERIOD + more);
+        assert!(touched >= 1);
+        for steps in [50, 77, 512] {
+            let dynamics = WalledOscillator::new(FREE, WALL, SURFACE).expect("parts");
+            let mut plant =
+                moved::<f64, _, _>(dynamics, Located::new(Exact::new()), PERIOD + more, steps)
+                    .starting(START[0], START[1]);
+            let drive = plant.advance(0.0);
+            let error = (drive.position - x).hypot((drive.velocity - v) / 80.0);
+            assert!(error < 1e-13, "{error:e} in {steps} steps");
+        }
     }
 }
 
@@ -245,6 +263,7 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
         RubbingOscillator(block(), law()),
             Located::new(Adaptive::new(DormandPrince5, Scalar::of(1e-6)).expect("a tolerance"));
         WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), Located::new(RungeKutta4);
+        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), Located::new(Exact::new());
         WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)),
             Located::new(Adaptive::new(DormandPrince8, Scalar::of(1e-6)).expect("a tolerance"));
     );

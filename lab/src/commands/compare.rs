@@ -10,13 +10,12 @@ use lyapunov_lab::chart::Figure;
 use lyapunov_lab::compare::{
     Column, CompareError, Comparison, Contestants, Energies, TradeOff, document,
 };
-
 use lyapunov_lab::family::Members;
 use lyapunov_lab::scene::{Scalar, Scene};
-use lyapunov_lab::{Outputs, Space};
+use lyapunov_lab::{Outputs, Space, models, teleoperation};
 
 use super::folder::Folder;
-use super::models::{self, Subjects};
+use super::subjects::{self, Subjects};
 use super::{BAR, End, heed_interrupts, shown, standard_output};
 
 /// Ticks in all from which on there is something to wait for.
@@ -34,17 +33,16 @@ pub(super) const RESULTS: &str = "compare.json";
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Compare {
-    /// The scene files, or model files, TOML.
+    /// The scene files, or files of models or of teleoperators, TOML.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
-    /// Who takes part, by the names of docs/family.md, or all; of a model all four of
-    /// docs/any-plant.md take part.
+    /// Who takes part, by the names of docs/family.md, or all; files that are no scenes have rows of their own.
     #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
     pub(super) stabilizers: Members,
-    /// Write compare.json and figures of each scene (SVG, PNG and CSV) into this folder; made if not there.
+    /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
     /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
-    /// transparent it is, which takes 144 further runs of each stabilizer. Of models one figure, and report.html.
+    /// transparent it is, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
@@ -65,7 +63,10 @@ impl Compare {
         heed_interrupts(true);
         let scenes = match Subjects::load(&self.scenes)? {
             Subjects::Scenes(scenes) => scenes,
-            Subjects::Models(models) => return models::run(self, &models),
+            Subjects::Models(models) => return subjects::run::<models::Comparison>(self, &models),
+            Subjects::Teleoperators(them) => {
+                return subjects::run::<teleoperation::Comparison>(self, &them);
+            }
         };
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let (comparisons, answers): (Vec<_>, Vec<_>) = self.compare(&scenes)?.into_iter().unzip();

@@ -8,13 +8,13 @@ mod explain;
 mod folder;
 mod hard;
 mod map;
-mod models;
 mod observe;
 mod paper;
 mod run;
 mod scenes;
 mod schema;
 mod source;
+mod subjects;
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};

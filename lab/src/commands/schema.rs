@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 
 use clap::{Args, ValueEnum};
-use lyapunov_lab::{models, scene};
+use lyapunov_lab::{models, scene, teleoperation};
 
 use super::{End, standard_output};
 
-/// Print the JSON Schema of scene files, or of model files, by which editors complete and check keys.
+/// Print the JSON Schema of scene files, or of another kind of file, by which editors complete and check keys.
 ///
 /// Editors that know Taplo's directive take it from a scene's first line: `#:schema ./scene.schema.json` with
 /// `lyapunov schema > scene.schema.json` beside the scene. It holds every key, its type and its range; rules between
@@ -27,6 +27,8 @@ enum Kind {
     Scene,
     /// Models of control-affine plants, for `lyapunov compare`.
     Model,
+    /// A master and a slave over a channel, for `lyapunov compare`.
+    Teleoperation,
 }
 
 impl Schema {
@@ -34,6 +36,7 @@ impl Schema {
         let text = match self.kind {
             Kind::Scene => scene::schema_text(),
             Kind::Model => models::schema_text(),
+            Kind::Teleoperation => teleoperation::schema_text(),
         };
         io::stdout().write_all(text.as_bytes()).map_err(standard_output)
     }

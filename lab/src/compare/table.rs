@@ -1,19 +1,18 @@
 //! The table in the terminal: two parts, one under the other, of at most 100 columns.
 
-use std::fmt;
+use std::fmt::{self, Display};
 
 use super::Comparison;
 use super::column::Column;
 use super::score::Score;
 use crate::compare::setting::Setting;
+use crate::subjects::Table;
 
 /// The widest line.
 const WIDEST: usize = 100;
 
 /// What is left of a name at least.
 const SHORTEST: usize = 8;
-
-const BETWEEN: &str = "  ";
 
 /// How the loop behaved.
 const BEHAVIOUR: [Column; 8] = [
@@ -53,36 +52,13 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
 fn part(columns: &[Column], scores: &[&Score], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let headings =
         (0..3).map(|line| columns.iter().map(|c| c.heading()[line].to_owned()).collect());
-    let cells = scores.iter().map(|score| columns.iter().map(|c| plain(&c.cell(score))).collect());
-    let (headings, mut cells): (Vec<Vec<String>>, Vec<Vec<String>>) =
-        (headings.collect(), cells.collect());
-    let widths = |cells: &[Vec<String>]| -> Vec<usize> {
-        let all = || headings.iter().chain(cells);
-        let width = |column: usize| all().map(|line| line[column].chars().count()).max();
-        (0..columns.len()).map(|column| width(column).unwrap_or(0)).collect()
-    };
-    let numbers: usize = widths(&cells)[1..].iter().map(|width| BETWEEN.len() + width).sum();
-    let room = WIDEST.saturating_sub(numbers).max(SHORTEST);
-    for line in &mut cells {
-        line[0] = fitted(&line[0], room);
+    let rows = scores.iter().map(|score| columns.iter().map(|c| plain(&c.cell(score))).collect());
+    let mut table = Table { headings: headings.collect(), rows: rows.collect() };
+    let room = WIDEST.saturating_sub(table.width_of_numbers()).max(SHORTEST);
+    for row in &mut table.rows {
+        row[0] = fitted(&row[0], room);
     }
-    let widths = widths(&cells);
-    for (index, line) in headings.iter().chain(&cells).enumerate() {
-        if index == headings.len() {
-            let rules: Vec<String> = widths.iter().map(|width| "-".repeat(*width)).collect();
-            writeln!(f, "{}", rules.join(BETWEEN))?;
-        }
-        writeln!(f, "{}", aligned(line, &widths).trim_end())?;
-    }
-    Ok(())
-}
-
-/// Names to the left, everything else to the right.
-fn aligned(line: &[String], widths: &[usize]) -> String {
-    let cells = line.iter().zip(widths).enumerate().map(|(column, (cell, width))| {
-        if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
-    });
-    cells.collect::<Vec<_>>().join(BETWEEN)
+    table.fmt(f)
 }
 
 /// `text` without what would break the line.

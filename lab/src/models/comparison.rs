@@ -1,16 +1,14 @@
 //! All contestants on one model.
 
 use std::fmt;
-use std::ops::ControlFlow;
-
-use lyapunov::ParameterError;
 
 use super::building::built;
 use super::contestant::Contestant;
+use super::document;
 use super::model::Model;
 use super::outcome::{Outcome, Score};
-use super::{picture, rig, table};
-use crate::chart::Figure;
+use super::{picture, table};
+use crate::subjects::{CompareError, Compared, Sheet, Watch};
 
 /// All contestants on one model; shown, it is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
@@ -24,45 +22,44 @@ pub struct Comparison {
     pub(super) outcomes: Vec<Outcome>,
 }
 
-/// Why there is no comparison.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CompareError {
-    /// The model was never checked: its loop cannot be built.
-    Parameter(ParameterError),
-    /// Whoever watched said so.
-    Stopped,
-}
+impl Compared for Comparison {
+    type File = Model;
 
-impl fmt::Display for CompareError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Parameter(error) => error.fmt(f),
-            Self::Stopped => f.write_str("the comparison was stopped"),
-        }
+    const NOUN: &'static str = "model";
+    const TITLE: &'static str = "Stabilizers of control-affine plants";
+    const ABOUT: &'static str = "Each plant once without a stabilizer, once with the sum of what its input takes \
+                                 from V (popc), once with the sum of all that V loses (lolc-decrease), and once \
+                                 with V asked to decay as well (lolc-decay).";
+
+    fn ticks(model: &Model) -> u64 {
+        (model.ticks() + 1) * Contestant::ALL.len() as u64
     }
-}
 
-impl std::error::Error for CompareError {}
-
-impl Comparison {
-    /// Runs all contestants on `model`, telling `watch` now and then how many more ticks are done; it says whether to
-    /// go on.
-    ///
-    /// # Errors
-    /// [`CompareError::Stopped`] if `watch` says so; a model that [`Model::check`] would refuse.
-    pub fn of(
-        name: &str,
-        model: &Model,
-        watch: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Result<Self, CompareError> {
+    fn of(name: &str, model: &Model, watch: &Watch<'_>) -> Result<Self, CompareError> {
         let built = built(model).map_err(|(_, error)| CompareError::Parameter(error))?;
         let run = |contestant| built.run(contestant, watch);
-        let outcomes: Result<Vec<Outcome>, rig::Stopped> =
-            Contestant::ALL.into_iter().map(run).collect();
-        let outcomes = outcomes.map_err(|rig::Stopped| CompareError::Stopped)?;
+        let outcomes = Contestant::ALL.into_iter().map(run).collect::<Result<_, _>>()?;
         Ok(Self { name: name.to_owned(), model: model.clone(), began: built.began(), outcomes })
     }
 
+    fn sheet(&self) -> Sheet {
+        Sheet {
+            name: self.name.clone(),
+            setting: table::setting(self),
+            start: table::start(self),
+            tables: vec![table::of(self)],
+            figure: picture::of(self),
+            caption: "V over time. A curve that leaves the frame is cut off there.",
+            csv: self.csv(),
+        }
+    }
+
+    fn document(comparisons: &[Self]) -> serde_json::Result<String> {
+        document::of(comparisons)
+    }
+}
+
+impl Comparison {
     /// What each contestant came to.
     pub fn scores(&self) -> impl Iterator<Item = &Score> {
         self.outcomes.iter().map(|outcome| &outcome.score)
@@ -81,15 +78,10 @@ impl Comparison {
         });
         std::iter::once("stabilizer,t,v\n".to_owned()).chain(rows).collect()
     }
-
-    /// V over time of all contestants, drawn over each other.
-    pub fn figure(&self) -> Figure {
-        picture::of(self)
-    }
 }
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        table::write(self, f)
+        self.sheet().fmt(f)
     }
 }

@@ -35,10 +35,7 @@ struct Line<'a> {
 }
 
 /// The comparisons as JSON; docs/any-plant.md says what is in it.
-///
-/// # Errors
-/// None: every part can be written as JSON.
-pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
+pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
         let stabilizer = comparison.model.stabilizer;
         let cap = stabilizer.damping_cap.get();

@@ -15,24 +15,19 @@ mod model;
 mod outcome;
 mod picture;
 mod plant;
-mod report;
 mod rig;
 mod stabilizer;
-mod subject;
 mod table;
 #[cfg(test)]
 mod tests;
 
-pub use comparison::{CompareError, Comparison};
+pub use comparison::Comparison;
 pub use contestant::Contestant;
 pub use controller::Controller;
-pub use document::document;
 pub use meter::BOUND;
 pub use model::{Model, schema_text};
 pub use outcome::Score;
 pub use plant::{
     DcMotor, Ground, InvertedPendulum, Limb, Plant, ProstheticLeg, TwoLinkArm, VanDerPol,
 };
-pub use report::report;
 pub use stabilizer::Stabilizer;
-pub use subject::Subject;

@@ -10,8 +10,7 @@ use super::keys::BOOK;
 use super::plant::Plant;
 use super::stabilizer::Stabilizer;
 use crate::scene::{
-    Diagnostic, Finite, MODEL_TABLES, Positive, Scalar, StepsPerTick, names_any, read, schema_of,
-    text_of,
+    Diagnostic, Finite, MODEL, Positive, Scalar, StepsPerTick, read, schema_of, text_of,
 };
 
 /// A control-affine plant under its nominal controller, and what its stabilizers are set to: a model file.
@@ -67,7 +66,7 @@ impl Model {
 
     /// Whether `text` is meant as a model rather than a scene: it has one of the tables that only models have.
     pub fn is_in(text: &str) -> bool {
-        names_any(text, &MODEL_TABLES)
+        MODEL.is_in(text)
     }
 
     /// Number of the last tick, N = round(duration · servo_rate), from 0 to 1e9; the run has N + 1 ticks.

@@ -1,7 +1,5 @@
 //! A plant behind its port, ready to run.
 
-use std::ops::ControlFlow;
-
 use lyapunov::{
     self as library, Adapt, AffinePlant, ControlAffine, DampingLimit, Decay, Lolc,
     LyapunovFunction, Mask, OnePort, ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar,
@@ -16,6 +14,7 @@ use super::model::Model;
 use super::outcome::Outcome;
 use super::stabilizer::Stabilizer;
 use crate::family::Nothing;
+use crate::subjects::{CompareError, Watch};
 
 /// The longest delay of a controller in ticks.
 const MOST_DELAY: usize = 1024;
@@ -23,20 +22,13 @@ const MOST_DELAY: usize = 1024;
 /// Steps of the integrator between two reports of progress, or one tick where that has more.
 const BREATH: u64 = 1 << 14;
 
-/// Is told how many more ticks are done; says whether to go on.
-pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
-
-/// Whoever watched said that it is enough.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Stopped;
-
 /// A loop that any contestant can run, whatever the plant and the scalar.
 pub(super) trait Loop {
     /// V at the start.
     fn began(&self) -> f64;
 
     /// What `contestant` comes to.
-    fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, Stopped>;
+    fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, CompareError>;
 }
 
 /// A part of a model that cannot be built: the key that is to be changed, and why.
@@ -137,7 +129,7 @@ where
         self.plant.value().lane(0)
     }
 
-    fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, Stopped> {
+    fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, CompareError> {
         let mut stabilizer = self.stabilizer(contestant);
         let mut port = self.controller.clone().stabilized(&mut *stabilizer);
         let (mut plant, mut drive) = (self.plant, self.plant.start());
@@ -158,12 +150,12 @@ where
                 taken: (action.alpha * flow.pair(drive.displacement)).lane(0),
             });
             if tick % self.breath == 0 && watch(self.breath).is_break() {
-                return Err(Stopped);
+                return Err(CompareError::Stopped);
             }
         }
         // What was not run counts as done: a run that leaves the range has no more ticks.
         let told = meter.ticks() / self.breath * self.breath;
         let ended = watch(self.ticks + 1 - told);
-        if ended.is_break() { Err(Stopped) } else { Ok(meter.finish(contestant)) }
+        if ended.is_break() { Err(CompareError::Stopped) } else { Ok(meter.finish(contestant)) }
     }
 }

@@ -1,35 +1,13 @@
-//! The table in the terminal, of at most 100 columns.
-
-use std::fmt;
+//! The model in words, and its table.
 
 use super::comparison::Comparison;
 use super::meter::BOUND;
 use super::outcome::Score;
+use crate::subjects::Table;
 use crate::summary::{found, given};
 
-const BETWEEN: &str = "  ";
-
-/// How many columns there are.
-const COLUMNS: usize = 8;
-
-pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    writeln!(f, "{}: {}", comparison.name, setting(comparison))?;
-    writeln!(f, "{}", start(comparison))?;
-    writeln!(f)?;
-    let headings = headings(comparison);
-    let cells: Vec<[String; COLUMNS]> = comparison.scores().map(cells).collect();
-    let all = || headings.iter().chain(&cells);
-    let widths: [usize; COLUMNS] = std::array::from_fn(|column| {
-        all().map(|line| line[column].chars().count()).max().unwrap_or(0)
-    });
-    for (index, line) in all().enumerate() {
-        if index == headings.len() {
-            let rules: Vec<String> = widths.iter().map(|width| "-".repeat(*width)).collect();
-            writeln!(f, "{}", rules.join(BETWEEN))?;
-        }
-        writeln!(f, "{}", aligned(line, &widths).trim_end())?;
-    }
-    Ok(())
+pub(super) fn of(comparison: &Comparison) -> Table {
+    Table { headings: headings(comparison), rows: comparison.scores().map(cells).collect() }
 }
 
 /// The model in one line.
@@ -70,7 +48,7 @@ fn spaced(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(" {unit}") }
 }
 
-pub(super) fn headings(comparison: &Comparison) -> [[String; COLUMNS]; 3] {
+fn headings(comparison: &Comparison) -> Vec<Vec<String>> {
     let (v, input) =
         (comparison.model.plant.unit_of_value(), comparison.model.plant.unit_of_input());
     [
@@ -78,13 +56,14 @@ pub(super) fn headings(comparison: &Comparison) -> [[String; COLUMNS]; 3] {
         ["", "", "V", "the end", "effort", "active", "shortfall", "taken"],
         ["stabilizer", "bounded", v, v, input, "%", v, v],
     ]
-    .map(|line| line.map(str::to_owned))
+    .map(|line| line.map(str::to_owned).into())
+    .into()
 }
 
-pub(super) fn cells(score: &Score) -> [String; COLUMNS] {
+fn cells(score: &Score) -> Vec<String> {
     let number =
         |value: Option<f64>| value.map_or("-".to_owned(), |value| found(value).to_string());
-    [
+    vec![
         score.stabilizer.to_owned(),
         if score.bounded { "yes" } else { "no" }.to_owned(),
         number(score.largest),
@@ -94,12 +73,4 @@ pub(super) fn cells(score: &Score) -> [String; COLUMNS] {
         number(score.shortfall),
         number(score.taken),
     ]
-}
-
-/// Names to the left, everything else to the right.
-fn aligned(line: &[String; COLUMNS], widths: &[usize; COLUMNS]) -> String {
-    let cells = line.iter().zip(widths).enumerate().map(|(column, (cell, width))| {
-        if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
-    });
-    cells.collect::<Vec<_>>().join(BETWEEN)
 }

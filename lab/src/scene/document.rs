@@ -38,7 +38,7 @@ where
 }
 
 /// Whether the text has one of these `keys` at its top level, as far as broken text tells.
-pub(crate) fn names_any(text: &str, keys: &[&str]) -> bool {
+pub(super) fn names_any(text: &str, keys: &[&str]) -> bool {
     let (table, _) = DeTable::parse_recoverable(without_mark(text));
     keys.iter().any(|key| table.get_ref().contains_key(*key))
 }

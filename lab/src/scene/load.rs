@@ -15,16 +15,37 @@ use super::written::Keys;
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 20;
 
-/// The tables of a model of a plant, none of which a scene has.
-pub(crate) const MODEL_TABLES: [&str; 2] = ["plant", "controller"];
+/// A kind of file that is no scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kind {
+    /// What such a file is, with its article.
+    pub(crate) noun: &'static str,
+    /// The tables that tell it, which no other kind has.
+    tables: &'static [&'static str],
+}
+
+/// Models of plants.
+pub(crate) const MODEL: Kind =
+    Kind { noun: "a model of a plant", tables: &["plant", "controller"] };
+
+/// Teleoperators.
+pub(crate) const TELEOPERATOR: Kind =
+    Kind { noun: "a teleoperator", tables: &["master", "slave", "coordination", "channel"] };
+
+impl Kind {
+    /// Whether `text` is meant as such a file, as far as broken text tells.
+    pub(crate) fn is_in(self, text: &str) -> bool {
+        names_any(text, self.tables)
+    }
+}
 
 /// See [`Scene::parse`]; files that the scene names are looked for in `folder`.
 pub(super) fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diagnostic> {
     document::read(&BOOK, text, name, |keys| checked(keys, folder)).map_err(|fault| {
-        if !names_any(text, &MODEL_TABLES) {
+        let Some(kind) = [MODEL, TELEOPERATOR].into_iter().find(|kind| kind.is_in(text)) else {
             return fault;
-        }
-        Diagnostic::new(name, "this is a model of a plant, not a scene")
+        };
+        Diagnostic::new(name, format!("this is {}, not a scene", kind.noun))
             .with_help("`lyapunov compare` takes it")
     })
 }

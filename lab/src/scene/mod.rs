@@ -63,7 +63,7 @@ pub use check::Conflict;
 pub(crate) use check::{check_single, check_ticks};
 pub use coordinates::Coordinates;
 pub use diagnostic::Diagnostic;
-pub(crate) use document::{names_any, read};
+pub(crate) use document::read;
 pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
     Saturation,
@@ -76,7 +76,7 @@ pub use environment::{
 pub(crate) use excerpt::{printable, shorten};
 pub use integrator::Integrator;
 pub(crate) use keys::{BOOK, number_keys, unit};
-pub(crate) use load::{MODEL_TABLES, parse_at, text_of};
+pub(crate) use load::{MODEL, TELEOPERATOR, parse_at, text_of};
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{

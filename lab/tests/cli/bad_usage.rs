@@ -26,7 +26,10 @@ fn wrong_arguments_are_refused() {
         (&["scenes", "tour", "--json"], &["'--json'", "[NAME]"]),
         (&["scenes", "--quiet", "--json"], &["'--json'", "'--quiet'"]),
         (&["scenes", "nothing-like-it"], &["`nothing-like-it`", "`lyapunov scenes` lists them"]),
-        (&["schema", "scene.toml"], &["'scene.toml'", "[possible values: scene, model]"]),
+        (
+            &["schema", "scene.toml"],
+            &["'scene.toml'", "[possible values: scene, model, teleoperation]"],
+        ),
     ];
     for (arguments, words) in cases {
         place.refuses(*arguments, words).fits();

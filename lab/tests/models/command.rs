@@ -98,7 +98,10 @@ fn what_does_not_go_together_is_refused() {
         assert!(words.iter().all(|word| err.contains(word)), "{err}");
     };
     let compare: &OsStr = "compare".as_ref();
-    refuses(&[compare, model.as_ref(), scene.as_ref()], &["a model of a plant", "in two calls"]);
+    refuses(
+        &[compare, model.as_ref(), scene.as_ref()],
+        &["a model of a plant", "in calls of their own"],
+    );
     let by = ["--by".as_ref(), "stable".as_ref()];
     refuses(&[compare, model.as_ref(), by[0], by[1]], &["--by", "leave it out"]);
     refuses(&["run".as_ref(), model.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);

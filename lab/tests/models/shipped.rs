@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use lyapunov_lab::models::{Comparison, Contestant, Model, schema_text};
+use lyapunov_lab::subjects::Compared;
 use serde_json::Value;
 
 pub(crate) const NAMES: [&str; 6] = [

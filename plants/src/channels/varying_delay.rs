@@ -9,7 +9,6 @@ use crate::{Random, Source};
 #[derive(Clone, Copy, Debug)]
 struct Letter<M> {
     message: M,
-    sent: u64,
     arrives: u64,
 }
 
@@ -27,7 +26,7 @@ struct Letter<M> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct VaryingDelay<M, const N: usize> {
-    least: u32,
+    least: u64,
     choices: f64,
     random: Random<f64>,
     tick: u64,
@@ -45,13 +44,13 @@ impl<M: Copy, const N: usize> VaryingDelay<M, N> {
         Requirement::AtMost(most.into()).check("least channel ticks", f64::from(least))?;
         Requirement::AtMost(N as f64 - 1.0).check("most channel ticks", f64::from(most))?;
         Ok(Self {
-            least,
+            least: least.into(),
             choices: f64::from(most - least) + 1.0,
             random: Random::new(|_| seed, Source::Lag),
             tick: 0,
             arrived: before,
             newest: 0,
-            letters: [Letter { message: before, sent: 0, arrives: u64::MAX }; N],
+            letters: [Letter { message: before, arrives: 0 }; N],
         })
     }
 }
@@ -60,14 +59,19 @@ impl<M: Copy, const N: usize> Channel<M> for VaryingDelay<M, N> {
     fn carry(&mut self, message: M) -> M {
         self.tick += 1;
         let now = self.tick;
-        let lag = u64::from(self.least) + (self.random.uniform() * self.choices) as u64;
+        let lag = self.least + (self.random.uniform() * self.choices) as u64;
+        let slot = |sent: u64| (sent % N as u64) as usize;
         // A letter is out after N − 1 ticks at the latest, so what is overwritten has arrived.
-        if let Some(slot) = self.letters.get_mut((now % N as u64) as usize) {
-            *slot = Letter { message, sent: now, arrives: now + lag };
+        if let Some(free) = self.letters.get_mut(slot(now)) {
+            *free = Letter { message, arrives: now + lag };
         }
-        for letter in &self.letters {
-            if letter.arrives <= now && letter.sent > self.newest {
-                (self.arrived, self.newest) = (letter.message, letter.sent);
+        // What can arrive was sent after the newest that has, and long enough ago.
+        for sent in (self.newest + 1..=now.saturating_sub(self.least)).rev() {
+            if let Some(letter) = self.letters.get(slot(sent))
+                && letter.arrives <= now
+            {
+                (self.arrived, self.newest) = (letter.message, sent);
+                break;
             }
         }
         self.arrived

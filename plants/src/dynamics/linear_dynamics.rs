@@ -4,7 +4,8 @@ use core::fmt::Debug;
 
 use lyapunov_core::{Dynamics, Signal, State};
 
-/// An equation of motion that is linear, so that its exact solution over an interval is a linear map.
+/// An equation of motion that is linear, up to a constant force, so that its exact solution over an interval is a linear
+/// map of state and effort, and a constant.
 pub trait LinearDynamics<V: Signal>: Dynamics<V> {
     /// What each part of the state gains over an interval per unit of each part and of effort.
     type Increments: Copy + Debug;

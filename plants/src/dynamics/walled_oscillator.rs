@@ -2,7 +2,7 @@
 
 use lyapunov_core::{Dynamics, ParameterError, Requirement, Scalar, State};
 
-use crate::{Impedance, ImplicitDynamics, Oscillator, Switching};
+use crate::{Impedance, ImplicitDynamics, LinearDynamics, Oscillator, Switching};
 
 /// An [`Oscillator`] and a one-sided elastic wall: `m ẍ = −k x − b ẋ − f − max(0, k_w (x − surface))`.
 ///
@@ -71,6 +71,20 @@ impl<T: Scalar> ImplicitDynamics<T> for Walled<T> {
     fn implicit_acceleration(&self, position: T, velocity: T, effort: T, alpha: T, beta: T) -> T {
         let effort = effort + self.preload;
         self.oscillator.implicit_acceleration(position, velocity, effort, alpha, beta)
+    }
+}
+
+impl<T: Scalar> LinearDynamics<T> for Walled<T> {
+    /// The oscillator's, and the wall's push at the origin.
+    type Increments = (<Oscillator<T> as LinearDynamics<T>>::Increments, T);
+
+    fn increments(&self, interval: T) -> Self::Increments {
+        (LinearDynamics::<T>::increments(&self.oscillator, interval), self.preload)
+    }
+
+    #[inline]
+    fn gain((rows, preload): &Self::Increments, from: State<T>, effort: T) -> State<T> {
+        <Oscillator<T> as LinearDynamics<T>>::gain(rows, from, effort + *preload)
     }
 }
 

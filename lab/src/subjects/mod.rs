@@ -1,0 +1,16 @@
+//! What `lyapunov compare` takes, and what it tells of files that are no scenes.
+//!
+//! Each kind of file has a room of its own and a comparison with rows and columns of its own. How a comparison is run,
+//! shown and written is the same for all of them, and is here.
+
+mod compared;
+mod page;
+mod sheet;
+mod subject;
+mod table;
+
+pub use compared::{CompareError, Compared, Watch};
+pub use page::page;
+pub use sheet::Sheet;
+pub use subject::Subject;
+pub(crate) use table::Table;

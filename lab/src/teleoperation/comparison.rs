@@ -1,0 +1,88 @@
+//! All contestants on one teleoperator.
+
+use std::fmt;
+
+use super::contestant::Contestant;
+use super::score::{Curves, Outcome, Score};
+use super::teleoperator::Teleoperator;
+use super::{document, picture, rig, table};
+use crate::subjects::{CompareError, Compared, Sheet, Watch};
+
+/// All contestants on one teleoperator; shown, it is the table of `lyapunov compare`.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What the file is called: usually its path.
+    pub name: String,
+    /// The teleoperator.
+    pub file: Teleoperator,
+    pub(super) outcomes: Vec<Outcome>,
+}
+
+impl Compared for Comparison {
+    type File = Teleoperator;
+
+    const NOUN: &'static str = "teleoperator";
+    const TITLE: &'static str = "Teleoperators over a channel";
+    const ABOUT: &'static str = "Each teleoperator once without a stabilizer, once with a passivity controller at each \
+                                 port by itself (popc-at-each-end), once with the two-port passivity \
+                                 controller (two-port-popc), once with that taking back its drift as well \
+                                 (drift-compensated), and once with wave variables.";
+
+    fn ticks(file: &Teleoperator) -> u64 {
+        (file.ticks() + 1) * Contestant::ALL.len() as u64
+    }
+
+    fn of(name: &str, file: &Teleoperator, watch: &Watch<'_>) -> Result<Self, CompareError> {
+        let run = |contestant| rig::run(file, contestant, watch);
+        let outcomes = Contestant::ALL.into_iter().map(run).collect::<Result<_, _>>()?;
+        Ok(Self { name: name.to_owned(), file: file.clone(), outcomes })
+    }
+
+    fn sheet(&self) -> Sheet {
+        Sheet {
+            name: self.name.clone(),
+            setting: table::setting(&self.file),
+            start: table::start(&self.file),
+            tables: table::of(self),
+            figure: picture::of(self),
+            caption: "Positions over time. What leaves a frame is cut off there.",
+            csv: self.csv(),
+        }
+    }
+
+    fn document(comparisons: &[Self]) -> serde_json::Result<String> {
+        document::of(comparisons)
+    }
+}
+
+impl Comparison {
+    /// What each contestant came to.
+    pub fn scores(&self) -> impl Iterator<Item = &Score> {
+        self.outcomes.iter().map(|outcome| &outcome.score)
+    }
+
+    /// How master and slave moved under each contestant.
+    pub fn curves(&self) -> impl Iterator<Item = (Contestant, &Curves)> {
+        self.outcomes.iter().map(|outcome| (outcome.contestant, &outcome.curves))
+    }
+
+    /// [`Comparison::curves`] as comma-separated values, in numbers that read back exactly.
+    fn csv(&self) -> String {
+        let rows = self.curves().flat_map(|(contestant, curves)| {
+            let devices = [("master", &curves.master), ("slave", &curves.slave)];
+            devices.into_iter().flat_map(move |(device, curve)| {
+                let line = move |(t, x): &(f64, f64)| {
+                    format!("{},{device},{t:?},{x:?}\n", contestant.name())
+                };
+                curve.iter().map(line)
+            })
+        });
+        std::iter::once("stabilizer,device,t,x\n".to_owned()).chain(rows).collect()
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.sheet().fmt(f)
+    }
+}

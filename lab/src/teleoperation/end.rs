@@ -1,0 +1,40 @@
+//! Stabilizers at one end of a link.
+
+use lyapunov::{DriftCompensated, Popc, Scalar, Stabilizer, Station};
+
+use crate::family::Nothing;
+
+/// A stabilizer at one end of a link, which may be told of energies and tell of its own; one that does neither is alone.
+pub(super) trait End<T: Scalar>: Stabilizer<T> {
+    /// Takes what the other end tells that it has absorbed, J.
+    fn receive(&mut self, _energy: T) {}
+
+    /// What this end has absorbed, J.
+    fn absorbed(&self) -> T {
+        T::of(0.0)
+    }
+}
+
+impl<T: Scalar> End<T> for Nothing {}
+
+impl<T: Scalar> End<T> for Popc<T> {}
+
+impl<T: Scalar> End<T> for Station<T> {
+    fn receive(&mut self, energy: T) {
+        Self::receive(self, energy);
+    }
+
+    fn absorbed(&self) -> T {
+        Self::absorbed(self)
+    }
+}
+
+impl<T: Scalar> End<T> for DriftCompensated<Station<T>, T> {
+    fn receive(&mut self, energy: T) {
+        Self::receive(self, energy);
+    }
+
+    fn absorbed(&self) -> T {
+        Self::absorbed(self)
+    }
+}

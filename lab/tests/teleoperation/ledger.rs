@@ -1,0 +1,29 @@
+//! Both ports together give no more than they took, over seeds of channels.
+
+use lyapunov_lab::teleoperation::Contestant;
+
+use crate::shipped::{compared, parsed, scores, text};
+
+#[test]
+fn what_both_ports_gave_is_told_as_shortfall() {
+    let mut generated = 0;
+    for seed in 0..60 {
+        let (delay, spread, loss) = (seed % 7 * 9, seed % 5 * 13, f64::from(seed % 4) * 0.3);
+        let text = text("lossy")
+            .replace("duration = 5.0", "duration = 2.0")
+            .replace("delay = 20", &format!("delay = {delay}\nspread = {spread}"))
+            .replace("loss = 0.3", &format!("loss = {loss}"))
+            .replace("seed = 1", &format!("seed = {seed}"));
+        let rows = scores(&compared(&parsed(&text)));
+        for (contestant, row) in Contestant::ALL.into_iter().zip(rows) {
+            let (kept, shortfall) = (row.kept.unwrap(), row.shortfall.unwrap());
+            match contestant {
+                Contestant::None => generated += i32::from(kept < -1.0),
+                Contestant::Waves => {}
+                // Of sums of some 10 mJ.
+                _ => assert!(kept >= -shortfall - 1e-9, "{row:?} in\n{text}"),
+            }
+        }
+    }
+    assert!(generated > 20, "only {generated} loops had anything to repair");
+}

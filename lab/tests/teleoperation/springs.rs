@@ -1,0 +1,30 @@
+//! Where waves come to rest, in closed form.
+
+use crate::shipped::{compared, parsed, scores, text};
+
+/// At rest hand, link, coordination and wall are springs in a row. The link's is that of a line: a wave there and back takes
+/// `2 d + 1` ticks, during which `b` carries the force, so it yields by `(2 d + 1) T / (2 b)` metres to the newton.
+#[test]
+fn waves_rest_where_springs_in_a_row_do() {
+    for delay in [0, 1, 20, 50] {
+        let text = text("constant-delay")
+            .replace("delay = 20", &format!("delay = {delay}"))
+            .replace("duration = 5.0", "duration = 20.0");
+        let [none, .., waves] = scores(&compared(&parsed(&text)));
+        let line = f64::from(2 * delay + 1) * 1e-3 / (2.0 * 2.0);
+        let (hand, coordination, wall) = (1.0 / 100.0, 1.0 / 200.0, 1.0 / 2000.0);
+        let force = 0.005 / (hand + line + coordination + wall);
+        let is = |name: &str, told: Option<f64>, expected: f64| {
+            let told = told.unwrap();
+            assert!((told - expected).abs() < 2e-3, "{name} at {delay}: {told} mm, not {expected}");
+        };
+        is("drift", waves.drift, -1e3 * force * line);
+        is("error", waves.error_end, 1e3 * force * (line + coordination));
+        assert!(waves.bounded && waves.speed.unwrap() < 1e-3, "{waves:?}");
+        if delay == 0 {
+            let force = 0.005 / (hand + coordination + wall);
+            is("drift without waves", none.drift, 0.0);
+            is("error without waves", none.error_end, 1e3 * force * coordination);
+        }
+    }
+}
