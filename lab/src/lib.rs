@@ -32,6 +32,7 @@ mod described;
 mod equilibrium;
 pub mod family;
 pub mod hard;
+mod html;
 pub mod map;
 mod meters;
 pub mod models;

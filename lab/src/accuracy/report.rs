@@ -5,27 +5,16 @@ use std::fmt::Write;
 use super::Study;
 use super::ledger::TICKS;
 use super::table::duration;
+use crate::html::{CLOSED, VERSION, escaped, opened};
 use crate::summary::found;
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
-const STYLE: &str = include_str!("../paper/report.css");
 
 impl Study {
     /// The page, as HTML; `command` is what made it, `target` what a setting was asked for, m.
     pub fn to_html(&self, command: &str, target: Option<f64>) -> String {
-        let mut page = String::from(
-            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta name=\"color-scheme\" content=\"light dark\">\n",
-        );
-        let (name, command) = (escape(&self.name), escape(command));
-        let _ = write!(
-            page,
-            "<title>What accuracy costs: {name}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-             <h1>What accuracy costs</h1>\n<p><code>{name}</code>, by <code>{command}</code>, lyapunov {VERSION}.</p>\n"
-        );
+        let mut page = opened(&format!("What accuracy costs: {}", self.name));
+        let _ = writeln!(page, "<p>By <code>{}</code>, lyapunov {VERSION}.</p>", escaped(command));
         for sentence in self.sentences() {
-            let _ = writeln!(page, "<p>{}</p>", escape(&sentence));
+            let _ = writeln!(page, "<p>{}</p>", escaped(&sentence));
         }
         if let Some(metres) = target {
             self.answer(&mut page, metres);
@@ -38,7 +27,7 @@ impl Study {
         );
         self.settings(&mut page);
         self.ledgers(&mut page);
-        page.push_str("</body>\n</html>\n");
+        page.push_str(CLOSED);
         page
     }
 
@@ -46,7 +35,7 @@ impl Study {
         let _ = write!(page, "<h2>Within {metres:e} m</h2>\n<p>");
         let text = self.advice(metres);
         let (first, keys) = text.split_once('\n').unwrap_or((&text, ""));
-        let _ = write!(page, "{}</p>\n<pre>{}</pre>\n", escape(first), escape(keys));
+        let _ = write!(page, "{}</p>\n<pre>{}</pre>\n", escaped(first), escaped(keys));
     }
 
     fn settings(&self, page: &mut String) {
@@ -105,8 +94,4 @@ impl Study {
         }
         page.push_str("</tbody>\n</table></div>\n");
     }
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

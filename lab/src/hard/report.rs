@@ -4,9 +4,7 @@ use std::fmt::Write;
 
 use super::table::{number, outcome, with_unit};
 use super::{Catalogue, Outcome, Row};
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
-const STYLE: &str = include_str!("../paper/report.css");
+use crate::html::{CLOSED, VERSION, escaped, opened};
 
 pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
     let passed = catalogue.rows.iter().filter(|row| row.passed).count();
@@ -17,13 +15,14 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
              \u{201c}over\u{201d} tells of a bound that it does not promise and does not keep"
         ),
     };
-    let ours = if catalogue.stabilizer.is_some() { "Measured" } else { "Ours" };
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>Hard cases</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <h1>Hard cases</h1>\n<p>{passed} of {} passed, by <code>{}</code>, lyapunov {VERSION}.</p>\n\
+    let [bound, ours] = match catalogue.stabilizer {
+        Some(_) => ["Bound", "Measured"],
+        None => ["Promised", "Ours"],
+    };
+    let mut page = opened("Hard cases");
+    let _ = write!(
+        page,
+        "<p>{passed} of {} passed, by <code>{}</code>, lyapunov {VERSION}.</p>\n\
          <p>Each bound is a promise. {subject}, \u{201c}naive\u{201d} the paper\u{2019}s steps as printed, in the same loop, \
          \u{201c}none\u{201d} the loop without a stabilizer. A case passes if the bound is kept, every output is finite, every \
          correction is within its limit, the account closes and all kinds of number agree.</p>\n",
@@ -39,7 +38,7 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
             theme = row.theme;
             let _ = write!(
                 page,
-                "<h2>{theme}</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Case</th><th>Promised</th>\
+                "<h2>{theme}</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Case</th><th>{bound}</th>\
                  <th class=\"number\">{ours}</th><th class=\"number\">Naive</th><th class=\"number\">None</th>\
                  <th class=\"number\">Account off</th><th></th></tr></thead>\n<tbody>\n"
             );
@@ -48,7 +47,7 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
     }
     page.push_str("</tbody>\n</table></div>\n");
     scenes(catalogue, &mut page);
-    page.push_str("</body>\n</html>\n");
+    page.push_str(CLOSED);
     page
 }
 
@@ -95,8 +94,4 @@ fn scenes(catalogue: &Catalogue, page: &mut String) {
 
 fn anchor(name: &str) -> String {
     name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect()
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

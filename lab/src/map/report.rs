@@ -6,9 +6,7 @@ use super::areas::cells;
 use super::bounds::Bounds;
 use super::picture::Drawn;
 use super::survey::Survey;
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
-const STYLE: &str = include_str!("../paper/report.css");
+use crate::html::{CLOSED, VERSION, escaped, opened};
 
 /// The page, as HTML.
 pub(super) fn page(
@@ -18,18 +16,13 @@ pub(super) fn page(
     command: &str,
 ) -> String {
     let grid = survey.grid();
-    let mut page =
-        String::from("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-    page.push_str("<meta name=\"color-scheme\" content=\"light dark\">\n");
-    let title = format!("{} by {}", grid.y.key, grid.x.key);
-    let _ = write!(
+    let mut page = opened(&format!("Map of {} by {}", grid.y.key, grid.x.key));
+    let _ = writeln!(
         page,
-        "<title>Map of {title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>Map of {title}</h1>\n\
-         <p>{} by {} cells, computed by <code>{}</code>, lyapunov {VERSION}.</p>\n",
+        "<p>{} by {} cells, computed by <code>{}</code>, lyapunov {VERSION}.</p>",
         grid.x.count,
         grid.y.count,
-        escape(command)
+        escaped(command)
     );
     areas(&mut page, survey, bounds);
     page.push_str("<h2>Heat maps</h2>\n");
@@ -39,15 +32,15 @@ pub(super) fn page(
             "<figure id=\"{name}\">\n{}\n<figcaption>{}. Of cells that are not bounded only the first map tells.\
              </figcaption>\n</figure>\n",
             figure.to_svg(),
-            escape(words)
+            escaped(words)
         );
     }
     let scene = toml::to_string(&grid.scene).unwrap_or_default();
     let _ = write!(
         page,
         "<h2>Scene</h2>\n<p>Every number, with its default in place; the two axes stand at the scene's own values. \
-         All cells are in <a href=\"map.csv\">map.csv</a>.</p>\n<pre>{}</pre>\n</body>\n</html>\n",
-        escape(&scene)
+         All cells are in <a href=\"map.csv\">map.csv</a>.</p>\n<pre>{}</pre>\n{CLOSED}",
+        escaped(&scene)
     );
     page
 }
@@ -61,7 +54,7 @@ fn areas(page: &mut String, survey: &Survey, bounds: Option<&Bounds>) {
     for (index, member) in survey.grid().members.iter().enumerate() {
         let _ = write!(page, "<tr><td>{member}</td>");
         for cell in cells(survey, bounds, index) {
-            let _ = write!(page, "<td class=\"number\">{}</td>", escape(&cell));
+            let _ = write!(page, "<td class=\"number\">{}</td>", escaped(&cell));
         }
         page.push_str("</tr>\n");
     }
@@ -73,8 +66,4 @@ fn areas(page: &mut String, survey: &Survey, bounds: Option<&Bounds>) {
          up to the edge of the map.</p>\n",
         survey.unit()
     );
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -6,6 +6,7 @@ use super::Case;
 use super::claims::{Verdict, number};
 use super::figures::Drawn;
 use super::study::Study;
+use crate::html::{CLOSED, VERSION, escaped, opened};
 
 /// What the page is made of.
 pub(super) struct Report<'a> {
@@ -15,23 +16,15 @@ pub(super) struct Report<'a> {
     pub(super) command: &'a str,
 }
 
-const VERSION: &str = env!("CARGO_PKG_VERSION");
-const STYLE: &str = include_str!("report.css");
-
 impl Report<'_> {
     /// The page, as HTML.
     pub(super) fn to_html(&self) -> String {
-        let mut page = String::new();
-        page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-        page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-        page.push_str("<meta name=\"color-scheme\" content=\"light dark\">\n");
-        let _ = write!(
+        let mut page = opened("The paper, claim by claim");
+        let _ = writeln!(
             page,
-            "<title>The paper, claim by claim</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-             <h1>The paper, claim by claim</h1>\n\
-             <p>Section IV of <cite>Lyapunov Observer/Controller for Stable Haptic Interaction</cite> \
-             (Jafari, Etoundi, Chong), computed by <code>{}</code>, lyapunov {VERSION}.</p>\n",
-            escape(self.command)
+            "<p>Section IV of <cite>Lyapunov Observer/Controller for Stable Haptic Interaction</cite> \
+             (Jafari, Etoundi, Chong), computed by <code>{}</code>, lyapunov {VERSION}.</p>",
+            escaped(self.command)
         );
         self.claims(&mut page);
         self.figures(&mut page);
@@ -40,7 +33,7 @@ impl Report<'_> {
         self.readings(&mut page);
         page.push_str(DEFINITIONS);
         self.scenes(&mut page);
-        page.push_str("</body>\n</html>\n");
+        page.push_str(CLOSED);
         page
     }
 
@@ -57,8 +50,8 @@ impl Report<'_> {
                 "<tr id=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
                  <td class=\"number\">{} of {}</td><td class=\"{class}\">{verdict}</td></tr>",
                 claim.id,
-                escape(claim.paper),
-                escape(claim.reading),
+                escaped(claim.paper),
+                escaped(claim.reading),
                 claim.measured(),
                 claim.held,
                 claim.of
@@ -74,7 +67,7 @@ impl Report<'_> {
                 page,
                 "<figure id=\"{name}\">\n{}\n<figcaption>Drawn by <code>{}</code>, lyapunov {VERSION}, from",
                 figure.to_svg(),
-                escape(self.command)
+                escaped(self.command)
             );
             for (index, case) in cases.iter().enumerate() {
                 let (and, case) = (if index == 0 { "" } else { " and" }, case.name());
@@ -97,7 +90,7 @@ impl Report<'_> {
             }
         }
         for case in cases {
-            let (name, text) = (case.name(), escape(case.text()));
+            let (name, text) = (case.name(), escaped(case.text()));
             let _ = writeln!(
                 page,
                 "<section id=\"{name}\">\n<h3><code>scenes/{name}.toml</code></h3>\n\
@@ -115,12 +108,12 @@ impl Report<'_> {
              <div class=\"wide\"><table class=\"counts\">\n<thead><tr><th>The paper says</th>",
         );
         for moved in &self.study.moved {
-            let _ = write!(page, "<th class=\"number\">{}</th>", escape(&moved.name));
+            let _ = write!(page, "<th class=\"number\">{}</th>", escaped(&moved.name));
         }
         page.push_str("</tr></thead>\n<tbody>\n");
         for (index, claim) in self.study.moved.first().iter().flat_map(|it| &it.claims).enumerate()
         {
-            let _ = write!(page, "<tr><td>{}</td>", escape(claim.paper));
+            let _ = write!(page, "<tr><td>{}</td>", escaped(claim.paper));
             for claim in self.study.moved.iter().filter_map(|moved| moved.claims.get(index)) {
                 let (class, verdict) = told(claim.verdict);
                 let _ = write!(
@@ -171,7 +164,7 @@ impl Report<'_> {
                  <td class=\"number\">{:.0} %</td><td class=\"number\">{}</td></tr>",
                 1e-3 * reading.setting.stiffness,
                 format!("{:?}", reading.setting.control).to_uppercase(),
-                escape(&reading.name),
+                escaped(&reading.name),
                 100.0 * reading.bounded,
                 100.0 * reading.settled,
                 reading.settling_time.map_or("–".to_owned(), number),
@@ -192,8 +185,4 @@ fn told(verdict: Verdict) -> (&'static str, &'static str) {
         Verdict::NotReproduced => ("no", "not reproduced"),
         Verdict::Undecided => ("open", "undecided"),
     }
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
