@@ -125,13 +125,11 @@ impl fmt::Display for Told<'_> {
             Change::Number(number) => format!("{key} = {}", given(*number)),
             Change::Word(word) => format!("{key} = \"{word}\""),
         });
-        let told: Vec<String> = told.collect();
-        write!(
-            f,
-            "{}\n    peak force {} N, off the wall's own force by {} N (rms)",
-            told.join(", "),
-            found(*peak_force),
-            found(*force_error)
-        )
+        write!(f, "{}\n    ", told.collect::<Vec<_>>().join(", "))?;
+        if *peak_force == 0.0 {
+            return write!(f, "no force acts: the environment is not touched any more");
+        }
+        let [peak, error] = [peak_force, force_error].map(|force| found(*force));
+        write!(f, "peak force {peak} N, off the wall's own force by {error} N (rms)")
     }
 }
