@@ -1,5 +1,7 @@
 //! One run, with what it is judged by.
 
+use std::ops::ControlFlow;
+
 use lyapunov::ParameterError;
 
 use super::balance::{Account, Balance, Tick};
@@ -11,6 +13,9 @@ use crate::{Rollout, Scene, Space};
 
 /// Beyond this, m and m/s, squares leave the range of the numbers before long.
 const FAR: f64 = 1e100;
+
+/// Ticks between two reports of progress.
+const BREATH: u64 = 1 << 14;
 
 /// What a run came to.
 #[derive(Clone, Copy, Debug)]
@@ -33,18 +38,23 @@ pub(super) struct Feel {
 impl Trial {
     /// Runs `scene` as it is.
     pub(super) fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::along(scene, Rollout::<V>::of(scene)?)
+        Self::along(scene, Rollout::<V>::of(scene)?, &|_| ControlFlow::Continue(()))
     }
 
-    /// Runs a loop of `scene`.
+    /// Runs a loop of `scene`, telling `watch` now and then how many more ticks are done; where it says so, no further.
     pub(super) fn along<V: Space>(
         scene: &Scene,
         mut rollout: Rollout<V>,
+        watch: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Self, ParameterError> {
         let (mut fate, mut account) = (Fate::new(scene), Account::new(scene, Body::of(scene)?));
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
-        let mut open = true;
+        let (mut open, mut ticks) = (true, 0);
         loop {
+            ticks += 1;
+            if ticks % BREATH == 0 && watch(BREATH).is_break() {
+                break;
+            }
             let drive = rollout.drive();
             let (position, velocity) = (drive.position.axis(0), drive.velocity.axis(0));
             let Some(row) = rollout.next() else { break };

@@ -44,9 +44,11 @@ impl Energies {
         watch: &Watch<'_>,
     ) -> Result<Self, CompareError> {
         let scene = &comparison.scene;
+        // On the way it is only asked whether to go on.
+        let quiet = |_| watch(0);
         let balance = |number: usize| -> Result<Balance, ParameterError> {
             let stabilizer = contestants.entries()[number].stabilizer(scene)?;
-            Balance::along(scene, Rollout::<V>::stabilized_by(scene, stabilizer)?)
+            Balance::along(scene, Rollout::<V>::stabilized_by(scene, stabilizer)?, &quiet)
         };
         let rows = comparison.outcomes.par_iter().map(|outcome| {
             let name = &outcome.score.stabilizer;
