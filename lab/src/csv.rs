@@ -1,5 +1,6 @@
 //! Rows as text that reads back exactly.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use crate::Row;
@@ -43,5 +44,14 @@ impl<W: Write> Csv<W> {
     /// Hands back the writer.
     pub fn into_inner(self) -> W {
         self.writer
+    }
+}
+
+/// A text as one cell of a table.
+pub(crate) fn quoted(text: &str) -> Cow<'_, str> {
+    if text.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(text)
     }
 }

@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 /// A file in the making: it appears under its name when it is [kept](Output::keep), and not before.
 ///
@@ -100,18 +100,24 @@ impl Output {
     /// # Errors
     /// What the system says; then nothing has changed under that name.
     pub fn keep(self) -> Result<(), OutputError> {
+        self.written()?.keep()
+    }
+
+    /// Closes the file: a device that is full is noticed here.
+    fn written(self) -> Result<Written, OutputError> {
         let Self { path, target } = self;
-        let refuse = |source| OutputError { path, source };
-        match target {
+        let refuse = |source| OutputError::new(&path, source);
+        let file = match target {
             Target::Replace(writer, place) => {
-                let file = match writer.into_inner() {
-                    Ok(file) => file,
-                    Err(error) => return Err(refuse(error.into_error())),
-                };
-                file.persist(place).map(drop).map_err(|error| refuse(error.error))
+                let file = writer.into_inner().map_err(|error| refuse(error.into_error()))?;
+                Some((file.into_temp_path(), place))
             }
-            Target::Direct(mut writer) => writer.flush().map_err(refuse),
-        }
+            Target::Direct(mut writer) => {
+                writer.flush().map_err(refuse)?;
+                None
+            }
+        };
+        Ok(Written { path, file })
     }
 
     /// Says which file an error of the writer is about.
@@ -120,11 +126,27 @@ impl Output {
     }
 }
 
-/// Files of one folder that appear together: all of them are written before the first takes its name.
+/// Files of one folder, all of which are written before the first takes its name.
 #[derive(Debug)]
 pub struct Outputs<'a> {
     folder: &'a Path,
-    written: Vec<Output>,
+    written: Vec<Written>,
+}
+
+/// A file that is whole, closed, and not under its name yet.
+#[derive(Debug)]
+struct Written {
+    path: PathBuf,
+    /// What is to take which name; none if it went to where it is directly.
+    file: Option<(TempPath, PathBuf)>,
+}
+
+impl Written {
+    fn keep(self) -> Result<(), OutputError> {
+        let Self { path, file } = self;
+        let Some((file, place)) = file else { return Ok(()) };
+        file.persist(place).map_err(|error| OutputError { path, source: error.error })
+    }
 }
 
 impl<'a> Outputs<'a> {
@@ -139,19 +161,17 @@ impl<'a> Outputs<'a> {
     /// As [`Output::create`], and a device that is full.
     pub fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
         let mut output = Output::create(&self.folder.join(name))?;
-        // Flushed here: a device that is full is noticed before anything takes its name.
-        let written = output.write_all(bytes.as_ref()).and_then(|()| output.flush());
-        written.map_err(|error| output.blame(error))?;
-        self.written.push(output);
+        output.write_all(bytes.as_ref()).map_err(|error| output.blame(error))?;
+        self.written.push(output.written()?);
         Ok(())
     }
 
-    /// Puts all files in their places.
+    /// Puts all files in their places, one after the other.
     ///
     /// # Errors
-    /// As [`Output::keep`].
+    /// As [`Output::keep`]; the files before that one are in their places then.
     pub fn keep(self) -> Result<(), OutputError> {
-        self.written.into_iter().try_for_each(Output::keep)
+        self.written.into_iter().try_for_each(Written::keep)
     }
 }
 

@@ -1,15 +1,10 @@
 //! Where the energy of a run came from and where it went.
 
-use std::ops::ControlFlow;
-
-use lyapunov::ParameterError;
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
 use super::law::{Motion, force, work};
-use super::trial::Trial;
 use crate::scene::{Scene, Velocity};
-use crate::{Rollout, Space};
 
 /// The energies of a stretch of a run by cause, J; docs/explain.md has the equations.
 ///
@@ -56,19 +51,6 @@ pub struct Balance {
 }
 
 impl Balance {
-    /// That of a whole run of `scene`, under whichever stabilizer, or of as much of it as is in the range of the numbers.
-    /// `watch` is told now and then how many more ticks are done; where it says so, the run ends there.
-    ///
-    /// # Errors
-    /// A scene whose body cannot be made.
-    pub fn along<V: Space>(
-        scene: &Scene,
-        rollout: Rollout<V>,
-        watch: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Result<Self, ParameterError> {
-        Trial::along(scene, rollout, watch).map(|trial| trial.whole)
-    }
-
     /// What the parts are called, each with what it gave; what was taken is below 0.
     pub fn parts(&self) -> [(&'static str, f64); 14] {
         [

@@ -42,6 +42,10 @@ impl Hint {
                 let (own, most, times) = (found(own), found(most), found(own / most));
                 format!("{own} N/m is {times} times what the loop bears by itself, {most} N/m")
             }
+            Some([least, _]) if own < least => {
+                let (own, least) = (found(own), found(least));
+                format!("{own} N/m is less than the {least} N/m from which on the loop decays")
+            }
             Some(_) => {
                 "in contact the loop decays; what drives it is not in its linear part".to_owned()
             }

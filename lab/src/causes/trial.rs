@@ -98,3 +98,18 @@ impl Trial {
         Self::of::<V>(scene).ok().filter(|trial| trial.is_bounded)
     }
 }
+
+impl Balance {
+    /// That of a whole run of `scene`, under whichever stabilizer, or of as much of it as is in the range of the numbers.
+    /// `watch` is told now and then how many more ticks are done; where it says so, the run ends there.
+    ///
+    /// # Errors
+    /// A scene whose body cannot be made.
+    pub fn along<V: Space>(
+        scene: &Scene,
+        rollout: Rollout<V>,
+        watch: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Result<Self, ParameterError> {
+        Trial::along(scene, rollout, watch).map(|trial| trial.whole)
+    }
+}

@@ -76,7 +76,7 @@ impl Explanation {
             |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
         writeln!(f, "  {:<34}{:>16}{:>16}", "energy in mJ", "first contact", "whole run")?;
         let times = [first, &self.whole_run].map(stretch);
-        writeln!(f, "  {:<24}{:>26}{:>26}", "", times[0], times[1])?;
+        writeln!(f, "  {:<24}{:>26}{:>16}", "", times[0], times[1])?;
         for (name, of) in LINES {
             let values = [first, &self.whole_run].map(of);
             if values != [0.0, 0.0] {

@@ -111,6 +111,18 @@ mod tests {
     }
 
     #[test]
+    fn bars_go_from_their_start_to_their_end_at_their_height() {
+        let bars = [(0.0, 0.25, 0.5), (0.5, 0.5 + 1e-6, 0.0), (0.75, 2.0, 1.0)];
+        let curve = Curve::of(&Series::bars("", 0, &bars), &AXES);
+        let ends = |line: &Vec<Place>| (line[0], line[line.len() - 1]);
+        let drawn: Vec<_> = curve.lines.iter().map(ends).collect();
+        assert_eq!(drawn[0], ((0.0, 50.0), (25.0, 50.0)));
+        assert!((drawn[1].0.0 - 50.0).abs() < 1e-3 && drawn[1].0.1 == 100.0);
+        assert_eq!(drawn[2], ((75.0, 0.0), (100.0, 0.0)));
+        assert!(curve.dots.is_empty() && curve.stroke.dash.is_empty());
+    }
+
+    #[test]
     fn points_that_are_not_finite_leave_a_gap() {
         let points = vec![
             (0.0, 0.0),

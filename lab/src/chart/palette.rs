@@ -7,6 +7,10 @@ use super::series::{Series, Trace};
 pub const PALETTE: [&str; 7] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 
+/// The same by half on paper, and grey: of broad bars a dash would not show the end.
+const TINTS: [&str; 7] =
+    ["#80b9d9", "#eaaf80", "#80cfb9", "#e6bcd3", "#f3cf80", "#abdaf4", "#9a9a9a"];
+
 /// Dash patterns, the first one solid.
 const DASHES: [&str; 4] = ["", "6 3", "2 2.5", "9 3 2 3"];
 
@@ -37,12 +41,12 @@ impl Stroke {
     }
 
     pub(super) fn of(series: &Series) -> Self {
-        let round = series.colour / PALETTE.len() % DASHES.len();
-        Self {
-            colour: PALETTE[series.colour % PALETTE.len()],
-            width: if series.trace == Trace::Bars { BAR } else { 1.3 },
-            dash: DASHES[(round + usize::from(series.dashed)) % DASHES.len()],
+        let (round, colour) = (series.colour / PALETTE.len(), series.colour % PALETTE.len());
+        if series.trace == Trace::Bars {
+            return Self::solid([PALETTE, TINTS][round % 2][colour], BAR);
         }
+        let dash = (round % DASHES.len() + usize::from(series.dashed)) % DASHES.len();
+        Self { colour: PALETTE[colour], width: 1.3, dash: DASHES[dash] }
     }
 }
 

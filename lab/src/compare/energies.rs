@@ -11,6 +11,7 @@ use super::contestants::Contestants;
 use super::setting::Setting;
 use crate::causes::Balance;
 use crate::chart::{Figure, Panel, Series};
+use crate::csv::quoted;
 use crate::{Rollout, Space};
 
 /// Height of a contestant's pair of bars, in pixels of the drawing.
@@ -76,8 +77,7 @@ impl Energies {
             "energy, mJ",
             "",
         );
-        let named = self.parts().into_iter().enumerate();
-        let panel = named.fold(panel, |panel, (colour, (name, bars))| {
+        let panel = self.parts().into_iter().fold(panel, |panel, (colour, name, bars)| {
             panel.with_series(Series::bars(name, colour, &bars))
         });
         let names: Vec<String> = self.rows.iter().map(|(name, _)| name.clone()).collect();
@@ -88,8 +88,8 @@ impl Energies {
             .with_panel(panel.with_rows(names))
     }
 
-    /// The parts that are there, each with its bars.
-    fn parts(&self) -> Vec<(&'static str, Bars)> {
+    /// The parts that are there: the number of each among all, its name and its bars.
+    fn parts(&self) -> Vec<(usize, &'static str, Bars)> {
         let names = Balance::default().parts().map(|(name, _)| name);
         let mut bars: Vec<Bars> = vec![Vec::new(); names.len()];
         for (row, balance) in self.rows.iter().enumerate() {
@@ -108,14 +108,16 @@ impl Energies {
                 bars.push((1e3 * start, 1e3 * *reached, side - row as f64));
             }
         }
-        names.into_iter().zip(bars).filter(|(_, bars)| !bars.is_empty()).collect()
+        let named = names.into_iter().zip(bars).enumerate();
+        let told = named.map(|(number, (name, bars))| (number, name, bars));
+        told.filter(|(.., bars)| !bars.is_empty()).collect()
     }
 
     /// The same as comma-separated values, in numbers that read back exactly: what each part gave, in J.
     pub fn csv(&self) -> String {
         let lines = self.rows.iter().flat_map(|(name, balance)| {
             let parts = balance.iter().flat_map(Balance::parts);
-            parts.map(move |(part, given)| format!("{name},{part},{:?}\n", given + 0.0))
+            parts.map(move |(part, given)| format!("{},{part},{:?}\n", quoted(name), given + 0.0))
         });
         std::iter::once("stabilizer,part,given_j\n".to_owned()).chain(lines).collect()
     }

@@ -118,10 +118,14 @@ impl Drawing {
                 points.iter().position(|point| !(low..=high).contains(&point.1))
             });
             let kept = &points[..end.map_or(points.len(), |end| end + 1)];
-            let unstable = if is_unstable(outcome) { " (unstable, cut off)" } else { "" };
-            let name = format!("{}{unstable}", outcome.score.stabilizer);
+            let name = if outcomes.len() > 1 { &outcome.score.stabilizer[..] } else { "" };
+            let cut = if is_unstable(outcome) { "(unstable, cut off)" } else { "" };
+            let gap = if name.is_empty() || cut.is_empty() { "" } else { " " };
+            // Alone in its panel, a curve needs no dashes to be told apart.
+            let colour =
+                if outcomes.len() > 1 { outcome.number } else { outcome.number % PALETTE.len() };
             let scaled = kept.iter().map(|(t, y)| (*t, self.scale * y)).collect();
-            let series = Series::line(name, outcome.number, scaled);
+            let series = Series::line(format!("{name}{gap}{cut}"), colour, scaled);
             // Over an equal curve, dashes let both be seen.
             let hides = outcomes[..index].iter().any(|other| (self.curve)(other) == points);
             panel = panel.with_series(if hides { series.dashed() } else { series });

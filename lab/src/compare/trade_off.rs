@@ -10,6 +10,7 @@ use super::comparison::{CompareError, Comparison};
 use super::contestants::Contestants;
 use crate::Space;
 use crate::chart::{Figure, Panel, Series};
+use crate::csv::quoted;
 use crate::family::Contender;
 use crate::quartiles::quartiles;
 use crate::scene::{Environment, NonNegative, Positive, Scene};
@@ -27,7 +28,8 @@ const MOST: u64 = 20_000;
 /// Height of a contestant's bars, in pixels of the drawing.
 const ROW: f64 = 30.0;
 
-/// How many walls each contestant renders stably, and how near it comes to the ideal wall where all of them do.
+/// How many walls each contestant renders stably, and how near it comes to the ideal wall on common ones: those that every
+/// stabilizer holds which holds any, and nobody does not.
 ///
 /// The walls are those of the scene's place with 12 stiffnesses from a sixteenth to 16 times its own, equal ratios
 /// apart, by 12 dampings from 0 to `m / (r T)`, which stops the mass `m` within one period `r T` of the environment.
@@ -74,9 +76,9 @@ impl TradeOff {
             })?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Break(()) => Err(CompareError::Stopped),
-                // What is never touched has no error.
+                // What is never touched holds, and has no error to be compared.
                 ControlFlow::Continue(()) if bout.score.stable == Some(true) => {
-                    Ok(Some(bout.score.force_error.unwrap_or(0.0)))
+                    Ok(Some(bout.score.force_error.unwrap_or(f64::NAN)))
                 }
                 ControlFlow::Continue(()) => Ok(None),
             }
@@ -94,10 +96,16 @@ impl TradeOff {
     fn told(title: String, names: Vec<String>, errors: &[Vec<Option<f64>>]) -> Self {
         let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
         let held: Vec<usize> = (0..names.len()).map(stable).collect();
+        let is_nobody = |index: usize| names[index] == Contender::Nobody.name();
+        let counts = |index: usize| held[index] > 0 && !is_nobody(index);
         // Where nothing has to be done, no stabilizer tells what it costs.
-        let counts = |index: usize| held[index] > 0 && names[index] != Contender::Nobody.name();
+        let agrees = |wall: &[Option<f64>], index: usize| match wall[index] {
+            Some(error) => !is_nobody(index) && error.is_finite(),
+            None => !counts(index),
+        };
         let is_common = |wall: &&Vec<Option<f64>>| {
-            (0..names.len()).all(|index| !counts(index) || wall[index].is_some())
+            let all = 0..names.len();
+            all.clone().any(counts) && all.clone().all(|index| agrees(wall, index))
         };
         let common: Vec<&Vec<Option<f64>>> = errors.iter().filter(is_common).collect();
         let rows = names.iter().enumerate().map(|(index, name)| {
@@ -120,7 +128,7 @@ impl TradeOff {
         let share = |row: usize| 100.0 * self.rows[row].1 as f64 / self.walls as f64;
         let error = |row: usize| self.rows[row].2.unwrap_or(f64::NAN);
         let shares = panel(&format!("stable, of {} walls", self.walls), "share, %", 0, &share);
-        let title = format!("force error on the {} walls that all hold", self.common);
+        let title = format!("force error, common walls: {}", self.common);
         let errors = panel(&title, "force error, N rms, median", 1, &error);
         let height = (ROW * names.len() as f64).max(3.0 * ROW);
         Figure::new(self.title.clone())
@@ -135,7 +143,7 @@ impl TradeOff {
     pub fn csv(&self) -> String {
         let mut text = "stabilizer,stable_walls,walls,common_walls,force_error_rms_n\n".to_owned();
         for (name, stable, error) in &self.rows {
-            let error = error.map_or(String::new(), |error| format!("{error:?}"));
+            let (name, error) = (quoted(name), error.map_or(String::new(), |it| format!("{it:?}")));
             let _ = writeln!(text, "{name},{stable},{},{},{error}", self.walls, self.common);
         }
         text

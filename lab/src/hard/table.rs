@@ -26,9 +26,7 @@ pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::R
     writeln!(f, "\n{passed} of {} passed", catalogue.rows.len())?;
     match catalogue.rows.iter().filter(|row| row.verdict() == "over").count() {
         0 => Ok(()),
-        over => {
-            writeln!(f, "{over} of them are over a bound that this stabilizer does not promise")
-        }
+        over => writeln!(f, "over a bound that this stabilizer does not promise: {over} of them"),
     }
 }
 

@@ -52,7 +52,8 @@ impl Axis {
     /// The unit of its width: that of the number, or decades; empty where it has none.
     pub fn unit(&self) -> &'static str {
         match self.spacing {
-            Spacing::Linear => unit(&self.key),
+            // A range may stand behind the unit.
+            Spacing::Linear => unit(&self.key).split(',').next().unwrap_or_default(),
             Spacing::Logarithmic => "decades",
         }
     }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::axis::Axis;
 use super::grid::Grid;
-use super::survey::Survey;
+use super::survey::{Reach, Survey};
 use crate::bounds::Limits;
 use crate::scene::Scene;
 use crate::summary::found;
@@ -97,23 +97,21 @@ impl Bounds {
     /// The stiffness below the first that is unstable under stabilizer `index`, over the exact bound of the loop without one:
     /// the middle one of the values of the other axis.
     ///
-    /// Where nothing is unstable up to the map's edge that edge counts, and where the first stiffness is unstable 0. Left
-    /// out are values that tell nothing: without a bound, or with both beyond the same edge. None if no value is left, or
-    /// no cell was judged.
+    /// Where nothing that was judged is unstable its last stiffness counts, and where the first is unstable 0. Left
+    /// out are values that tell nothing: without a bound, with both beyond the same edge, or with no cell judged. None if no
+    /// value is left.
     pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<OverExact> {
-        survey.area(index).share?;
         let grid = survey.grid();
-        let (axis, counts): (&Axis, &[u64]) = if self.upwards {
+        let (axis, reaches): (&Axis, &[Reach]) = if self.upwards {
             (&grid.y, survey.along_y(index))
         } else {
             (&grid.x, survey.along_x(index))
         };
         let ratio = |(other, _, limits): &(u64, f64, Limits)| {
-            let (count, exact) = (counts[*other as usize], limits.exact?);
-            let is_least = count == axis.count;
-            let unknown =
-                if is_least { exact >= axis.to } else { count == 0 && exact <= axis.from };
-            let reached = if count == 0 { 0.0 } else { axis.value(count - 1) };
+            let (Reach { end, is_broken }, exact) = (reaches[*other as usize], limits.exact?);
+            let is_least = !is_broken;
+            let reached = if end == 0 { 0.0 } else { axis.value(end - 1) };
+            let unknown = if is_least { exact >= reached } else { end == 0 && exact <= axis.from };
             (!unknown && exact > 0.0).then(|| OverExact { ratio: reached / exact, is_least })
         };
         let mut ratios: Vec<OverExact> = self.samples.iter().filter_map(ratio).collect();

@@ -35,6 +35,6 @@ pub use merge::{MergeError, merge};
 pub use outcome::{Measure, Measures, Outcome};
 pub use run::{Effort, Method, Put, Run, RunError};
 pub use shard::{NoShard, Shard};
-pub use survey::{Area, Survey};
+pub use survey::{Area, Reach, Survey};
 pub use table::{Head, Rows, TableError};
 pub use vary::VaryError;

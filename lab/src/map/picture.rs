@@ -23,9 +23,10 @@ pub(super) struct Drawn {
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
 pub(super) fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
     let curves = bounds.map_or_else(Vec::new, Bounds::curves);
-    let stable = figure(survey, "stable: dark, unstable: light", &curves, |index| {
-        Some((survey.bounded(index), Some((0.0, 1.0))))
-    });
+    let stable =
+        figure(survey, "stable: dark, unstable: light, not judged: empty", &curves, |index| {
+            Some((survey.stable(index), Some((0.0, 1.0))))
+        });
     let mut drawn = vec![Drawn { name: "stable", words: STABLE, figure: stable }];
     for (number, measure) in Measure::ALL.iter().enumerate() {
         let range = range(survey, number);
@@ -37,7 +38,8 @@ pub(super) fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
     drawn
 }
 
-const STABLE: &str = "Dark where the loop is stable, light where it is not";
+const STABLE: &str =
+    "Dark where the loop is stable, light where it is not, empty where nothing was judged";
 
 /// What a measure covers under all stabilizers, so that one colour means the same in every panel.
 fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {

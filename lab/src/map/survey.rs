@@ -20,14 +20,33 @@ pub struct Survey {
 struct Layer {
     stable: u64,
     judged: u64,
-    /// How many cells of each row, counted from its beginning, come before the first that is unstable; and of each column.
-    along_x: Vec<u64>,
-    along_y: Vec<u64>,
-    /// For each element: how many cells, how many of them stable or not judged.
+    /// How far each row is stable, from its beginning; and each column.
+    along_x: Vec<Reach>,
+    along_y: Vec<Reach>,
+    /// For each element: how many cells were judged, how many of them stable.
     cells: Vec<u32>,
-    kept: Vec<u32>,
+    held: Vec<u32>,
     /// For each measure and element, the sum and the number of the values.
     sums: Vec<Vec<(f64, u32)>>,
+}
+
+/// How far a row or a column of a map is stable, from its beginning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reach {
+    /// The number of the cell after the last stable one before any that is unstable; 0 without one.
+    pub end: u64,
+    /// Whether an unstable one follows.
+    pub is_broken: bool,
+}
+
+impl Reach {
+    /// Looks at the next cell, number `index`.
+    fn pass(&mut self, index: u64, stable: Option<bool>) {
+        self.is_broken |= stable == Some(false);
+        if stable == Some(true) && !self.is_broken {
+            self.end = index + 1;
+        }
+    }
 }
 
 /// The share of a map that a stabilizer renders stably: its Z-width.
@@ -39,7 +58,7 @@ pub struct Area {
     pub judged: u64,
     /// The one of the other; none if none was judged.
     pub share: Option<f64>,
-    /// The same share of the rectangle, in the units of both axes; of a logarithmic axis in decades.
+    /// The share of all cells, of the rectangle, in the units of both axes; of a logarithmic axis in decades.
     pub area: Option<f64>,
 }
 
@@ -50,10 +69,10 @@ impl Survey {
         let layer = Layer {
             stable: 0,
             judged: 0,
-            along_x: vec![0; grid.y.count as usize],
-            along_y: vec![0; grid.x.count as usize],
+            along_x: vec![Reach::default(); grid.y.count as usize],
+            along_y: vec![Reach::default(); grid.x.count as usize],
             cells: vec![0; columns * rows],
-            kept: vec![0; columns * rows],
+            held: vec![0; columns * rows],
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
         let layers = vec![layer; grid.members.len()];
@@ -67,13 +86,12 @@ impl Survey {
         let column = at(x, self.grid.x.count, self.columns);
         let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
-            let is_kept = outcome.stable != Some(false);
             layer.judged += u64::from(outcome.stable.is_some());
             layer.stable += u64::from(outcome.stable == Some(true));
-            layer.along_x[y as usize] += u64::from(is_kept && layer.along_x[y as usize] == x);
-            layer.along_y[x as usize] += u64::from(is_kept && layer.along_y[x as usize] == y);
-            layer.cells[element] += 1;
-            layer.kept[element] += u32::from(is_kept);
+            layer.along_x[y as usize].pass(x, outcome.stable);
+            layer.along_y[x as usize].pass(y, outcome.stable);
+            layer.cells[element] += u32::from(outcome.stable.is_some());
+            layer.held[element] += u32::from(outcome.stable == Some(true));
             for (measure, sums) in Measure::ALL.iter().zip(&mut layer.sums) {
                 if let Some(value) = measure.of(&outcome.measures) {
                     sums[element].0 += value;
@@ -92,7 +110,8 @@ impl Survey {
     pub fn area(&self, index: usize) -> Area {
         let Layer { stable, judged, .. } = self.layers[index];
         let share = (judged > 0).then(|| stable as f64 / judged as f64);
-        let area = share.map(|share| share * self.grid.x.width() * self.grid.y.width());
+        let whole = self.grid.x.width() * self.grid.y.width();
+        let area = share.map(|_| stable as f64 / self.grid.cells() as f64 * whole);
         Area { stable, judged, share, area }
     }
 
@@ -105,13 +124,13 @@ impl Survey {
         units.join(" x ")
     }
 
-    /// How many values of x come before the first that is unstable under stabilizer `index`, for each value of y.
-    pub fn along_x(&self, index: usize) -> &[u64] {
+    /// How far along x stabilizer `index` renders each value of y stably.
+    pub fn along_x(&self, index: usize) -> &[Reach] {
         &self.layers[index].along_x
     }
 
     /// The same of y for each value of x.
-    pub fn along_y(&self, index: usize) -> &[u64] {
+    pub fn along_y(&self, index: usize) -> &[Reach] {
         &self.layers[index].along_y
     }
 
@@ -120,11 +139,12 @@ impl Survey {
         (self.columns, self.rows)
     }
 
-    /// The share of cells that did not turn out unstable under stabilizer `index`, row by row from the bottom.
-    pub(super) fn bounded(&self, index: usize) -> Vec<f64> {
+    /// The share of the judged cells that are stable under stabilizer `index`, row by row from the bottom; NaN where none was
+    /// judged.
+    pub(super) fn stable(&self, index: usize) -> Vec<f64> {
         let layer = &self.layers[index];
-        let share = |(cells, kept): (&u32, &u32)| f64::from(*kept) / f64::from(*cells);
-        layer.cells.iter().zip(&layer.kept).map(share).collect()
+        let share = |(cells, held): (&u32, &u32)| f64::from(*held) / f64::from(*cells);
+        layer.cells.iter().zip(&layer.held).map(share).collect()
     }
 
     /// The mean of a measure over the cells of each element; NaN where there is none.

@@ -108,6 +108,7 @@ pub(super) fn link<T: Scalar>(
         Contestant::Compensated => {
             let speed = T::of(file.stabilizer.compensation_speed.get());
             let slave = DriftCompensated::new(Station::new(mobility), speed)
+                .and_then(|slave| slave.meeting(stiffness * period))
                 .map_err(in_table("stabilizer.compensation_speed"))?;
             Box::new(Velocities { master: Box::new(Station::new(damper)), slave: Box::new(slave) })
         }

@@ -161,11 +161,16 @@ fn a_scene_without_a_spring_is_not_judged_but_measured() {
 
 /// What is told of a map of three rows that hold up to so many of its ten stiffnesses each.
 fn told(x: &str, held: [u64; 3]) -> Option<OverExact> {
+    told_of(x, &|row, column| Some(column < held[row as usize]))
+}
+
+/// What is told of a map of ten stiffnesses in three rows that is stable so.
+fn told_of(x: &str, stable: &dyn Fn(u64, u64) -> Option<bool>) -> Option<OverExact> {
     let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
     let grid = grid(more, x, "initial.position=-0.005..-0.003:3", &[Contender::Popc]);
     let mut survey = Survey::of(&grid);
     for cell in 0..grid.cells() {
-        let stable = Some(cell % 10 < held[(cell / 10) as usize]);
+        let stable = stable(cell / 10, cell % 10);
         survey.add(cell, &[Outcome { stable, ..Outcome::default() }]);
     }
     Bounds::of(&grid).unwrap().over_exact(&survey, 0)
@@ -188,6 +193,12 @@ fn what_lies_beyond_the_edge_counts_as_the_edge() {
     assert_eq!(told(&soft, [10, 10, 10]), None);
     assert_eq!(told(&hard, [0, 0, 0]), None);
     assert_eq!(told(&hard, [10, 10, 10]), over(50_000.0, true));
+    // What is not judged tells nothing: neither a whole row of it nor the cells before and behind.
+    assert_eq!(told_of(&x, &|_, _| None), None);
+    let some = |row, column| (row == 1).then_some(column < 6);
+    assert_eq!(told_of(&x, &some), over(6000.0, false));
+    let within = |_, column| (2..8).contains(&column).then_some(true);
+    assert_eq!(told_of(&x, &within), over(8000.0, true));
     // A map that begins beyond the bound shows what holds there.
     assert_eq!(told(&hard, [1, 1, 1]), over(20_000.0, false));
 }

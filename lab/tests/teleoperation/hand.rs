@@ -170,7 +170,8 @@ fn run(file: &Teleoperator, contestant: Contestant) -> Found {
             (flow, unpaid, alphas[1]) = (flow + beta * load, unpaid + short, beta);
             if contestant == Contestant::Compensated {
                 let back = (-drift / T).clamp(-SPEED, SPEED);
-                let draw = -back * load * T;
+                let answer = (K * T + B) * back.abs() * (flow.abs() + back.abs());
+                let draw = (answer - back * load) * T;
                 flow += back * if draw > sum.max(0.0) { sum.max(0.0) / draw } else { 1.0 };
                 drift += (flow - signal) * T;
             }

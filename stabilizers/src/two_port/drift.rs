@@ -8,10 +8,11 @@ use super::Station;
 
 /// A stabilizer of an admittance port that makes up for the position its corrections have cost.
 ///
-/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `−δ / T`, at most
-/// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period, `−u · f T`,
-/// may be the credit of the account at most, and where there is none only what absorbs is added. So it never makes the debt
-/// that it would have to serve. (Artigas, Ryu and Preusche, IROS 2010, and Chawda, Ly Van Quang, O'Malley and Ryu,
+/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at most
+/// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
+/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what absorbs is
+/// added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within the period gives
+/// energy that the last force does not tell of, and without it compensation makes debts. (Artigas, Ryu and Preusche, IROS 2010, and Chawda, Ly Van Quang, O'Malley and Ryu,
 /// HAPTICS 2014, compensate with what the passivity observer has to spare.) A speed of 0 changes no bit.
 ///
 /// The drive is a [`Load`](lyapunov_core::Load): `velocity` is the force, the effort in and out are flows. The
@@ -20,17 +21,28 @@ use super::Station;
 pub struct DriftCompensated<S, V: Signal> {
     stabilizer: S,
     speed: V::Scalar,
+    impedance: V::Scalar,
     drift: V,
 }
 
 impl<S, V: Signal> DriftCompensated<S, V> {
-    /// `stabilizer`, finding back at `speed` m/s at most.
+    /// `stabilizer`, finding back at `speed` m/s at most against a force that stays the same within a period.
     ///
     /// # Errors
     /// `speed` below 0 or NaN.
     pub fn new(stabilizer: S, speed: V::Scalar) -> Result<Self, ParameterError> {
         let speed = Requirement::Limit.check("compensation speed", speed)?;
-        Ok(Self { stabilizer, speed, drift: V::zero() })
+        Ok(Self { stabilizer, speed, impedance: V::Scalar::of(0.0), drift: V::zero() })
+    }
+
+    /// The same against a force that answers a velocity by as much as `impedance` N·s/m within a period: `b + k T` of a
+    /// damper and a spring.
+    ///
+    /// # Errors
+    /// `impedance` below 0, infinite or NaN.
+    pub fn meeting(self, impedance: V::Scalar) -> Result<Self, ParameterError> {
+        let impedance = Requirement::NonNegative.check("impedance", impedance)?;
+        Ok(Self { impedance, ..self })
     }
 
     /// How far the port is from where it would be without corrections, m.
@@ -59,10 +71,12 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for DriftCompensated<S, V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
         let action = self.stabilizer.stabilize(drive, effort);
         let back = self.drift.map(|drift| -drift / drive.period).limited(self.speed);
-        let draw = -(back.pair(drive.velocity) * drive.period);
+        let sizes = back.map(Scalar::magnitude);
+        let answer = sizes.pair(action.effort.map(Scalar::magnitude) + sizes) * self.impedance;
+        let draw = (answer - back.pair(drive.velocity)) * drive.period;
         let credit = action.sum.larger(zero);
         let share = V::Scalar::choose(draw.above(credit), credit / draw, one);
-        let some = back.map(Scalar::magnitude).sum().above(zero);
+        let some = sizes.sum().above(zero);
         let moved = action.effort + back.scale(share);
         let flow = V::choose(some & action.accepted & moved.finite(), moved, action.effort);
         let drift = self.drift + (flow - effort).scale(drive.period);

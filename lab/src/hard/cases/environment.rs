@@ -102,7 +102,7 @@ pub(super) fn cases() -> Vec<Case> {
             bound: 0.0,
             ..case(
                 "the same credit, taken",
-                "with the paper's candidate: the loop grows unseen, and the account still closes",
+                "for the paper's candidate, under which the loop grows unseen and the account still closes",
                 (0.0, 20.0),
                 CREDIT.replace("device-damping", "mass-spring-damper"),
             )
