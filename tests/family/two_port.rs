@@ -165,6 +165,31 @@ fn over_every_channel_it_stays_bounded() {
     }
 }
 
+/// Against a force that answers at once, what is given away is counted with the answer: `(v + u)(f + z u)`.
+#[test]
+fn compensation_counts_with_what_answers_it() {
+    let (speed, impedance) = (0.02, 5.0);
+    let station = || DriftCompensated::new(Station::new(mobility()), speed).expect("one");
+    assert!(station().meeting(-1.0).is_err() && station().meeting(f64::NAN).is_err());
+    let mut one = station().meeting(impedance).expect("one");
+    let (asked, mut spent) = (0.1, 0.0_f64);
+    let mut load = Drive::from(Load::starting(PERIOD, 0.0));
+    for tick in 0..4000 {
+        // A push that is not paid for makes the drift; then credit comes in, less than the push takes.
+        let push: f64 = if tick < 20 { -5.0 } else { -0.1 };
+        one.receive(if tick < 100 { 0.0 } else { 1.05e-5 * f64::from(tick) });
+        let action: Action<f64> = one.stabilize(&load, asked);
+        let served = asked + action.alpha * load.velocity;
+        let back = action.effort - served;
+        // What the answer makes of it, beyond what would have been given without.
+        let more = served * load.velocity - action.effort * (load.velocity - impedance * back);
+        assert!(more * PERIOD <= action.sum.max(0.0) + 1e-15, "{tick}: {more} {action:?}");
+        spent = spent.max(more);
+        load = Load::new(PERIOD, 0.0, push, push * PERIOD, action.effort).into();
+    }
+    assert!(spent > 0.0 && one.drift() > -1e-3, "credit is spent: {spent} W, {} m", one.drift());
+}
+
 /// What the corrections cost in position is made up for, from credit only.
 #[test]
 fn drift_is_taken_back() {

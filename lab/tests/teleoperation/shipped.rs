@@ -71,6 +71,23 @@ fn the_loop_alone_swings_up_and_the_others_hold() {
     }
 }
 
+/// What was given and what stayed unpaid is so within the first seconds: at rest no debt is made, with or without compensation.
+#[test]
+fn debts_do_not_grow_with_time() {
+    for name in NAMES {
+        let text = text(name);
+        let longer = text.replace("duration = 5.0", "duration = 60.0");
+        assert_ne!(longer, text);
+        let [short, long] = [text, longer].map(|text| scores(&compared(&parsed(&text))));
+        for (short, long) in short.iter().zip(&long).skip(1) {
+            assert_eq!(long.shortfall, short.shortfall, "{name}: {}", long.stabilizer);
+            let (kept, before) = (long.kept.unwrap(), short.kept.unwrap());
+            assert!(kept >= before - 1e-6, "{name}: {} {kept} {before} mJ", long.stabilizer);
+            assert!(long.bounded, "{name}: {}", long.stabilizer);
+        }
+    }
+}
+
 /// A channel that does nothing is one that is not there, and drift that is not taken back stays.
 #[test]
 fn neutral_values_change_nothing() {
