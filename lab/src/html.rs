@@ -19,7 +19,7 @@ pub(crate) fn opened(title: &str) -> String {
     )
 }
 
-/// The text with everything replaced that HTML reads as markup.
+/// The text with everything replaced that HTML reads as markup between tags.
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
