@@ -1,4 +1,4 @@
-//! Scene files, simulation and figures: what the command `lyapunov` is made of.
+//! Scene files, simulation, studies and their figures: what the command `lyapunov` is made of.
 //!
 //! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with anybody
 //! else's:
@@ -25,7 +25,6 @@ pub mod accuracy;
 pub mod bounds;
 mod building;
 pub mod causes;
-pub mod chart;
 pub mod compare;
 mod csv;
 mod described;
@@ -37,7 +36,7 @@ pub mod map;
 mod meters;
 pub mod models;
 pub mod observe;
-mod output;
+mod output_error;
 pub mod paper;
 mod prices;
 mod quartiles;
@@ -52,8 +51,10 @@ pub mod teleoperation;
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
 pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
+pub use lyapunov_figures as figures;
+#[doc(no_inline)]
 pub use nalgebra::SVector;
-pub use output::{Output, OutputError, Outputs};
+pub use output_error::OutputError;
 pub use prices::{Prices, PricesError};
 pub use rollout::Rollout;
 pub use row::{Row, further_columns};

@@ -17,13 +17,14 @@ mod scripts;
 mod tests;
 
 use std::error::Error;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
-use lyapunov_lab::Output;
+use lyapunov_lab::OutputError;
 
 use contest::Contest;
 use report::Report;
@@ -57,7 +58,8 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &arguments.json {
         // A place that cannot be written to is told before minutes are spent.
-        drop(Output::create(path)?);
+        let opened = File::options().append(true).create(true).open(path);
+        opened.map_err(|error| OutputError::new(path, error))?;
     }
     let rounds = usize::from(arguments.rounds);
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left")?;
@@ -71,10 +73,8 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     io::stdout().lock().write_all(report.to_string().as_bytes())?;
     if let Some(path) = &arguments.json {
-        let mut output = Output::create(path)?;
-        let written = output.write_all(report.document()?.as_bytes());
-        written.map_err(|error| output.blame(error))?;
-        output.keep()?;
+        let written = fs::write(path, report.document()?);
+        written.map_err(|error| OutputError::new(path, error))?;
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use super::Study;
 use super::setting::Number;
 use super::study::Row;
-use crate::chart::{Figure, Numbering, Panel, Series};
+use lyapunov_figures::{Figure, Numbering, Panel, Series};
 
 /// The propagators, in the order of their colours.
 const PROPAGATORS: [&str; 6] =

@@ -12,8 +12,8 @@ use super::column::Column;
 use super::contestants::{Contestants, Settings};
 use super::score::Score;
 use super::{cost, picture, table};
-use crate::chart::Figure;
 use crate::{Scene, Space};
+use lyapunov_figures::Figure;
 
 /// All contestants on one scene; shown, it is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]

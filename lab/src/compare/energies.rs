@@ -10,9 +10,9 @@ use super::comparison::{CompareError, Comparison};
 use super::contestants::Contestants;
 use super::setting::Setting;
 use crate::causes::Balance;
-use crate::chart::{Figure, Panel, Series};
 use crate::csv::quoted;
 use crate::{Rollout, Space};
+use lyapunov_figures::{Figure, Panel, Series};
 
 /// Height of a contestant's pair of bars, in pixels of the drawing.
 const ROW: f64 = 40.0;

@@ -2,10 +2,10 @@
 
 use super::comparison::{Comparison, Outcome};
 use super::tick::wall;
-use crate::chart::{Figure, Guide, PALETTE, Panel, Series};
 use crate::compare::setting::Setting;
 use crate::equilibrium::equilibrium;
 use crate::meters::Criterion;
+use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
 /// Height of the panels that have one curve each, in pixels of the drawing.
 const ALONE: f64 = 130.0;

@@ -9,12 +9,12 @@ use super::bout::{Bout, NoBout, Watch};
 use super::comparison::{CompareError, Comparison};
 use super::contestants::Contestants;
 use crate::Space;
-use crate::chart::{Figure, Panel, Series};
 use crate::csv::quoted;
 use crate::family::Contender;
 use crate::quartiles::quartiles;
 use crate::scene::{Environment, NonNegative, Positive, Scene};
 use crate::summary::{found, given};
+use lyapunov_figures::{Figure, Panel, Series};
 
 /// Values of the wall's stiffness, and of its damping.
 const VALUES: usize = 12;

@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Head, Rows, TableError};
-use crate::Output;
+use crate::OutputError;
 
 /// Why shards do not make a map.
 #[derive(Debug)]
@@ -60,11 +60,11 @@ impl<E: Into<BookError>> From<E> for MergeError {
     }
 }
 
-/// Writes the map of all shards at `paths` to `out`, and tells what it comes to.
+/// Writes the map of all shards at `paths` to `out`, which is at `place`, and tells what it comes to.
 ///
 /// # Errors
 /// Tables that do not make a whole map; a place that cannot be written to.
-pub fn merge(paths: &[PathBuf], out: &mut Output) -> Result<Survey, MergeError> {
+pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Survey, MergeError> {
     let mut shards = Vec::new();
     for path in paths {
         let (_, head) = open(path)?;
@@ -82,7 +82,7 @@ pub fn merge(paths: &[PathBuf], out: &mut Output) -> Result<Survey, MergeError> 
     let mut survey = Survey::of(grid);
     let whole = Head::of(grid, Shard::WHOLE);
     let count = shard.count;
-    out.write_all(whole.text().as_bytes()).map_err(|error| out.blame(error))?;
+    out.write_all(whole.text().as_bytes()).map_err(|error| OutputError::new(place, error))?;
     for index in 0..count {
         let shard = Shard { index, count };
         let mut these = shards.iter().filter(|(.., one)| *one == shard);
@@ -90,7 +90,7 @@ pub fn merge(paths: &[PathBuf], out: &mut Output) -> Result<Survey, MergeError> 
         if let Some((path, ..)) = these.next() {
             return Err(MergeError::Twice((*path).clone(), shard));
         }
-        append(path, grid, shard, out, &mut survey)?;
+        append(path, grid, shard, &mut survey, out, place)?;
     }
     Ok(survey)
 }
@@ -99,8 +99,9 @@ fn append(
     path: &Path,
     grid: &Grid,
     shard: Shard,
-    out: &mut Output,
     survey: &mut Survey,
+    out: &mut impl Write,
+    place: &Path,
 ) -> Result<(), MergeError> {
     let (lines, _) = open(path)?;
     let cells = shard.cells(grid.cells());
@@ -112,7 +113,7 @@ fn append(
             return Err(MergeError::Unfinished(path.to_owned(), done, all));
         };
         survey.add(cell, &outcomes);
-        table::write(out, grid, cell, &outcomes).map_err(|error| out.blame(error))?;
+        table::write(out, grid, cell, &outcomes).map_err(|error| OutputError::new(place, error))?;
     }
     Ok(())
 }

@@ -4,8 +4,8 @@ use super::axis::{Axis, Spacing};
 use super::bounds::{Bounds, Curve};
 use super::outcome::Measure;
 use super::survey::Survey;
-use crate::chart::{Figure, HeatMap, Numbering, Panel, Series};
 use crate::scene::unit;
+use lyapunov_figures::{Figure, HeatMap, Numbering, Panel, Series};
 
 /// Width of a panel, in pixels of the drawing.
 const WIDTH: f64 = 560.0;
@@ -14,14 +14,17 @@ const HEIGHT: f64 = 330.0;
 
 /// A heat map, the name of its files, and what it shows.
 #[derive(Debug)]
-pub(super) struct Drawn {
-    pub(super) name: &'static str,
-    pub(super) words: &'static str,
-    pub(super) figure: Figure,
+pub struct Drawn {
+    /// The name of its files, without an ending.
+    pub name: &'static str,
+    /// What it shows.
+    pub words: &'static str,
+    /// The map, a panel for each stabilizer.
+    pub figure: Figure,
 }
 
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
-pub(super) fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
+pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
     let curves = bounds.map_or_else(Vec::new, Bounds::curves);
     let stable =
         figure(survey, "stable: dark, unstable: light, not judged: empty", &curves, |index| {

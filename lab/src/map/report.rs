@@ -8,13 +8,8 @@ use super::picture::Drawn;
 use super::survey::Survey;
 use crate::html::{CLOSED, VERSION, escaped, opened};
 
-/// The page, as HTML.
-pub(super) fn page(
-    survey: &Survey,
-    bounds: Option<&Bounds>,
-    figures: &[Drawn],
-    command: &str,
-) -> String {
+/// The page of a map with its `figures`, as HTML; `command` made the map.
+pub fn page(survey: &Survey, bounds: Option<&Bounds>, figures: &[Drawn], command: &str) -> String {
     let grid = survey.grid();
     let mut page = opened(&format!("Map of {} by {}", grid.y.key, grid.x.key));
     let _ = writeln!(

@@ -3,7 +3,7 @@
 use super::comparison::Comparison;
 use super::meter::BOUND;
 use super::table::setting;
-use crate::chart::{Figure, Guide, Numbering, Panel, Series};
+use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 
 /// The decades that are shown below and above V at the start, at most.
 const DECADES: f64 = 4.0;

@@ -49,8 +49,8 @@ pub use traces::Traces;
 
 use std::io::Read;
 
-use crate::chart::Figure;
 use log::Log;
+use lyapunov_figures::Figure;
 use watch::Watch;
 
 /// How a log is to be read and observed.

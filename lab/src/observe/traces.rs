@@ -5,7 +5,7 @@ use std::path::Path;
 use super::envelope::Envelope;
 use super::log::Sample;
 use super::report::Report;
-use crate::chart::{Figure, Guide, Inset, Panel, Series};
+use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// The curves of a log, in a bounded number of points.
 #[derive(Clone, Debug)]

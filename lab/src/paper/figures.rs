@@ -1,14 +1,17 @@
 //! The paper's figures 6 to 9.
 
 use crate::Row;
-use crate::chart::{Figure, Guide, Inset, Panel, Series};
 use crate::paper::{Case, PaperError};
+use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
-/// A figure, its name and the cases it is drawn from.
-pub(super) type Drawn = (&'static str, Figure, &'static [Case]);
+/// The name of a figure's files without an ending, the figure, and the cases it is drawn from.
+pub type Drawn = (&'static str, Figure, &'static [Case]);
 
 /// The paper's figures 6 to 9.
-pub(super) fn figures() -> Result<[Drawn; 4], PaperError> {
+///
+/// # Errors
+/// None as long as the scene files that ship are right.
+pub fn figures() -> Result<[Drawn; 4], PaperError> {
     let plain8k = Case::Plain8k.rows()?;
     let lolc8k = Case::Lolc8k.rows()?;
     let (popc50k, lolc50k) = (Case::Popc50k.rows()?, Case::Lolc50k.rows()?);

@@ -6,16 +6,16 @@
 
 pub mod claims;
 mod figures;
-mod folder;
 mod report;
 mod study;
 
+pub use figures::{Drawn, figures};
 pub use study::{Stage, Study};
 
 use lyapunov::ParameterError;
 
 use crate::scene::{Diagnostic, Scene};
-use crate::{OutputError, Rollout, Row};
+use crate::{Rollout, Row};
 
 /// A scene of the paper's section IV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,10 +90,6 @@ pub enum PaperError {
     Scene(Diagnostic),
     /// A shipped scene has a parameter that no block takes.
     Parameter(ParameterError),
-    /// A picture could not be drawn.
-    Chart(crate::chart::ChartError),
-    /// A file could not be written.
-    Output(OutputError),
     /// The claims could not be put into words.
     Json(serde_json::Error),
 }
@@ -117,12 +113,6 @@ macro_rules! causes {
     };
 }
 
-causes!(
-    Scene(Diagnostic),
-    Parameter(ParameterError),
-    Chart(crate::chart::ChartError),
-    Output(OutputError),
-    Json(serde_json::Error)
-);
+causes!(Scene(Diagnostic), Parameter(ParameterError), Json(serde_json::Error));
 
 impl std::error::Error for PaperError {}

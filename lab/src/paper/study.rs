@@ -1,13 +1,13 @@
 //! Everything that `lyapunov paper` computes.
 
-use std::path::Path;
-
 use serde::Serialize;
 
+use super::PaperError;
 use super::claims::{
     Balance, Claim, Control, Grid, Moved, Reading, Setting, claims, sensitivity, starts,
 };
-use super::{PaperError, folder};
+use super::figures::Drawn;
+use super::report::Report;
 
 /// How many starts the verdicts rest on.
 const STARTS: usize = 101;
@@ -98,12 +98,8 @@ impl Study {
         Ok(text.map_err(PaperError::Json)? + "\n")
     }
 
-    /// Writes report, claims, figures and rows into `folder`, all or nothing; it is made if it is not there.
-    /// `command` stands in the report as what made it.
-    ///
-    /// # Errors
-    /// A folder or file that cannot be written.
-    pub fn write(&self, folder: &Path, command: &str) -> Result<(), PaperError> {
-        folder::write(self, folder, command)
+    /// The report with these `figures`, in HTML; `command` stands in it as what made it.
+    pub fn to_html(&self, figures: &[Drawn], command: &str) -> String {
+        Report { study: self, figures, command }.to_html()
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::table::Table;
-use crate::chart::Figure;
+use lyapunov_figures::Figure;
 
 /// A comparison as it is shown; in the terminal it takes 100 columns at most, but for a name that is longer.
 #[derive(Clone, Debug)]

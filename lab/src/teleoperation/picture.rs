@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use super::table::setting;
-use crate::chart::{Figure, Guide, Panel, Series};
+use lyapunov_figures::{Figure, Guide, Panel, Series};
 
 /// Millimetres of a metre.
 const MILLI: f64 = 1e3;

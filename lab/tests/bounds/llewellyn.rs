@@ -3,7 +3,7 @@
 use lyapunov_lab::bounds::llewellyn::{TwoPort, first_violation, hold};
 use nalgebra::Complex;
 
-use crate::systems::Chance;
+use crate::bounds::systems::Chance;
 
 fn c(re: f64, im: f64) -> Complex<f64> {
     Complex::new(re, im)

@@ -5,7 +5,7 @@
 
 use lyapunov_lab::bounds::Limits;
 
-use crate::systems::scene;
+use crate::bounds::systems::scene;
 
 /// A loop without its stiffness, the largest stable one, a stiffness, and one less the radius there.
 const REFERENCES: [(&str, f64, f64, f64); 10] = [

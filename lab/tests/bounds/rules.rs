@@ -4,7 +4,7 @@ use lyapunov::{Drive, OnePort};
 use lyapunov_lab::bounds::Limits;
 use lyapunov_lab::{Assembly, Scene};
 
-use crate::systems::{Chance, scene};
+use crate::bounds::systems::{Chance, scene};
 
 /// With little damping against the mass the rule is the first order of the exact limit.
 #[test]

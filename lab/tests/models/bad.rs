@@ -6,7 +6,7 @@ use lyapunov_lab::Scene;
 use lyapunov_lab::models::Model;
 use lyapunov_lab::scene::Diagnostic;
 
-use crate::shipped::path;
+use crate::models::shipped::path;
 
 /// A shipped model with one part replaced, refused.
 fn refused(name: &str, from: &str, to: &str) -> Diagnostic {
@@ -87,7 +87,7 @@ fn a_fault_is_named_with_its_key_its_place_and_its_remedy() {
 
 #[test]
 fn a_model_is_told_from_a_scene() {
-    for name in crate::shipped::NAMES {
+    for name in crate::models::shipped::NAMES {
         let text = fs::read_to_string(path(name)).unwrap();
         assert!(Model::is_in(&text) && Model::is_in(&format!("\u{feff}{text}")));
         let fault = Scene::parse(&text, name).unwrap_err().to_string();

@@ -8,7 +8,7 @@ use lyapunov::{
 use lyapunov_lab::models::Contestant;
 use nalgebra::{SVector, Vector1, Vector2, Vector3, Vector4};
 
-use crate::shipped::{compared, curve, model};
+use crate::models::shipped::{compared, curve, model};
 
 const PERIOD: f64 = 1e-3;
 

@@ -2,7 +2,7 @@
 
 use lyapunov_lab::models::{Contestant, Model, Plant, Score};
 
-use crate::shipped::{compared, curve, model};
+use crate::models::shipped::{compared, curve, model};
 
 type State = [f64; 2];
 

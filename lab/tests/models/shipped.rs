@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use lyapunov_lab::models::{Comparison, Contestant, Model, schema_text};
+use lyapunov_lab::scene::Positive;
 use lyapunov_lab::subjects::Compared;
 use serde_json::Value;
 
@@ -111,4 +112,16 @@ fn neutral_values_change_nothing() {
     assert_ne!(said, text);
     let (one, other) = (Model::parse(&text, "").unwrap(), Model::parse(&said, "").unwrap());
     assert_eq!(compared(&one).csv(), compared(&other).csv());
+}
+
+#[test]
+fn a_run_that_leaves_the_range_has_no_numbers_of_its_end() {
+    let mut model = model("dc-motor");
+    model.duration = Positive::new(60.0).unwrap();
+    model.check().unwrap();
+    let comparison = compared(&model);
+    let none = comparison.scores().next().unwrap();
+    assert_eq!((none.bounded, none.largest, none.end, none.effort), (false, None, None, None));
+    assert!(comparison.scores().skip(1).all(|score| score.bounded && score.end.is_some()));
+    assert!(!comparison.csv().contains("inf") && !comparison.csv().contains("NaN"));
 }

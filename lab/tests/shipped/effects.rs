@@ -4,7 +4,7 @@ use std::f64::consts::SQRT_2;
 
 use lyapunov_lab::Summary;
 
-use crate::rows::{absorbed, between, least, most, near, rows, rows_of, scene, width};
+use crate::shipped::rows::{absorbed, between, least, most, near, rows, rows_of, scene, width};
 
 #[test]
 fn hold_stands_still_for_ten_ticks_and_the_damping_does_not() {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use lyapunov_lab::scene::{Environment, Finite};
 
-use crate::rows::{between, least, most, near, rows, rows_in_space, rows_of, scene};
+use crate::shipped::rows::{between, least, most, near, rows, rows_in_space, rows_of, scene};
 
 #[test]
 fn spring_that_pushes_away_leaves_50_newton_per_metre() {

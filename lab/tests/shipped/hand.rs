@@ -2,7 +2,7 @@
 
 use lyapunov_lab::{Rollout, Row};
 
-use crate::rows::{between, least, most, near, rows, scene, width};
+use crate::shipped::rows::{between, least, most, near, rows, scene, width};
 
 /// Where a hand of 200 N/m at `rest` and a wall of 2 kN/m from 2 mm on balance.
 fn pressed(rest: f64) -> f64 {

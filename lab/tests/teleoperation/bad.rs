@@ -4,7 +4,7 @@ use lyapunov_lab::Scene;
 use lyapunov_lab::models::Model;
 use lyapunov_lab::teleoperation::Teleoperator;
 
-use crate::shipped::{NAMES, text};
+use crate::teleoperation::shipped::{NAMES, text};
 
 /// A part of the file with a varying delay, what stands there instead, the key at fault, and words of the message.
 #[rustfmt::skip]

@@ -3,7 +3,7 @@
 use lyapunov::{Random, Source};
 use lyapunov_lab::teleoperation::{Contestant, Score, Teleoperator};
 
-use crate::shipped::{NAMES, compared, parsed, text};
+use crate::teleoperation::shipped::{NAMES, compared, parsed, text};
 
 const T: f64 = 1e-3;
 const MASS: f64 = 0.3;

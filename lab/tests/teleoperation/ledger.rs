@@ -2,7 +2,7 @@
 
 use lyapunov_lab::teleoperation::Contestant;
 
-use crate::shipped::{compared, parsed, scores, text};
+use crate::teleoperation::shipped::{compared, parsed, scores, text};
 
 #[test]
 fn what_both_ports_gave_is_told_as_shortfall() {

@@ -1,6 +1,6 @@
 //! Where waves come to rest, in closed form.
 
-use crate::shipped::{compared, parsed, scores, text};
+use crate::teleoperation::shipped::{compared, parsed, scores, text};
 
 /// At rest hand, link, coordination and wall are springs in a row. The link's is that of a line: a wave there and back takes
 /// `2 d + 1` ticks, during which `b` carries the force, so it yields by `(2 d + 1) T / (2 b)` metres to the newton.

@@ -1,0 +1,203 @@
+//! `lyapunov compare`.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::ProgressBar;
+use lyapunov_figures::Figure;
+use lyapunov_lab::compare::{
+    Column, CompareError, Comparison, Contestants, Energies, TradeOff, document,
+};
+use lyapunov_lab::family::Members;
+use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::{Space, models, teleoperation};
+
+use super::folder::Folder;
+use super::subjects::{self, Subjects};
+use super::{BAR, End, heed_interrupts, shown, standard_output};
+use crate::output::Outputs;
+use crate::pictures::pictures;
+
+/// Ticks in all from which on there is something to wait for.
+const LONG: u64 = 1 << 20;
+
+/// The file that `--json` prints.
+pub(super) const RESULTS: &str = "compare.json";
+
+/// Compare stabilizers on the same scenes.
+///
+/// Prints a table for each scene. All stabilizers take damping_cap from the scene's own stabilizer if it has one, POPC and
+/// LOLC its work and ledger as well; docs/family.md says what each of the others is set to. A `-` stands where a column
+/// does not apply; docs/compare.md defines the columns.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Compare {
+    /// The scene files, or files of models or of teleoperators, TOML.
+    #[arg(required = true, value_name = "SCENE")]
+    pub(super) scenes: Vec<PathBuf>,
+    /// Who takes part, by the names of docs/family.md, or all; files that are no scenes have rows of their own.
+    #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
+    pub(super) stabilizers: Members,
+    /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
+    ///
+    /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
+    /// transparent it is, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Sort by this column, the smallest first; by default the order of registration.
+    ///
+    /// A column is named by its key in compare.json, such as settling_time_s or ns_per_step.
+    #[arg(long, value_name = "COLUMN")]
+    pub(super) by: Option<Column>,
+    /// Print compare.json instead of tables.
+    #[arg(long, conflicts_with = "quiet")]
+    pub(super) json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    pub(super) quiet: bool,
+}
+
+impl Compare {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        let scenes = match Subjects::load(&self.scenes)? {
+            Subjects::Scenes(scenes) => scenes,
+            Subjects::Models(models) => return subjects::run::<models::Comparison>(self, &models),
+            Subjects::Teleoperators(them) => {
+                return subjects::run::<teleoperation::Comparison>(self, &them);
+            }
+        };
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let (comparisons, answers): (Vec<_>, Vec<_>) = self.compare(&scenes)?.into_iter().unzip();
+        let text = document(&comparisons).map_err(End::internal)?;
+        if let Some(folder) = folder {
+            fill(&folder, &self.scenes, comparisons.iter().zip(&answers), &text)?;
+        }
+        let mut out = io::stdout().lock();
+        if self.json {
+            return out.write_all(text.as_bytes()).map_err(standard_output);
+        }
+        let shown = if self.quiet { &[][..] } else { &comparisons[..] };
+        for (index, comparison) in shown.iter().enumerate() {
+            let gap = if index == 0 { "" } else { "\n" };
+            write!(out, "{gap}{comparison}").map_err(standard_output)?;
+        }
+        Ok(())
+    }
+
+    fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<(Comparison, Answers)>, End> {
+        let ticks = |scene: &Scene| {
+            let once = scene.ticks() + 1;
+            let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
+            once + self.out.as_ref().map_or(0, |_| drawn)
+        };
+        let contestants = self.stabilizers.len() as u64;
+        let ticks = scenes.iter().map(|(_, scene)| contestants * ticks(scene)).sum();
+        let bar = self.progress(ticks);
+        let met = scenes.iter().map(|(name, scene)| match scene.scalar {
+            Scalar::F64 => self.meet::<f64>(name, scene, &bar),
+            Scalar::F32 => self.meet::<f32>(name, scene, &bar),
+        });
+        let met = met.collect();
+        bar.finish_and_clear();
+        met
+    }
+
+    /// A bar where there is something to wait for.
+    pub(super) fn progress(&self, ticks: u64) -> ProgressBar {
+        if self.quiet || ticks < LONG {
+            return ProgressBar::hidden();
+        }
+        shown(ProgressBar::new(ticks), BAR)
+    }
+
+    fn meet<T: lyapunov::Scalar + Space>(
+        &self,
+        name: &str,
+        scene: &Scene,
+        bar: &ProgressBar,
+    ) -> Result<(Comparison, Answers), End> {
+        let watch = |ticks| {
+            bar.inc(ticks);
+            match End::if_interrupted() {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        };
+        let contestants = Contestants::<T>::of(self.stabilizers.iter().copied());
+        let refused = |error| match error {
+            CompareError::Stopped => End::Interrupted,
+            error => End::input(error),
+        };
+        let mut comparison =
+            Comparison::watched(name, scene, &contestants, &watch).map_err(refused)?;
+        if let Some(column) = self.by {
+            comparison.sort_by(column);
+        }
+        let mut answers = Answers::default();
+        if self.out.is_some() {
+            let energies = Energies::of(&comparison, &contestants, &watch).map_err(refused)?;
+            answers.push("energy", &energies.figure(), energies.csv())?;
+            let trade_off = TradeOff::of(&comparison, &contestants, &watch).map_err(refused)?;
+            if let Some(trade_off) = trade_off {
+                answers.push("trade-off", &trade_off.figure(), trade_off.csv())?;
+            }
+        }
+        Ok((comparison, answers))
+    }
+}
+
+/// What takes runs of its own to be drawn: the end of a file's name, and its text or picture.
+#[derive(Default)]
+struct Answers(Vec<(String, Vec<u8>)>);
+
+impl Answers {
+    fn push(&mut self, question: &str, figure: &Figure, csv: String) -> Result<(), End> {
+        self.0.extend(pictures(&format!(".{question}"), figure).map_err(End::internal)?);
+        self.0.push((format!(".{question}.csv"), csv.into_bytes()));
+        Ok(())
+    }
+}
+
+/// Writes everything, and only then lets it appear.
+fn fill<'a>(
+    folder: &Folder<'_>,
+    scenes: &[PathBuf],
+    comparisons: impl Iterator<Item = (&'a Comparison, &'a Answers)>,
+    text: &str,
+) -> Result<(), End> {
+    let mut outputs = Outputs::of(folder.path());
+    for (name, (comparison, answers)) in names(scenes).iter().zip(comparisons) {
+        End::if_interrupted()?;
+        for (name, figure) in
+            [(name.clone(), comparison.figure()), (format!("{name}.force"), comparison.forces())]
+        {
+            let drawn = pictures(&name, &figure).map_err(End::internal)?;
+            outputs.put_all(drawn).map_err(End::input)?;
+        }
+        for (end, bytes) in &answers.0 {
+            outputs.put(&format!("{name}{end}"), bytes).map_err(End::input)?;
+        }
+    }
+    outputs.put(RESULTS, text).map_err(End::input)?;
+    End::if_interrupted()?;
+    folder.keep();
+    outputs.keep().map_err(End::input)
+}
+
+/// What each scene's files begin with: the name of its own, with a number where two are alike.
+///
+/// Without a dot, which is what the name of a question follows: no file takes the name of another's.
+pub(super) fn names(scenes: &[PathBuf]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for scene in scenes {
+        let stem = scene.file_stem().unwrap_or_default().to_string_lossy().replace('.', "-");
+        let numbered = (2..).map(|number| format!("{stem}-{number}"));
+        let free = std::iter::once(stem.clone()).chain(numbered).find(|name| !names.contains(name));
+        names.push(free.unwrap_or(stem));
+    }
+    names
+}

@@ -1,0 +1,51 @@
+//! A folder for results.
+
+use std::cell::Cell;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use lyapunov_lab::OutputError;
+
+use super::End;
+use crate::output::Output;
+
+/// The folder for the results. One that had to be made is taken away again if nothing comes of it.
+pub(crate) struct Folder<'a> {
+    path: &'a Path,
+    is_new: Cell<bool>,
+}
+
+impl<'a> Folder<'a> {
+    /// Makes sure that the results, of which one is called `name`, can be written before they are worked for.
+    pub(crate) fn claim(path: &'a Path, name: &str) -> Result<Self, End> {
+        let is_new = Cell::new(!path.exists());
+        fs::create_dir_all(path).map_err(|error| {
+            let error = match path.exists() && !path.is_dir() {
+                true => io::ErrorKind::NotADirectory.into(),
+                false => error,
+            };
+            End::input(OutputError::new(path, error))
+        })?;
+        let folder = Self { path, is_new };
+        Output::create(&path.join(name)).map_err(End::input)?;
+        Ok(folder)
+    }
+
+    pub(crate) fn path(&self) -> &'a Path {
+        self.path
+    }
+
+    /// From here on the folder stays.
+    pub(crate) fn keep(&self) {
+        self.is_new.set(false);
+    }
+}
+
+impl Drop for Folder<'_> {
+    fn drop(&mut self) {
+        if self.is_new.get() {
+            let _ = fs::remove_dir(self.path);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! `lyapunov hard`.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::ProgressBar;
+use lyapunov_lab::family::{Contender, Member};
+use lyapunov_lab::hard::{Catalogue, HardError};
+
+use super::folder::Folder;
+use super::{BAR, End, heed_interrupts, shown, standard_output};
+use crate::output::Outputs;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "hard.json";
+
+/// Run the catalogue of hard cases: what a naive implementation does there, and what this one does.
+///
+/// Prints for each case what makes it hard, the bound that is promised, what was measured with our stabilizer (the worst
+/// over f64, f32 and lanes) and with the paper's steps as printed, and pass or FAIL. docs/hard.md says what passing
+/// takes.
+///
+/// Exit status: 0 every case passed, 1 one failed, or an internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Hard {
+    /// Run the cases with this stabilizer in the place of ours, by its name in docs/family.md, in f64 and f32.
+    ///
+    /// A bound that it does not promise may be passed: the case is then told as over, and is no failure.
+    #[arg(long, value_name = "NAME")]
+    stabilizer: Option<Member>,
+    /// Write hard.json and report.html into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print hard.json instead of the table.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Hard {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        if self.stabilizer == Some(Member::Plain(Contender::Nobody)) {
+            return Err(End::input(
+                "`none` is no stabilizer to be tried\n  = --out writes a page that tells of every loop without one",
+            ));
+        }
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let bar = self.progress();
+        let watch = || {
+            bar.inc(1);
+            match End::if_interrupted() {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        };
+        let catalogue = Catalogue::of(self.stabilizer, &watch).map_err(|error| match error {
+            HardError::Stopped => End::Interrupted,
+            error => End::internal(error),
+        })?;
+        bar.finish_and_clear();
+        let text = catalogue.document().map_err(End::internal)?;
+        if let Some(folder) = folder {
+            fill(&folder, &catalogue, &text, &self.command(&folder))?;
+        }
+        if !self.quiet {
+            let shown = if self.json { text } else { catalogue.to_string() };
+            io::stdout().lock().write_all(shown.as_bytes()).map_err(standard_output)?;
+        }
+        let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
+        if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }
+    }
+
+    fn command(&self, folder: &Folder<'_>) -> String {
+        let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
+        format!("lyapunov hard{} --out {}", named.unwrap_or_default(), folder.path().display())
+    }
+
+    fn progress(&self) -> ProgressBar {
+        if self.quiet {
+            return ProgressBar::hidden();
+        }
+        shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR)
+    }
+}
+
+/// Writes everything, and only then lets it appear.
+fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str, command: &str) -> Result<(), End> {
+    let page = catalogue.report(command);
+    let mut outputs = Outputs::of(folder.path());
+    outputs.put("report.html", page).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)?;
+    End::if_interrupted()?;
+    folder.keep();
+    outputs.keep().map_err(End::input)
+}

@@ -1,0 +1,303 @@
+//! `lyapunov map`.
+
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use indicatif::ProgressBar;
+use lyapunov_lab::family::Members;
+use lyapunov_lab::map::{
+    Axis, Book, BookError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard, Survey,
+    areas, document, figures, merge, page,
+};
+use lyapunov_lab::scene::Scene;
+use rayon::prelude::*;
+
+use super::folder::Folder;
+use super::{End, heed_interrupts, shown, standard_output};
+use crate::output::{Output, Outputs};
+use crate::pictures::pictures;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "map.json";
+
+const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
+
+/// Map which cells of a grid of two numbers of a scene are stable, and how they behave.
+///
+/// Prints what share of the grid each stabilizer renders stably. With --out it writes map.csv (a row for each cell and
+/// stabilizer, the scene in its head), heat maps (SVG and PNG), map.json and report.html. docs/map.md defines them.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub(crate) struct Map {
+    #[command(subcommand)]
+    merge: Option<Shards>,
+    /// The scene file, TOML.
+    #[arg(required = true, value_name = "SCENE")]
+    scene: Option<PathBuf>,
+    /// The axis to the right: a number of the scene by its dotted key.
+    #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
+    x: Option<Axis>,
+    /// The axis upwards.
+    #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
+    y: Option<Axis>,
+    /// Who runs in each cell, by the names of docs/family.md, or all.
+    #[arg(long, default_value = "none,popc,lolc", value_name = "NAMES")]
+    stabilizers: Members,
+    /// Write the map into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Go on with the unfinished map in the folder.
+    #[arg(long, requires = "out")]
+    resume: bool,
+    /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together.
+    #[arg(long, value_name = "i/n", requires = "out")]
+    shard: Option<Shard>,
+    /// Threads; by default one for each core.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print map.json instead of the table.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Shards {
+    Merge(Merge),
+}
+
+/// Put the shards of a map together.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Merge {
+    /// The tables of all shards (map-i-of-n.csv), or folders that hold them.
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// Write the map into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Print map.json instead of the table.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl From<BookError> for End {
+    fn from(error: BookError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl Map {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        if let Some(Shards::Merge(merge)) = &self.merge {
+            return merge.run();
+        }
+        let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) else {
+            return Err(End::internal("an argument is missing"));
+        };
+        let scene = Scene::load(scene).map_err(End::input)?;
+        let grid = Grid::new(scene, x.clone(), y.clone(), self.stabilizers.clone());
+        let grid = grid.map_err(|error| self.blame(error))?;
+        let shard = self.shard.unwrap_or(Shard::WHOLE);
+        let run =
+            Run::of(&grid, self.threads.map(usize::from)).map_err(|error| self.blame(error))?;
+        let mut survey = Survey::of(&grid);
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let mut book = match &folder {
+            None => None,
+            Some(folder) => {
+                let book = Book::open(folder.path(), &grid, shard, self.resume, &mut survey)?;
+                folder.keep();
+                Some(book)
+            }
+        };
+        let effort = self.compute(&run, &grid, shard, &mut book, &mut survey)?;
+        let computation = Computation::of(&run, effort);
+        // Of a shard nothing is known along an axis.
+        let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
+        let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
+        if let (Some(folder), Some(book)) = (&folder, book) {
+            if shard == Shard::WHOLE {
+                fill(folder.path(), &survey, bounds.as_ref(), &text, &self.command())?;
+            }
+            book.finish().map_err(End::input)?;
+        }
+        self.say(&survey, bounds.as_ref(), shard, &computation, &text)
+    }
+
+    fn compute(
+        &self,
+        run: &Run<'_>,
+        grid: &Grid,
+        shard: Shard,
+        book: &mut Option<Book>,
+        survey: &mut Survey,
+    ) -> Result<lyapunov_lab::map::Effort, End> {
+        let cells = shard.cells(grid.cells());
+        let first = book.as_ref().map_or(cells.start, Book::next);
+        let bar = if self.quiet {
+            ProgressBar::hidden()
+        } else {
+            shown(ProgressBar::new(cells.end - cells.start), MAP_BAR)
+        };
+        bar.set_position(first - cells.start);
+        bar.reset_eta();
+        let go_on = || End::if_interrupted().is_ok();
+        let done = run.cells(first..cells.end, &go_on, &mut |first, outcomes| {
+            if let Some(book) = book {
+                book.put(grid, outcomes)?;
+            }
+            for (cell, outcomes) in (first..).zip(outcomes) {
+                survey.add(cell, outcomes);
+            }
+            bar.inc(outcomes.len() as u64);
+            Ok(())
+        });
+        bar.finish_and_clear();
+        done.map_err(|error| match (error, book.as_ref()) {
+            (RunError::Stopped, Some(book)) => End::Kept(format!(
+                "interrupted: {} of {} cells are in {}\n  = go on with --resume",
+                book.next() - cells.start,
+                cells.end - cells.start,
+                book.part().display()
+            )),
+            (RunError::Stopped, None) => End::Interrupted,
+            (error @ RunError::Threads(_), _) => End::internal(error),
+            (error @ RunError::Cell(_), _) => self.blame(error),
+            (error, _) => End::input(error),
+        })
+    }
+
+    /// What is wrong with the map of this file.
+    fn blame(&self, error: impl std::fmt::Display) -> End {
+        let file =
+            self.scene.as_deref().map_or_else(String::new, |path| path.display().to_string());
+        End::input(format!("{file}: {error}"))
+    }
+
+    /// The command that makes the same map.
+    fn command(&self) -> String {
+        let mut text = String::from("lyapunov map");
+        if let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) {
+            let _ = write!(text, " {} --x {x} --y {y}", scene.display());
+        }
+        format!("{text} --stabilizers {}", self.stabilizers)
+    }
+
+    fn say(
+        &self,
+        survey: &Survey,
+        bounds: Option<&Bounds>,
+        shard: Shard,
+        computation: &Computation,
+        text: &str,
+    ) -> Result<(), End> {
+        let mut out = io::stdout().lock();
+        if self.json {
+            return out.write_all(text.as_bytes()).map_err(standard_output);
+        }
+        if self.quiet {
+            return Ok(());
+        }
+        let mut said = String::new();
+        if shard != Shard::WHOLE {
+            let _ = writeln!(said, "shard {shard} of the map");
+        }
+        said += &areas(survey, bounds);
+        let how = match computation.instructions {
+            Some(set) if survey.grid().members.iter().all(|it| it.contender().is_some()) => {
+                format!("{} cells at once ({set})", computation.lanes)
+            }
+            Some(set) => format!(
+                "{} cells at once ({set}) under what a scene can name, one at a time under the others",
+                computation.lanes
+            ),
+            None => "one cell at a time, as the kernel does not have all parts of the scene".into(),
+        };
+        let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
+        out.write_all(said.as_bytes()).map_err(standard_output)
+    }
+}
+
+impl Merge {
+    fn run(&self) -> Result<(), End> {
+        let folder = Folder::claim(&self.out, RESULTS)?;
+        let table = folder.path().join("map.csv");
+        let mut output = Output::create(&table).map_err(End::input)?;
+        let merged = merge(&self.tables()?, &mut output, &table);
+        let survey = merged.map_err(|error: MergeError| End::input(error))?;
+        let bounds = Bounds::of(survey.grid());
+        let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
+        End::if_interrupted()?;
+        folder.keep();
+        fill(folder.path(), &survey, bounds.as_ref(), &text, "lyapunov map merge")?;
+        output.keep().map_err(End::input)?;
+        let mut out = io::stdout().lock();
+        match (self.json, self.quiet) {
+            (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
+            (_, true) => Ok(()),
+            _ => out.write_all(areas(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
+        }
+    }
+
+    /// The tables, those of a folder among them.
+    fn tables(&self) -> Result<Vec<PathBuf>, End> {
+        let mut tables = Vec::new();
+        for path in &self.paths {
+            if !path.is_dir() {
+                tables.push(path.clone());
+                continue;
+            }
+            let refuse = |error| End::input(format!("{} cannot be read: {error}", path.display()));
+            let mut found = Vec::new();
+            for entry in path.read_dir().map_err(refuse)? {
+                let entry = entry.map_err(refuse)?.path();
+                let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                if name.starts_with("map-")
+                    && name.ends_with(".csv")
+                    && !name.ends_with(".part.csv")
+                {
+                    found.push(entry);
+                }
+            }
+            found.sort();
+            tables.extend(found);
+        }
+        if tables.is_empty() {
+            return Err(End::input(
+                "there is no table of a shard\n  = name the files map-i-of-n.csv, or folders that hold them",
+            ));
+        }
+        Ok(tables)
+    }
+}
+
+/// Writes everything beside the table, and only then lets it appear.
+fn fill(
+    folder: &Path,
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    text: &str,
+    command: &str,
+) -> Result<(), End> {
+    let mut outputs = Outputs::of(folder);
+    let figures = figures(survey, bounds);
+    let drawn: Result<Vec<_>, _> =
+        figures.par_iter().map(|drawn| pictures(drawn.name, &drawn.figure)).collect();
+    let drawn = drawn.map_err(End::internal)?.into_iter().flatten();
+    outputs.put_all(drawn).map_err(End::input)?;
+    outputs.put("report.html", page(survey, bounds, &figures, command)).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)?;
+    outputs.keep().map_err(End::input)
+}

@@ -1,0 +1,171 @@
+//! `lyapunov observe`.
+
+use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use lyapunov_lab::OutputError;
+use lyapunov_lab::observe::{self, Candidate, Columns, Observed, Scale, Settings};
+
+use super::source::Source;
+use super::{End, heed_interrupts, standard_output};
+use crate::output::Outputs;
+use crate::pictures::pictures;
+
+/// Observe a recorded log of any device: when energy was generated, how much and by which contact.
+///
+/// The log is CSV (commas, semicolons or tabs) with the names of the columns in its first line, in SI units: t
+/// in s, increasing but not necessarily evenly; x in m; f in N, the environment's force on the device that acts
+/// from this row until the next. Power f v > 0 flows into the environment: f is positive where it resists
+/// motion towards larger x, as a wall does. For a log with the other sign of force add --scale f=-1.
+///
+/// Bad rows are counted and named, and the next good row spans the gap. docs/observe.md defines every number.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Observe {
+    /// The log; `-` is standard input.
+    log: PathBuf,
+    /// The columns of time, position, force and, if there is one, velocity: by name, or by number from 1.
+    /// Without a velocity the backward difference over the true time step is taken.
+    #[arg(long, value_name = "T,X,F[,V]", default_value = "t,x,f")]
+    columns: Columns,
+    /// A factor from the log's unit of t, x, f or v to SI, as in x=1e-3,t=1e-6; f=-1 turns the sign.
+    #[arg(long, value_name = "COLUMN=FACTOR", value_delimiter = ',', allow_hyphen_values = true)]
+    scale: Vec<Scale>,
+    /// The candidate whose decrease is summed, in the words of scene files; spring is the port's energy, as in
+    /// POPC.
+    #[arg(long, value_enum, default_value_t = Word::Spring)]
+    candidate: Word,
+    /// The damping that device-damping and mass-spring-damper credit, N·s/m.
+    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    damping: Option<f64>,
+    /// Where mass-spring-damper begins to credit, m: beyond it is x > X.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    surface: Option<f64>,
+    /// The force above which there is contact, N [default: 1 % of the largest so far].
+    #[arg(long, value_name = "NEWTON", allow_negative_numbers = true)]
+    contact: Option<f64>,
+    /// Write observe.json, observe.svg and observe.png into this folder, which is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print the report as JSON, in SI units.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// The candidates in the words of scene files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Word {
+    Spring,
+    DeviceDamping,
+    MassSpringDamper,
+}
+
+impl Observe {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        let settings = Settings {
+            columns: self.columns.clone(),
+            scales: self.scale.clone(),
+            candidate: self.candidate()?,
+            contact: self.contact,
+        };
+        if let Some(folder) = &self.out {
+            reachable(folder).map_err(End::input)?;
+        }
+        let observed = self.observe(&settings)?;
+        // Drawn before anything is written, so that a failure leaves no file behind.
+        if let Some(folder) = &self.out {
+            write(folder, &observed)?;
+        }
+        self.tell(&observed)
+    }
+
+    fn candidate(&self) -> Result<Candidate, End> {
+        let unused = |option: &str, word: &str| {
+            let remedy = "leave it out, or choose another --candidate";
+            End::input(format!("--{option} means nothing to the candidate {word}\n  = {remedy}"))
+        };
+        let missing = |option: &str, word: &str, example: &str| {
+            let remedy = format!("add it, as in --{option} {example}");
+            End::input(format!("the candidate {word} needs --{option}\n  = {remedy}"))
+        };
+        match (self.candidate, self.damping, self.surface) {
+            (Word::Spring, None, None) => Ok(Candidate::Spring),
+            (Word::Spring, Some(_), _) => Err(unused("damping", "spring")),
+            (Word::Spring, None, Some(_)) => Err(unused("surface", "spring")),
+            (Word::DeviceDamping, None, _) => Err(missing("damping", "device-damping", "0.1")),
+            (Word::DeviceDamping, _, Some(_)) => Err(unused("surface", "device-damping")),
+            (Word::DeviceDamping, Some(damping), None) => Ok(Candidate::DeviceDamping { damping }),
+            (Word::MassSpringDamper, None, _) => Err(missing("damping", "mass-spring-damper", "2")),
+            (Word::MassSpringDamper, _, None) => Err(missing("surface", "mass-spring-damper", "0")),
+            (Word::MassSpringDamper, Some(damping), Some(surface)) => {
+                Ok(Candidate::MassSpringDamper { damping, surface })
+            }
+        }
+    }
+
+    fn observe(&self, settings: &Settings) -> Result<Observed, End> {
+        let standard = self.log == Path::new("-");
+        let name =
+            if standard { "standard input".to_owned() } else { self.log.display().to_string() };
+        let source = if standard { Source::standard_input() } else { Source::open(&self.log) };
+        let mut source = source.map_err(|error| End::input(format!("{name}: {error}")))?;
+        if !self.quiet {
+            source.show_progress();
+        }
+        let observed = observe::observe(source, &name, settings);
+        // A stream that is interrupted ends with an error of its own, which is not the news.
+        End::if_interrupted()?;
+        observed.map_err(End::input)
+    }
+
+    fn tell(&self, observed: &Observed) -> Result<(), End> {
+        let mut out = io::stdout().lock();
+        let told = if self.json {
+            out.write_all(&json(observed)?)
+        } else if self.quiet {
+            Ok(())
+        } else {
+            writeln!(out, "{}", observed.report).and_then(|()| match &self.out {
+                Some(folder) => writeln!(out, "  written     {}", folder.display()),
+                None => Ok(()),
+            })
+        };
+        told.and_then(|()| out.flush()).map_err(standard_output)
+    }
+}
+
+fn json(observed: &Observed) -> Result<Vec<u8>, End> {
+    let mut text = serde_json::to_vec_pretty(&observed.report).map_err(End::internal)?;
+    text.push(b'\n');
+    Ok(text)
+}
+
+/// Refuses a folder that cannot be one before a long log is read.
+fn reachable(folder: &Path) -> Result<(), OutputError> {
+    match fs::metadata(folder) {
+        Ok(found) if !found.is_dir() => {
+            Err(OutputError::new(folder, ErrorKind::NotADirectory.into()))
+        }
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(OutputError::new(folder, error)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes report and picture into `folder`: all of them, or none.
+fn write(folder: &Path, observed: &Observed) -> Result<(), End> {
+    let report = json(observed)?;
+    let drawn = pictures("observe", &observed.figure()).map_err(End::internal)?;
+    let refused = |error| End::input(OutputError::new(folder, error));
+    fs::create_dir_all(folder).map_err(refused)?;
+    let mut outputs = Outputs::of(folder);
+    outputs.put("observe.json", report).map_err(End::input)?;
+    outputs.put_all(drawn).map_err(End::input)?;
+    outputs.keep().map_err(End::input)
+}

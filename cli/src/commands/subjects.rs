@@ -1,0 +1,121 @@
+//! `lyapunov compare` of files that are no scenes.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use lyapunov_lab::Scene;
+use lyapunov_lab::family::Members;
+use lyapunov_lab::models::Model;
+use lyapunov_lab::subjects::{CompareError, Compared, Sheet, Subject, page};
+use lyapunov_lab::teleoperation::Teleoperator;
+
+use super::compare::{Compare, RESULTS, names};
+use super::folder::Folder;
+use super::{End, standard_output};
+use crate::output::Outputs;
+use crate::pictures::pictures;
+
+/// What is compared, each under the path as it was given.
+pub(super) enum Subjects {
+    Scenes(Vec<(String, Scene)>),
+    Models(Vec<(String, Model)>),
+    Teleoperators(Vec<(String, Teleoperator)>),
+}
+
+impl Subjects {
+    /// Reads files that are all of one kind.
+    pub(super) fn load(paths: &[PathBuf]) -> Result<Self, End> {
+        let (mut scenes, mut models, mut teleoperators) = (Vec::new(), Vec::new(), Vec::new());
+        for path in paths {
+            let name = path.display().to_string();
+            match Subject::load(path).map_err(End::input)? {
+                Subject::Scene(scene) => scenes.push((name, *scene)),
+                Subject::Model(model) => models.push((name, *model)),
+                Subject::Teleoperator(it) => teleoperators.push((name, *it)),
+            }
+        }
+        let firsts = [
+            scenes.first().map(|(name, _)| format!("{name} is a scene")),
+            models.first().map(|(name, _)| format!("{name} is a model of a plant")),
+            teleoperators.first().map(|(name, _)| format!("{name} is a teleoperator")),
+        ];
+        match &firsts.into_iter().flatten().collect::<Vec<_>>()[..] {
+            [one, other, ..] => Err(End::input(format!(
+                "{one} and {other}\n  = their columns differ: compare them in calls of their own"
+            ))),
+            _ if !models.is_empty() => Ok(Self::Models(models)),
+            _ if !teleoperators.is_empty() => Ok(Self::Teleoperators(teleoperators)),
+            _ => Ok(Self::Scenes(scenes)),
+        }
+    }
+}
+
+/// Compares `files` as `asked`.
+pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> Result<(), End> {
+    let noun = C::NOUN;
+    if asked.by.is_some() {
+        return Err(End::input(format!(
+            "--by names a column of scenes\n  = the rows of a {noun} keep their order: leave it out"
+        )));
+    }
+    if asked.stabilizers != Members::standard() {
+        return Err(End::input(format!(
+            "--stabilizers names stabilizers of scenes\n  = of a {noun} the same are always compared: leave it out"
+        )));
+    }
+    let folder = asked.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+    let bar = asked.progress(files.iter().map(|(_, file)| C::ticks(file)).sum());
+    let watch = |ticks| {
+        bar.inc(ticks);
+        match End::if_interrupted() {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
+    };
+    let compared = files.iter().map(|(name, file)| C::of(name, file, &watch));
+    let comparisons: Result<Vec<_>, _> = compared.collect();
+    let comparisons = comparisons.map_err(|error| match error {
+        CompareError::Stopped => End::Interrupted,
+        error => End::internal(error),
+    })?;
+    bar.finish_and_clear();
+    let text = C::document(&comparisons).map_err(End::internal)?;
+    let sheets: Vec<Sheet> = comparisons.iter().map(C::sheet).collect();
+    if let Some(folder) = folder {
+        fill::<C>(&folder, &asked.scenes, &sheets, &text)?;
+    }
+    let mut out = io::stdout().lock();
+    if asked.json {
+        return out.write_all(text.as_bytes()).map_err(standard_output);
+    }
+    let shown = if asked.quiet { &[][..] } else { &sheets[..] };
+    for (index, sheet) in shown.iter().enumerate() {
+        let gap = if index == 0 { "" } else { "\n" };
+        write!(out, "{gap}{sheet}").map_err(standard_output)?;
+    }
+    Ok(())
+}
+
+/// Writes everything, and only then lets it appear.
+fn fill<C: Compared>(
+    folder: &Folder<'_>,
+    files: &[PathBuf],
+    sheets: &[Sheet],
+    text: &str,
+) -> Result<(), End> {
+    let mut outputs = Outputs::of(folder.path());
+    for (name, sheet) in names(files).iter().zip(sheets) {
+        End::if_interrupted()?;
+        let drawn = pictures(name, &sheet.figure).map_err(End::internal)?;
+        outputs.put_all(drawn).map_err(End::input)?;
+        outputs.put(&format!("{name}.csv"), &sheet.csv).map_err(End::input)?;
+    }
+    let given: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
+    let command = format!("lyapunov compare {} --out {}", given.join(" "), folder.path().display());
+    outputs.put("report.html", page::<C>(sheets, &command)).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)?;
+    End::if_interrupted()?;
+    folder.keep();
+    outputs.keep().map_err(End::input)
+}

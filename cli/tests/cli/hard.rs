@@ -1,0 +1,59 @@
+//! The hard cases, as the command tells them.
+
+use serde_json::Value;
+
+use crate::cli::place::Place;
+
+/// One run for everything: it takes the longest of all commands here.
+#[test]
+fn all_pass_and_the_files_say_so() {
+    let place = Place::new();
+    let said = place.run(["hard", "--out", "made", "--json"]);
+    said.ended(0, &[]);
+    assert_eq!(said.err, "");
+    assert_eq!(place.names("made"), ["hard.json", "report.html"]);
+    assert_eq!(place.text("made/hard.json"), said.out);
+    let told: Value = serde_json::from_str(&said.out).unwrap();
+    let rows = told["rows"].as_array().unwrap();
+    assert!(rows.len() > 40);
+    for row in rows {
+        let number = |key: &str| row[key].as_f64().unwrap();
+        assert!(row["case"].is_string() && row["passed"] == true, "{row}");
+        assert!(number("measured") <= number("bound") && number("ledger_off") <= 1.0, "{row}");
+    }
+    let naive = rows.iter().filter(|row| row["naive"]["kept"] == false).count();
+    assert!(naive > rows.len() / 2, "only {naive} are hard for the naive one");
+    let page = place.text("made/report.html");
+    for row in rows {
+        let hard = row["case"].as_str().unwrap();
+        assert!(page.contains(hard), "{hard}");
+    }
+    assert!(!page.contains("FAIL") && !page.contains("http"));
+}
+
+#[test]
+fn a_member_of_the_family_stands_in_the_place_of_ours() {
+    let place = Place::new();
+    let said = place.run(["hard", "--stabilizer", "popc-spread", "--out", "made"]);
+    said.ended(0, &["popc-spread in the place of ours", "measured", "does not promise"]);
+    said.fits();
+    let told: Value = serde_json::from_str(&place.text("made/hard.json")).unwrap();
+    assert_eq!(told["stabilizer"], "popc-spread");
+    let rows = told["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["passed"] == true && row["promised"] == false));
+    let over = rows.iter().filter(|row| row["measured"].as_f64() > row["bound"].as_f64()).count();
+    assert_eq!(said.out.lines().filter(|line| line.starts_with("over  ")).count(), over);
+    assert!(over > 0);
+    let page = place.text("made/report.html");
+    assert!(page.contains("lyapunov hard --stabilizer popc-spread --out made"));
+    place.refuses(["hard", "--stabilizer", "none"], &["`none` is no stabilizer"]);
+    place.refuses(["hard", "--stabilizer", "popcspread"], &["did you mean `popc-spread`?"]);
+}
+
+#[test]
+fn what_cannot_be_done_is_refused_before_anything_runs() {
+    let place = Place::new();
+    place.put("file", "");
+    place.refuses(["hard", "--out", "file"], &["part of the path is a file"]);
+    place.refuses(["hard", "--json", "--quiet"], &["'--json' cannot be used with '--quiet'"]);
+}

@@ -1,0 +1,136 @@
+//! `run --json` and `run --quiet`.
+
+use serde_json::Value;
+
+use crate::cli::place::{Place, SCENE};
+
+const STIFF: &str = include_str!("../../../scenes/paper-50k-none.toml");
+
+/// The rows, a column after the other.
+fn columns(csv: &str) -> Vec<Vec<f64>> {
+    let rows: Vec<Vec<f64>> = csv
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    (0..rows[0].len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
+}
+
+#[track_caller]
+fn near(json: &Value, expected: f64) {
+    let found = json.as_f64().unwrap();
+    assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{found} against {expected}");
+}
+
+fn most(numbers: &[f64], of: fn(f64) -> f64) -> f64 {
+    numbers.iter().map(|number| of(*number)).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Every number against the rows of the same run.
+#[test]
+fn the_json_is_what_the_rows_come_to() {
+    let place = Place::with_scene();
+    let said = place.run(["run", "scene.toml", "--json", "--csv", "rows.csv"]);
+    said.ended(0, &[]);
+    assert_eq!(said.err, "");
+    assert_eq!(place.run(["run", "scene.toml", "--json"]).out, said.out);
+    let json: Value = serde_json::from_str(&said.out).unwrap();
+    let columns = columns(&place.text("rows.csv"));
+    let column = |index: usize| columns[index].as_slice();
+    let (x, v, observer, alpha) = (column(1), column(3), column(8), column(9));
+    let (f_ctl, f_act) = (column(5), column(7));
+    assert_eq!(json["scene"], "scene.toml");
+    assert_eq!(json["rows"], x.len());
+    assert_eq!((&json["complete"], &json["settled"]), (&Value::Bool(true), &Value::Bool(false)));
+    // The operator's spring rests at the wall, 4 mm from the start; the run ends outside of 5 % of that.
+    assert!(x.last().unwrap().abs() > 0.0002);
+    assert!(json["settling_time_s"].is_null());
+    assert_eq!(json["equilibrium_mm"], 0.0);
+    near(&json["band_mm"], 0.2);
+    near(&json["peak_force_environment_n"], most(column(4), f64::abs));
+    near(&json["peak_force_acting_n"], most(f_act, f64::abs));
+    let work: f64 = (1..x.len()).map(|n| f_act[n - 1] * (x[n] - x[n - 1])).sum();
+    near(&json["energy_into_port_mj"], 1e3 * work);
+    let stabilizer = &json["stabilizer"];
+    near(&stabilizer["observer_least_mj"], -1e3 * most(observer, |sum| -sum));
+    near(&stabilizer["observer_most_mj"], 1e3 * most(observer, |sum| sum));
+    near(&stabilizer["observer_end_mj"], 1e3 * observer.last().unwrap());
+    let active = alpha.iter().filter(|alpha| **alpha > 0.0).count();
+    near(&stabilizer["active_percent"], 100.0 * active as f64 / x.len() as f64);
+    let asked: f64 = f_ctl.iter().zip(v).map(|(force, v)| force * v * 0.01).sum();
+    near(&stabilizer["energy_asked_for_mj"], 1e3 * asked);
+    near(&stabilizer["shortfall_mj"], 1e3 * most(column(10), |short| short));
+    assert_eq!(stabilizer.as_object().unwrap().len(), 6);
+    assert_eq!(json.as_object().unwrap().len(), 11);
+}
+
+#[test]
+fn settling_is_told_as_in_words() {
+    let place = Place::new();
+    let popc = SCENE.replace("stiffness = 8000.0\ndamping = 2.0", "stiffness = 5e4\ndamping = 20");
+    // In the last tenth of a run settling is not yet settled, but the time is told.
+    for (duration, settled) in [("10.0", true), ("2.4", false)] {
+        let scene = popc.replace("duration = 10.0", &format!("duration = {duration}"));
+        place.put("scene.toml", scene);
+        let json: Value =
+            serde_json::from_str(&place.run(["run", "scene.toml", "--json"]).out).unwrap();
+        assert_eq!(json["settled"], settled);
+        assert_eq!(json["settling_time_s"], 2.35);
+        let words = if settled { "settled yes" } else { "settled not yet" };
+        place.run(["run", "scene.toml"]).ended(0, &[words, "t = 2.35 s"]);
+    }
+}
+
+/// What is not there or out of range is null, and nothing else is.
+#[test]
+fn numbers_are_finite_or_null() {
+    let place = Place::new();
+    let json = |scene: &str| -> Value {
+        place.put("scene.toml", scene);
+        let said = place.run(["run", "scene.toml", "--json"]);
+        said.ended(0, &[]);
+        serde_json::from_str(&said.out).unwrap()
+    };
+    let bare = json(STIFF);
+    assert!(bare["stabilizer"].is_null() && bare["settling_time_s"].is_null());
+    assert_eq!(bare["complete"], true);
+    let away = json(&STIFF.replace("duration = 10.0", "duration = 150.0"));
+    assert_eq!(away["complete"], false);
+    assert!(away["rows"].as_u64().unwrap() < 15_001);
+    assert!(away["energy_into_port_mj"].is_null());
+    assert!(away["settling_time_s"].is_null());
+    assert!(away["peak_force_environment_n"].as_f64().unwrap() > 1e100);
+    let free = json(&STIFF.replace("stiffness = 50.0", "stiffness = 0.0"));
+    assert!(free["equilibrium_mm"].is_null() && free["band_mm"].is_null());
+    let none = json(&STIFF.replace("position = -0.004", "position = 1e308"));
+    assert_eq!(none["rows"], 0);
+}
+
+/// Rows and JSON each have a stream, as rows and words have.
+#[test]
+fn rows_on_standard_output_send_the_json_to_standard_error() {
+    let place = Place::with_scene();
+    let said = place.run(["run", "scene.toml", "--json", "--csv", "-"]);
+    said.ended(0, &[]);
+    assert_eq!(said.err, place.run(["run", "scene.toml", "--json"]).out);
+    assert_eq!(said.out, place.run(["run", "scene.toml", "--csv", "-"]).out);
+}
+
+#[test]
+fn quiet_says_nothing_but_errors() {
+    let place = Place::with_scene();
+    let rows = place.run(["run", "scene.toml", "--csv", "-"]).out;
+    let said = place.run(["run", "scene.toml", "--quiet"]);
+    said.ended(0, &[]);
+    assert_eq!((said.out.as_str(), said.err.as_str()), ("", ""));
+    let said = place.run(["run", "scene.toml", "--quiet", "--csv", "-"]);
+    assert_eq!((&said.out, said.err.as_str()), (&rows, ""));
+    let said = place.run(["run", "scene.toml", "--quiet", "--csv", "rows.csv"]);
+    assert_eq!((said.out.as_str(), said.err.as_str()), ("", ""));
+    assert_eq!(place.text("rows.csv"), rows);
+    place.run(["run", "missing.toml", "--quiet"]).ended(2, &["error: missing.toml"]);
+    for command in [&["run", "scene.toml"][..], &["paper"], &["compare", "scene.toml"]] {
+        let both = [command, &["--json", "--quiet"]].concat();
+        place.run(both).ended(2, &["'--json' cannot be used with '--quiet'"]);
+    }
+}

@@ -1,0 +1,199 @@
+//! `lyapunov map`: shards, interruptions and bad input.
+
+use std::process::Stdio;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::cli::place::Place;
+use crate::cli::said::{Said, Start};
+
+const X: &str = "environment.wall.stiffness=500..20000:9";
+const Y: &str = "environment.wall.damping=0..20:5:";
+
+fn axes<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    let mut all = vec!["map", "scene.toml", "--x", X, "--y", Y.trim_end_matches(':')];
+    all.extend(more);
+    all
+}
+
+fn place() -> Place {
+    let place = Place::new();
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 1.5");
+    place
+}
+
+#[test]
+fn a_map_is_the_same_whole_in_shards_and_on_any_threads() {
+    let place = place();
+    place
+        .run(axes(&["--out", "whole", "--threads", "1"]))
+        .ended(0, &["none", "popc", "lolc", "share"]);
+    place.run(axes(&["--out", "threads", "--threads", "3", "--quiet"])).ended(0, &[]);
+    for shard in ["0/3", "1/3", "2/3"] {
+        place.run(axes(&["--out", "shards", "--shard", shard])).ended(0, &["shard"]);
+    }
+    place.run(["map", "merge", "shards", "--out", "merged"]).ended(0, &["lolc", "share"]);
+    let whole = place.text("whole/map.csv");
+    assert_eq!(whole.lines().filter(|line| !line.starts_with('#')).count(), 1 + 9 * 5 * 3);
+    assert!(whole.contains("#| [environment.wall]"), "{whole}");
+    assert_eq!(place.text("threads/map.csv"), whole);
+    assert_eq!(place.text("merged/map.csv"), whole);
+    for file in ["stable.svg", "peak_force.svg", "chatter_rms.svg", "active.svg"] {
+        assert_eq!(place.text(&format!("merged/{file}")), place.text(&format!("whole/{file}")));
+    }
+    let page = place.text("whole/report.html");
+    assert!(page.contains("What is rendered stably") && page.matches("<figure").count() == 7);
+    let json: serde_json::Value = serde_json::from_str(&place.text("whole/map.json")).unwrap();
+    assert_eq!(json["cells"], 45);
+    assert_eq!(json["rollout_steps"], 45 * 3 * 151);
+    assert_eq!(json["areas"][2]["stabilizer"], "lolc");
+    let stable = whole.lines().filter(|line| line.contains(",lolc,1,")).count();
+    assert_eq!(json["areas"][2]["stable_cells"], stable);
+}
+
+#[test]
+fn the_family_is_mapped_beside_what_a_scene_can_name() {
+    let place = place();
+    let names = ["--stabilizers", "popc-spread,none,tank,lolc"];
+    let with = |more: &[&'static str]| axes(&[&names[..], more].concat());
+    place
+        .run(with(&["--out", "whole", "--threads", "1"]))
+        .ended(0, &["popc-spread", "tank", "one at a time under the others"]);
+    for shard in ["0/2", "1/2"] {
+        place.run(with(&["--out", "shards", "--shard", shard])).ended(0, &["shard"]);
+    }
+    place.run(["map", "merge", "shards", "--out", "merged"]).ended(0, &["tank"]);
+    let whole = place.text("whole/map.csv");
+    assert_eq!(place.text("merged/map.csv"), whole);
+    // Who runs beside them is no matter.
+    place.run(axes(&["--out", "usual", "--stabilizers", "none,lolc"])).ended(0, &[]);
+    let usual = place.text("usual/map.csv");
+    let rows = |table: &str, name: &str| -> Vec<String> {
+        let cells = table.lines().filter(|line| !line.starts_with('#'));
+        let rows = cells.filter(|line| line.contains(&format!(",{name},")));
+        rows.map(str::to_owned).collect()
+    };
+    for name in ["none", "lolc"] {
+        assert_eq!((rows(&whole, name), rows(&whole, name).len()), (rows(&usual, name), 9 * 5));
+    }
+    let page = place.text("whole/report.html");
+    assert!(page.contains("--stabilizers popc-spread,none,tank,lolc"));
+    assert!(page.contains("<td>tank</td>"));
+    // A map of others is not gone on with.
+    std::fs::create_dir(place.path("other")).unwrap();
+    place.put("other/map.part.csv", &whole);
+    place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
+}
+
+#[test]
+fn a_table_that_was_cut_off_is_gone_on_with() {
+    let place = place();
+    place.run(axes(&["--out", "whole"])).ended(0, &[]);
+    let whole = place.text("whole/map.csv");
+    let rows = whole.find("\n500").unwrap() + 1;
+    for kept in [rows, rows + 10, (rows + whole.len()) / 2, whole.len() - 1, whole.len()] {
+        let folder = format!("cut-{kept}");
+        std::fs::create_dir(place.path(&folder)).unwrap();
+        place.put(format!("{folder}/map.part.csv"), &whole[..kept]);
+        place.refuses(axes(&["--out", &folder]), &["unfinished map", "--resume"]);
+        place.run(axes(&["--out", &folder, "--resume"])).ended(0, &[]);
+        assert_eq!(place.text(&format!("{folder}/map.csv")), whole);
+        assert_eq!(place.text(&format!("{folder}/stable.svg")), place.text("whole/stable.svg"));
+        assert!(!place.path(format!("{folder}/map.part.csv")).exists());
+    }
+}
+
+#[test]
+fn an_interrupted_map_keeps_what_is_done() {
+    let place = Place::new();
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 30.0");
+    let large = [
+        "map",
+        "scene.toml",
+        "--x",
+        "environment.wall.stiffness=500..20000:2000",
+        "--y",
+        "environment.wall.damping=0..20:2000",
+        "--out",
+        "out",
+    ];
+    let mut child = place.command(large).start(Stdio::piped());
+    let begun = Instant::now();
+    let head =
+        |place: &Place| std::fs::read_to_string(place.path("out/map.part.csv")).unwrap_or_default();
+    while head(&place).lines().filter(|line| !line.starts_with('#')).count() < 2 {
+        if begun.elapsed() > Duration::from_secs(50) {
+            let _ = child.kill();
+            panic!("no row appears");
+        }
+        thread::sleep(Duration::from_millis(20));
+    }
+    let id = child.id();
+    let sent = std::process::Command::new("sh").args(["-c", &format!("kill -INT {id}")]).status();
+    assert!(sent.unwrap().success());
+    Said::by_child(child).ended(130, &["interrupted", "map.part.csv", "--resume"]);
+    let kept = head(&place);
+    assert!(kept.ends_with('\n'));
+    assert_eq!(place.names("out"), ["map.part.csv"]);
+}
+
+#[test]
+fn bad_arguments_are_refused_and_change_nothing() {
+    let place = place();
+    let with = |x: &'static str, words: &[&str]| {
+        place.refuses(["map", "scene.toml", "--x", x, "--y", "device.mass=0.1..1:3"], words);
+    };
+    with(
+        "environment.wall.stifness=1..2:3",
+        &["no number `environment.wall.stifness`", "did you mean `environment.wall.stiffness`?"],
+    );
+    with("velocity=1..2:3", &["`velocity` is not a number"]);
+    with("environment.wall.damping=2..2:3", &["2..2 is empty"]);
+    with("environment.wall.damping=3..2:3", &["3..2 is reversed"]);
+    with("environment.wall.damping=1..2:0", &["`0` is not a number of values"]);
+    with("environment.wall.damping=1..2", &["lacks the number of values"]);
+    with("environment.wall.damping=0..2:3:log", &["begins above 0"]);
+    with("environment.wall.damping=a..2:3", &["`a` is not a finite number"]);
+    with("device.mass=0.1..1:3", &["both axes are `device.mass`"]);
+    with("operator.mass=-1..1:3", &["`operator.mass` = -1.0", "0 or greater"]);
+    with("environment_rate=30..100:3", &["`environment_rate` = 30.0", "does not divide"]);
+    place.refuses(axes(&["--stabilizers", "pop"]), &["did you mean `popc`?"]);
+    place.refuses(axes(&["--stabilizers", "popc,popc"]), &["`popc` is named twice"]);
+    place.refuses(axes(&["--out", "out", "--shard", "3/3"]), &["no shard 3 of 3"]);
+    place.refuses(axes(&["--shard", "0/3"]), &["--out"]);
+    place.refuses(axes(&["--threads", "0"]), &["--threads"]);
+    place.refuses(["map", "merge", "scene.toml", "--out", "out"], &["not the table of a map"]);
+}
+
+#[test]
+fn another_map_is_neither_gone_on_with_nor_merged() {
+    let place = place();
+    place.run(axes(&["--out", "out", "--shard", "0/2"])).ended(0, &[]);
+    place.refuses(["map", "merge", "out", "--out", "merged"], &["shard 1/2 is missing"]);
+    let shard = place.text("out/map-0-of-2.csv");
+    place.put("out/map-1-of-2.csv", shard.replace("# shard 0/2", "# shard 1/2"));
+    place.refuses(["map", "merge", "out", "--out", "merged"], &["row", "no map has there"]);
+    place.put("out/map-1-of-2.csv", shard.replace("duration = 1.5", "duration = 1.6"));
+    place.refuses(["map", "merge", "out", "--out", "merged"], &["not of the same map"]);
+    std::fs::create_dir(place.path("other")).unwrap();
+    place.put(
+        "other/map.part.csv",
+        shard.replace("# shard 0/2", "# shard 0/1").replace("duration = 1.5", "duration = 1.6"),
+    );
+    let before = place.contents();
+    place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
+    assert_eq!(place.contents(), before);
+}
+
+#[test]
+fn a_full_disk_loses_nothing() {
+    let place = place();
+    std::fs::create_dir(place.path("out")).unwrap();
+    // What is written is a file of its own until it is whole; a link to a full device stands for a disk that is.
+    std::os::unix::fs::symlink("/dev/full", place.path("out/map.json")).unwrap();
+    place.put("out/map.csv", "an earlier map");
+    place.run(axes(&["--out", "out"])).ended(2, &["map.json", "no space is left"]);
+    assert_eq!(place.text("out/map.csv"), "an earlier map");
+    let part = place.text("out/map.part.csv");
+    assert_eq!(part.lines().filter(|line| !line.starts_with('#')).count(), 1 + 9 * 5 * 3);
+}

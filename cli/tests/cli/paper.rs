@@ -1,0 +1,66 @@
+//! `lyapunov paper`.
+
+use std::fs;
+use std::path::Path;
+
+use resvg::tiny_skia::Pixmap;
+use resvg::usvg::{Options, Tree};
+
+use crate::cli::place::Place;
+
+const CASES: [&str; 6] = [
+    "paper-50k-lolc",
+    "paper-50k-none",
+    "paper-50k-popc",
+    "paper-8k-lolc",
+    "paper-8k-none",
+    "paper-8k-popc",
+];
+
+/// Figures that are pictures, and the rows that `run` gives for the shipped scenes, byte for byte; a second run gives
+/// the same.
+#[test]
+fn the_folder_holds_figures_and_rows_and_nothing_else_changes() {
+    let place = Place::new();
+    let said = place.run(["paper", "--out", "new/figures"]);
+    said.ended(0, &["reproduced", "new/figures"]);
+    said.fits();
+    assert_eq!(said.err, "");
+    assert_eq!(place.names("."), ["new"]);
+    assert_eq!(place.names("new"), ["figures"]);
+    let figures = (6..=9).flat_map(|n| [format!("figure-{n}.png"), format!("figure-{n}.svg")]);
+    let rows = CASES.iter().map(|case| format!("{case}.csv"));
+    let page = ["report.html".to_owned()];
+    let files = ["claims.json".to_owned()].into_iter().chain(figures).chain(rows).chain(page);
+    assert_eq!(place.names("new/figures"), files.collect::<Vec<_>>());
+
+    let before = place.contents();
+    place.run(["paper", "--out", "new/figures"]).ended(0, &[]);
+    assert_eq!(place.contents(), before);
+    for n in 6..=9 {
+        picture(&place.path(format!("new/figures/figure-{n}")));
+    }
+    for case in CASES {
+        let scene = format!("{}/../scenes/{case}.toml", env!("CARGO_MANIFEST_DIR"));
+        let run = place.run(["run", &scene, "--csv", "-"]);
+        assert_eq!(run.out, place.text(&format!("new/figures/{case}.csv")), "{case}");
+    }
+}
+
+/// Both files of a figure can be read, and the picture is the drawing at twice its size, with something on it.
+fn picture(stem: &Path) {
+    let svg = fs::read_to_string(stem.with_extension("svg")).unwrap();
+    let size = Tree::from_str(&svg, &Options::default()).unwrap().size();
+    let png = Pixmap::decode_png(&fs::read(stem.with_extension("png")).unwrap()).unwrap();
+    assert_eq!(png.width(), (2.0 * size.width()).ceil() as u32);
+    assert_eq!(png.height(), (2.0 * size.height()).ceil() as u32);
+    let first = png.pixels()[0];
+    assert!(png.pixels().iter().any(|pixel| *pixel != first));
+}
+
+#[test]
+fn the_folder_is_paper_unless_told_otherwise() {
+    let place = Place::new();
+    place.run(["paper"]).ended(0, &["are in paper"]);
+    assert_eq!(place.names("."), ["paper"]);
+}

@@ -1,0 +1,82 @@
+//! `bound`, `explain`, and the two lines of `run`.
+
+use serde_json::Value;
+
+use crate::cli::place::Place;
+
+const LIMITS: [&str; 5] = [
+    "passive_max_stiffness",
+    "gil_max_stiffness",
+    "friction_quantization_max_stiffness",
+    "exact_max_stiffness",
+    "spectral_radius",
+];
+
+const WALL: &str = "duration = 2\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 3.0 }\n\
+    operator = { mass = 0.1, damping = 0.5, stiffness = 50, rest = 0.004 }\n\
+    initial.position = -0.004\nenvironment.spring.stiffness = 40000\n";
+
+fn place() -> Place {
+    let place = Place::new();
+    place.put("wall.toml", WALL);
+    place
+}
+
+#[test]
+fn the_limits_are_told_in_words_and_as_json() {
+    let place = place();
+    let said = place.run(["bound", "wall.toml"]);
+    said.ended(0, &["passive, any operator 6000", "6.667 times too stiff", "the loop grows"]);
+    assert_eq!(said.err, "");
+    let said = place.run(["bound", "wall.toml", "--json"]);
+    said.ended(0, &[]);
+    let told: Value = serde_json::from_str(&said.out).unwrap();
+    assert!((told["passive_max_stiffness"].as_f64().unwrap() - 6000.0).abs() < 1e-6);
+    assert!((told["gil_max_stiffness"].as_f64().unwrap() - 7000.0).abs() < 1e-6);
+    assert!(told["spectral_radius"].as_f64().unwrap() > 1.0);
+    assert_eq!(told["friction_quantization_max_stiffness"], Value::Null);
+    for key in LIMITS {
+        assert!(told.get(key).is_some(), "{key}");
+    }
+    let quiet = place.run(["bound", "wall.toml", "--quiet"]);
+    quiet.ended(0, &[]);
+    assert_eq!((quiet.out, quiet.err), (String::new(), String::new()));
+}
+
+#[test]
+fn a_remedy_put_into_the_file_ends_what_run_calls_divergence() {
+    let place = place();
+    let run = place.run(["run", "wall.toml"]);
+    run.ended(0, &["diverges", "times what the loop bears by itself", "`lyapunov explain`"]);
+    place
+        .run(["explain", "wall.toml"])
+        .ended(0, &["the run grows", "through the hold", "what helps"]);
+    let told: Value =
+        serde_json::from_str(&place.run(["explain", "wall.toml", "--json"]).out).unwrap();
+    assert_eq!(told["bounded"], false);
+    assert!((told["groups"]["kt_over_b"].as_f64().unwrap() - 40000.0 * 0.001 / 3.0).abs() < 1e-9);
+    let set: Vec<_> = told["remedies"].as_array().unwrap().iter().map(|it| &it["set"]).collect();
+    assert!(set.len() >= 2);
+    let softer = set.iter().find_map(|set| set["environment.spring.stiffness"].as_f64()).unwrap();
+    place.put("soft.toml", WALL.replace("40000", &softer.to_string()));
+    let run = place.run(["run", "soft.toml"]);
+    run.ended(0, &[]);
+    assert!(!run.out.contains("diverges"), "{}", run.out);
+    let faster = set.iter().find_map(|set| set["servo_rate"].as_f64()).unwrap();
+    place.put("fast.toml", WALL.replace("1000", &faster.to_string()));
+    assert!(!place.run(["run", "fast.toml"]).out.contains("diverges"));
+}
+
+#[test]
+fn bad_input_is_refused() {
+    let place = place();
+    place.put("flat.toml", include_str!("../../../scenes/plane.toml"));
+    place.refuses(["bound", "none.toml"], &["none.toml", "there is no such file"]);
+    place.refuses(["explain", "none.toml"], &["none.toml", "there is no such file"]);
+    place.refuses(
+        ["explain", "flat.toml"],
+        &["[space] is not for an explanation", "lyapunov bound"],
+    );
+    place.refuses(["explain", "wall.toml", "--json", "--quiet"], &["'--json'", "'--quiet'"]);
+    place.run(["bound", "flat.toml"]).ended(0, &["along the normal"]);
+}

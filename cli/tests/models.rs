@@ -1,0 +1,117 @@
+//! `lyapunov compare` of models, from outside.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const NAMES: [&str; 6] = [
+    "van-der-pol",
+    "inverted-pendulum",
+    "dc-motor",
+    "admittance-device",
+    "two-link-arm",
+    "prosthetic-leg",
+];
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/models/{name}.toml"))
+}
+
+fn lyapunov<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lyapunov")).args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
+    let mut arguments = vec!["compare".into()];
+    arguments.extend(NAMES.map(|name| path(name).into_os_string()));
+    let said = lyapunov(arguments);
+    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let out = text(&said.stdout);
+    for row in ["none  ", "popc  ", "lolc-decrease  ", "lolc-decay  "] {
+        let rows = out.lines().filter(|line| line.starts_with(row)).count();
+        assert_eq!(rows, NAMES.len(), "{row}:\n{out}");
+    }
+    // Only the path can make a line longer.
+    let lines = out.lines().filter(|line| !line.contains(".toml"));
+    assert!(lines.clone().all(|line| line.chars().count() <= 100), "{out}");
+    assert!(out.contains("inverted-pendulum, 8 s at 1000 Hz, controller 120 ticks late"), "{out}");
+    assert!(out.contains("two-link-arm, 6 s at 1000 Hz, controller at 50 Hz"), "{out}");
+}
+
+#[test]
+fn what_is_written_is_what_was_measured() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, pendulum) = (place.path().join("out"), path("inverted-pendulum"));
+    let arguments: [&OsStr; 5] =
+        ["compare".as_ref(), pendulum.as_ref(), "--json".as_ref(), "--out".as_ref(), out.as_ref()];
+    let said = lyapunov(arguments);
+    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let mut names: Vec<_> = fs::read_dir(&out)
+        .unwrap()
+        .map(|it| it.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let figure = ["csv", "png", "svg"].map(|ending| format!("inverted-pendulum.{ending}"));
+    assert_eq!(
+        names,
+        [&["compare.json".to_owned()], &figure[..], &["report.html".to_owned()]].concat()
+    );
+    assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), text(&said.stdout));
+
+    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    assert_eq!(
+        (&json["bound"], &json["models"][0]["plant"]),
+        (&4.0.into(), &"inverted-pendulum".into())
+    );
+    let csv = fs::read_to_string(out.join("inverted-pendulum.csv")).unwrap();
+    let rows = json["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        let name = format!("{},", row["stabilizer"].as_str().unwrap());
+        let values: Vec<f64> = csv
+            .lines()
+            .filter_map(|line| line.strip_prefix(&name)?.split_once(',')?.1.parse().ok())
+            .collect();
+        assert_eq!(values.len(), 8001, "{name}");
+        assert_eq!(row["v_end"], values[8000]);
+        assert_eq!(row["v_largest"], values.iter().copied().fold(0.0, f64::max));
+        assert_eq!(json["models"][0]["v_start"], values[0]);
+    }
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("<svg") && page.contains("lolc-decay") && !page.contains("NaN"));
+}
+
+#[test]
+fn what_does_not_go_together_is_refused() {
+    let (model, scene) = (path("van-der-pol"), path("x").with_file_name("../hold.toml"));
+    let refuses = |arguments: &[&OsStr], words: &[&str]| {
+        let said = lyapunov(arguments);
+        assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
+        let err = text(&said.stderr);
+        assert!(words.iter().all(|word| err.contains(word)), "{err}");
+    };
+    let compare: &OsStr = "compare".as_ref();
+    refuses(
+        &[compare, model.as_ref(), scene.as_ref()],
+        &["a model of a plant", "in calls of their own"],
+    );
+    let by = ["--by".as_ref(), "stable".as_ref()];
+    refuses(&[compare, model.as_ref(), by[0], by[1]], &["--by", "leave it out"]);
+    refuses(&["run".as_ref(), model.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
+    refuses(&[compare, "absent.toml".as_ref()], &["there is no such file"]);
+}
+
+#[test]
+fn the_schema_of_models_is_printed() {
+    let said = lyapunov(["schema", "model"]);
+    assert_eq!(said.status.code(), Some(0));
+    assert_eq!(text(&said.stdout), lyapunov_lab::models::schema_text());
+}

@@ -1,0 +1,109 @@
+//! The shipped log of MuJoCo against our own simulation of the same scene and against its own rows.
+
+use lyapunov::{DampingLimit, Popc, PortEnergy};
+use lyapunov_lab::observe::{Report, Settings, observe};
+use lyapunov_lab::{Rollout, Row, Scene};
+
+use crate::observe::command::run;
+
+const LOG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/logs/mujoco-wall.csv");
+const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/paper-8k-none.toml");
+
+fn report() -> Report {
+    observe(std::fs::File::open(LOG).unwrap(), LOG, &Settings::default()).unwrap().report
+}
+
+/// The same scene in the lab, under a POPC that may not inject anything.
+fn rollout(rows: usize) -> Vec<Row> {
+    let scene = Scene::load(SCENE.as_ref()).unwrap();
+    let watch: Popc<f64> = Popc::new(PortEnergy, DampingLimit::of_mass(0.0, 0.3, 0.01).unwrap());
+    Rollout::<f64>::stabilized_by(&scene, watch).unwrap().take(rows).collect()
+}
+
+fn near(found: f64, expected: f64, share: f64) {
+    assert!((found - expected).abs() <= share * expected.abs(), "{found} is not {expected}");
+}
+
+#[test]
+fn the_observer_sees_what_our_own_simulation_says() {
+    let (report, rows) = (report(), rollout(201));
+    assert_eq!((report.rows, report.bad_rows.count, report.gaps.count), (201, 0, 0));
+    let first = rows.iter().find(|row| row.observer < 0.0).unwrap();
+    assert_eq!(report.observer.negative_at, Some(first.t));
+    assert_eq!(report.observer.debts, 1);
+
+    // The simulators agree within 2e-15 m in the first contact and, as the loop diverges, 6e-12 m at the end.
+    const SHARE: f64 = 1e-9;
+    near(report.observer.last, rows[200].observer, SHARE);
+    let lowest = rows.iter().map(|row| row.observer).fold(0.0, f64::min);
+    near(report.observer.lowest, lowest, SHARE);
+    let works: Vec<f64> =
+        rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).collect();
+    near(report.energy.absorbed, works.iter().filter(|work| **work > 0.0).sum(), SHARE);
+    near(-report.energy.released, works.iter().filter(|work| **work < 0.0).sum(), SHARE);
+
+    // The printed observer is blind to it, as docs/paper.md says of this scene.
+    let printed: f64 = rows.iter().map(|row| row.f_env * row.v * 0.01).sum();
+    near(report.printed.last, printed, SHARE);
+    assert_eq!(report.printed.negative_at, None);
+}
+
+#[test]
+fn every_contact_of_the_log_is_told() {
+    let report = report();
+    let rows = rollout(201);
+    let mut starts: Vec<f64> = rows
+        .windows(2)
+        .filter(|pair| pair[0].f_env == 0.0 && pair[1].f_env > 0.0)
+        .map(|pair| pair[1].t)
+        .collect();
+    let mut told: Vec<f64> = report.contacts.worst.iter().map(|contact| contact.start).collect();
+    told.sort_by(f64::total_cmp);
+    starts.truncate(told.len());
+    assert_eq!((told, report.contacts.count), (starts, 8));
+
+    // The first contact by hand: rows 13 and 14 push with 2.578 N and 2.955 N.
+    let first = report.contacts.worst.iter().find(|contact| contact.start < 0.2).unwrap();
+    let (x13, x14, x15) = (3.098793486469987e-4, 3.679292665456425e-4, -4.983898040727688e-4);
+    let (into, out) = (2.577954633330946 * (x14 - x13), 2.9550441159448697 * (x14 - x15));
+    near(first.absorbed, into, 1e-12);
+    near(first.released, out, 1e-12);
+    near(first.peak_force, 2.9550441159448697, 1e-15);
+    let motion = ((x14 - x13) * (x14 - x13) + (x15 - x14) * (x15 - x14)) / 0.01;
+    near(first.damping.unwrap(), (out - into) / motion, 1e-9);
+}
+
+#[test]
+fn the_command_prints_the_same_as_json() {
+    let ended = run(&[LOG, "--json"]);
+    assert_eq!((ended.status, ended.error.as_str()), (Some(0), ""));
+    let json: serde_json::Value = serde_json::from_str(&ended.out).unwrap();
+    let report = report();
+    assert_eq!(json["observer"]["final"], report.observer.last);
+    assert_eq!(json["observer"]["negative_at"], 0.15);
+    assert_eq!(json["contacts"]["worst"][0]["generated"], report.contacts.worst[0].generated);
+    assert_eq!(json["candidate"]["name"], "spring");
+    let ended = run(&[LOG]);
+    assert_eq!((ended.out, ended.error.as_str()), (format!("{report}\n"), ""));
+}
+
+#[test]
+fn a_credit_as_large_as_the_repair_leaves_no_debt() {
+    let needed = report().repair.damping.unwrap();
+    for (share, debts) in [(1.001, 0), (0.99, 1)] {
+        let damping = (needed * share).to_string();
+        let credited = ["--candidate", "device-damping", "--damping", &damping];
+        let ended = run(&[&[LOG, "--json"], &credited[..]].concat());
+        let json: serde_json::Value = serde_json::from_str(&ended.out).unwrap();
+        assert_eq!(json["observer"]["debts"], debts, "{damping}");
+    }
+}
+
+#[test]
+fn the_page_shows_what_is_printed() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/observe.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let name = "scenes/logs/mujoco-wall.csv";
+    let shown = Report { log: name.to_owned(), ..report() }.to_string();
+    assert!(page.contains(&shown), "docs/observe.md should show:\n{shown}");
+}

@@ -1,0 +1,119 @@
+//! `lyapunov compare` of teleoperators, from outside.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const NAMES: [&str; 3] = ["constant-delay", "varying-delay", "lossy"];
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/teleoperation/{name}.toml"))
+}
+
+fn lyapunov<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lyapunov")).args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+const ROWS: [&str; 5] =
+    ["none", "popc-at-each-end", "two-port-popc", "drift-compensated", "wave-variables"];
+
+#[test]
+fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
+    let mut arguments = vec!["compare".into()];
+    arguments.extend(NAMES.map(|name| path(name).into_os_string()));
+    let said = lyapunov(arguments);
+    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let out = text(&said.stdout);
+    for row in ROWS {
+        let rows = out.lines().filter(|line| line.starts_with(&format!("{row}  ")));
+        assert_eq!(rows.count(), 6, "{row}:\n{out}");
+    }
+    let lines = out.lines().filter(|line| !line.contains(".toml"));
+    assert!(lines.clone().all(|line| line.chars().count() <= 100), "{out}");
+    for setting in ["20 ticks each way", "10 to 50 ticks each way", "20 ticks each way, 30 % lost"]
+    {
+        assert!(out.contains(setting), "{out}");
+    }
+}
+
+#[test]
+fn what_is_written_is_what_was_measured() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, file) = (place.path().join("out"), path("lossy"));
+    let arguments: [&OsStr; 5] =
+        ["compare".as_ref(), file.as_ref(), "--json".as_ref(), "--out".as_ref(), out.as_ref()];
+    let said = lyapunov(arguments);
+    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let entries = fs::read_dir(&out).unwrap().map(|it| it.unwrap().file_name());
+    let mut names: Vec<_> = entries.map(|name| name.into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, ["compare.json", "lossy.csv", "lossy.png", "lossy.svg", "report.html"]);
+    assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), text(&said.stdout));
+
+    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    let circumstances = &json["teleoperators"][0];
+    assert_eq!((&json["bound"], &circumstances["loss"]), (&4.0.into(), &0.3.into()));
+    assert_eq!((&circumstances["seed"], &circumstances["delay_ticks"]), (&1.into(), &20.into()));
+    let csv = fs::read_to_string(out.join("lossy.csv")).unwrap();
+    assert!(csv.starts_with("stabilizer,device,t,x\n"));
+    let rows = json["rows"].as_array().unwrap();
+    assert_eq!(rows.iter().map(|row| &row["stabilizer"]).collect::<Vec<_>>(), ROWS);
+    for (row, name) in rows.iter().zip(ROWS) {
+        let positions = |device: &str| -> Vec<f64> {
+            let begins = format!("{name},{device},");
+            let lines = csv.lines().filter_map(|line| line.strip_prefix(&begins));
+            lines.map(|line| line.split_once(',').unwrap().1.parse().unwrap()).collect()
+        };
+        let (master, slave) = (positions("master"), positions("slave"));
+        assert_eq!((master.len(), slave.len()), (5001, 5001), "{name}");
+        assert_eq!(row["error_end_mm"], 1e3 * (master[5000] - slave[5000]));
+        let apart = master.iter().zip(&slave).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert_eq!(row["error_largest_mm"], 1e3 * apart);
+    }
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("<svg") && page.contains("wave-variables") && !page.contains("NaN"));
+}
+
+#[test]
+fn what_does_not_go_together_is_refused() {
+    let (file, model) = (path("lossy"), path("x").with_file_name("../models/van-der-pol.toml"));
+    let refuses = |arguments: &[&OsStr], words: &[&str]| {
+        let said = lyapunov(arguments);
+        assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
+        let err = text(&said.stderr);
+        assert!(words.iter().all(|word| err.contains(word)), "{err}");
+    };
+    let compare: &OsStr = "compare".as_ref();
+    let mixed = ["a model of a plant", "a teleoperator", "in calls of their own"];
+    refuses(&[compare, file.as_ref(), model.as_ref()], &mixed);
+    let named = ["--stabilizers".as_ref(), "popc".as_ref()];
+    refuses(&[compare, file.as_ref(), named[0], named[1]], &["of a teleoperator", "leave it out"]);
+    refuses(&["run".as_ref(), file.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
+}
+
+#[test]
+fn a_run_that_leaves_the_range_has_no_numbers_of_its_end() {
+    let place = tempfile::tempdir().unwrap();
+    let long = place.path().join("long.toml");
+    let file = fs::read_to_string(path("constant-delay")).unwrap();
+    fs::write(&long, file.replace("duration = 5.0", "duration = 400.0")).unwrap();
+    let said = lyapunov(["compare".as_ref(), long.as_os_str(), "--json".as_ref()]);
+    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    let none = &json["rows"][0];
+    assert_eq!((&none["bounded"], &none["error_end_mm"]), (&false.into(), &Value::Null));
+    assert!(json["rows"][2]["error_end_mm"].is_number());
+}
+
+#[test]
+fn the_schema_of_teleoperators_is_printed() {
+    let said = lyapunov(["schema", "teleoperation"]);
+    assert_eq!(said.status.code(), Some(0));
+    assert_eq!(text(&said.stdout), lyapunov_lab::teleoperation::schema_text());
+}

@@ -1,0 +1,71 @@
+//! A figure of one or several panels.
+
+use super::page;
+use super::panel::Panel;
+
+/// A figure of one or several panels, row by row.
+///
+/// The same figure always gives the same bytes, as SVG and as PNG.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Text above all panels; may be empty.
+    pub title: String,
+    /// Width of the drawing in CSS pixels, limited to 320 to 4000; the height follows.
+    pub width: f64,
+    /// Height of each frame in CSS pixels; by default it follows from the width.
+    pub panel_height: Option<f64>,
+    /// Panels side by side: 1 stacks them, 2 makes a grid of two columns.
+    pub columns: usize,
+    /// The panels, row by row.
+    pub panels: Vec<Panel>,
+}
+
+impl Default for Figure {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            width: 720.0,
+            panel_height: None,
+            columns: 1,
+            panels: Vec::new(),
+        }
+    }
+}
+
+impl Figure {
+    /// A figure without panels, 720 pixels wide.
+    pub fn new(title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..Self::default() }
+    }
+
+    /// The same figure with one panel more.
+    #[must_use]
+    pub fn with_panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// The same figure with `columns` panels side by side.
+    #[must_use]
+    pub fn with_columns(self, columns: usize) -> Self {
+        Self { columns, ..self }
+    }
+
+    /// The same figure, `width` CSS pixels wide.
+    #[must_use]
+    pub fn with_width(self, width: f64) -> Self {
+        Self { width, ..self }
+    }
+
+    /// The same figure with frames `height` CSS pixels high.
+    #[must_use]
+    pub fn with_panel_height(self, height: f64) -> Self {
+        Self { panel_height: Some(height), ..self }
+    }
+
+    /// The figure as an SVG document, on a white ground.
+    #[must_use]
+    pub fn to_svg(&self) -> String {
+        page::compose(self)
+    }
+}

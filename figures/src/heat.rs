@@ -1,0 +1,113 @@
+//! A field of colours over a frame.
+
+use super::axes::TICK_LENGTH;
+use super::geometry::Rect;
+use super::markup::{Anchor, Lettering, Markup};
+use super::palette::{FRAME, INK, Stroke};
+use super::picture;
+use super::span::Span;
+use super::ticks::Ticks;
+
+/// Room to the right of a frame for the key of its colours.
+pub(super) const KEY_ROOM: f64 = 64.0;
+
+const KEY_WIDTH: f64 = 11.0;
+const KEY_GAP: f64 = 10.0;
+const NUMBER_SIZE: f64 = 11.0;
+
+/// Steps of a ramp: from light to dark in even steps of lightness, so that it reads in grey too.
+const RAMP: [[u8; 3]; 6] = [
+    [0xf1, 0xf5, 0xd8],
+    [0xb9, 0xdd, 0xb5],
+    [0x66, 0xb9, 0xb4],
+    [0x2d, 0x88, 0xa8],
+    [0x27, 0x52, 0x86],
+    [0x1b, 0x20, 0x4f],
+];
+
+/// What is not there.
+const NOTHING: [u8; 3] = [0xff, 0xff, 0xff];
+
+/// A value for each element of a grid that fills its frame.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct HeatMap {
+    /// How many elements stand side by side.
+    pub columns: usize,
+    /// The values, row by row from the bottom; where one is not finite the paper shows.
+    pub values: Vec<f64>,
+    /// Range of the colours; by default what the values cover.
+    pub range: Option<(f64, f64)>,
+}
+
+impl HeatMap {
+    /// The map of `values`, row by row from the bottom, `columns` in a row.
+    pub fn new(columns: usize, values: Vec<f64>) -> Self {
+        Self { columns, values, range: None }
+    }
+
+    /// The same map with a fixed range of the colours.
+    #[must_use]
+    pub fn with_range(self, low: f64, high: f64) -> Self {
+        Self { range: Some((low, high)), ..self }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.values.iter().all(|value| !value.is_finite())
+    }
+
+    fn span(&self) -> Span {
+        Span::given(self.range)
+            .or_else(|| Span::of(self.values.iter().copied()).map(Span::readable))
+            .unwrap_or(Span::UNIT)
+    }
+
+    pub(super) fn draw(&self, markup: &mut Markup, area: Rect) {
+        let span = self.span();
+        let rows = self.values.len() / self.columns.max(1);
+        let link = picture::link(self.columns, rows, |column, row| {
+            colour(self.values[(rows - 1 - row) * self.columns + column], span)
+        });
+        if let Some(link) = link {
+            markup.picture(area, &link);
+        }
+    }
+
+    /// The key of the colours, to the right of the frame.
+    pub(super) fn draw_key(&self, markup: &mut Markup, frame: Rect) {
+        const STEPS: usize = 64;
+        let span = self.span();
+        let area = Rect::new(frame.right() + KEY_GAP, frame.top, KEY_WIDTH, frame.height);
+        let value = |row: usize| {
+            let share = 1.0 - (row as f64 + 0.5) / STEPS as f64;
+            span.low + share * (span.high - span.low)
+        };
+        if let Some(link) = picture::link(1, STEPS, |_, row| colour(value(row), span)) {
+            markup.picture(area, &link);
+        }
+        let ticks = Ticks::within(span, 5);
+        let mut strokes = Vec::new();
+        for tick in &ticks.marks {
+            let y = area.bottom() - span.fraction(tick.value) * area.height;
+            strokes.push(((area.right(), y), (area.right() + TICK_LENGTH, y)));
+            let place = (area.right() + TICK_LENGTH + 3.0, y + 0.36 * NUMBER_SIZE);
+            markup.text(place, Lettering::new(NUMBER_SIZE, INK, Anchor::Start), &tick.label);
+        }
+        markup.lines(&strokes, Stroke::solid(FRAME, 0.8));
+        markup.outline(area, Stroke::solid(FRAME, 0.8));
+        let note = (area.left + KEY_WIDTH, area.top - 5.0);
+        markup.text(note, Lettering::new(NUMBER_SIZE, INK, Anchor::Middle), &ticks.note);
+    }
+}
+
+fn colour(value: f64, span: Span) -> [u8; 3] {
+    if !value.is_finite() {
+        return NOTHING;
+    }
+    let place = span.fraction(value).clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
+    let step = (place as usize).min(RAMP.len() - 2);
+    let share = place - step as f64;
+    std::array::from_fn(|part| {
+        let [from, to] = [RAMP[step][part], RAMP[step + 1][part]].map(f64::from);
+        (from + share * (to - from)).round() as u8
+    })
+}

@@ -1,0 +1,91 @@
+//! A small picture as a PNG within a link, for what as rectangles would be a hundred times larger.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use miniz_oxide::deflate::compress_to_vec_zlib;
+
+/// How hard the bytes are pressed; beyond 6 it takes longer and gains next to nothing.
+const LEVEL: u8 = 6;
+
+/// The link, `data:` and all, to a picture of `colour`s (red, green, blue) by column and row from the top left; none if
+/// it has no pixels, or more than a PNG counts.
+pub(super) fn link(
+    columns: usize,
+    rows: usize,
+    colour: impl Fn(usize, usize) -> [u8; 3],
+) -> Option<String> {
+    let size = [u32::try_from(columns).ok()?, u32::try_from(rows).ok()?];
+    if size.contains(&0) {
+        return None;
+    }
+    let mut lines = Vec::with_capacity(rows * (3 * columns + 1));
+    for row in 0..rows {
+        // The filter of the line: none.
+        lines.push(0);
+        (0..columns).for_each(|column| lines.extend(colour(column, row)));
+    }
+    Some(format!("data:image/png;base64,{}", STANDARD.encode(png(size, &lines))))
+}
+
+/// The PNG (ISO/IEC 15948) of `lines` of red, green and blue, 8 bits each, every line behind its filter.
+fn png([columns, rows]: [u32; 2], lines: &[u8]) -> Vec<u8> {
+    let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
+    // 8 bits a part, parts red, green and blue, one way each to compress, filter and order.
+    let form = [8, 2, 0, 0, 0];
+    chunk(&mut bytes, b"IHDR", &[&columns.to_be_bytes()[..], &rows.to_be_bytes(), &form].concat());
+    chunk(&mut bytes, b"IDAT", &compress_to_vec_zlib(lines, LEVEL));
+    chunk(&mut bytes, b"IEND", &[]);
+    bytes
+}
+
+fn chunk(bytes: &mut Vec<u8>, name: &[u8; 4], content: &[u8]) {
+    bytes.extend((content.len() as u32).to_be_bytes());
+    let start = bytes.len();
+    bytes.extend_from_slice(name);
+    bytes.extend_from_slice(content);
+    let check = crc32(&bytes[start..]);
+    bytes.extend(check.to_be_bytes());
+}
+
+/// The cyclic redundancy check of PNG, bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |check, byte| {
+        (0..8).fold(check ^ u32::from(*byte), |check, _| {
+            (check >> 1) ^ (0xedb8_8320 & (check & 1).wrapping_neg())
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The check value of the catalogue of CRC algorithms (CRC-32/ISO-HDLC).
+    #[test]
+    fn the_check_is_the_published_one() {
+        assert_eq!(crc32(b"123456789"), 0xcbf4_3926);
+    }
+
+    #[test]
+    fn what_has_no_pixels_has_no_link() {
+        assert_eq!(link(0, 3, |_, _| [0; 3]), None);
+        assert_eq!(link(3, 0, |_, _| [0; 3]), None);
+    }
+
+    #[cfg(feature = "png")]
+    #[test]
+    fn another_reader_finds_every_pixel() {
+        use resvg::tiny_skia::Pixmap;
+
+        let colour = |column: usize, row: usize| [7 * column as u8, 11 * row as u8, 200];
+        let link = link(9, 20, colour).unwrap();
+        let text = link.strip_prefix("data:image/png;base64,").unwrap();
+        let picture = Pixmap::decode_png(&STANDARD.decode(text).unwrap()).unwrap();
+        assert_eq!((picture.width(), picture.height()), (9, 20));
+        for (index, pixel) in picture.pixels().iter().enumerate() {
+            let found = [pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()];
+            let [red, green, blue] = colour(index % 9, index / 9);
+            assert_eq!(found, [red, green, blue, 255], "{index}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The typeface, and how much room a text takes in it.
+
+use ttf_parser::Face;
+
+/// The family that the drawing asks for, and stand-ins of about its width and look.
+pub(super) const FAMILIES: &str = "'DejaVu Sans', Verdana, Helvetica, Arial, sans-serif";
+
+/// How heavy a text is set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Weight {
+    Regular,
+    Bold,
+}
+
+impl Weight {
+    pub(super) fn bytes(self) -> &'static [u8] {
+        match self {
+            Self::Regular => dejavu::sans::regular(),
+            Self::Bold => dejavu::sans::bold(),
+        }
+    }
+}
+
+/// Widths of the characters of a text at a size, in units of the drawing.
+fn advances(text: &str, size: f64, weight: Weight) -> Vec<(usize, f64)> {
+    let face = Face::parse(weight.bytes(), 0).ok();
+    let share = |character: char| {
+        let face = face.as_ref()?;
+        let advance = face.glyph_hor_advance(face.glyph_index(character)?)?;
+        Some(f64::from(advance) / f64::from(face.units_per_em()))
+    };
+    text.char_indices()
+        .map(|(index, character)| {
+            (index + character.len_utf8(), size * share(character).unwrap_or(0.6))
+        })
+        .collect()
+}
+
+/// Width of a text at a size, in units of the drawing.
+pub(super) fn width(text: &str, size: f64, weight: Weight) -> f64 {
+    advances(text, size, weight).iter().map(|(_, advance)| advance).sum()
+}
+
+/// The text itself if it fits into `room`, otherwise its beginning and an ellipsis.
+pub(super) fn fitted(text: &str, size: f64, weight: Weight, room: f64) -> String {
+    const ELLIPSIS: &str = "…";
+    let advances = advances(text, size, weight);
+    if advances.iter().map(|(_, advance)| advance).sum::<f64>() <= room {
+        return text.to_owned();
+    }
+    let mut left = room - width(ELLIPSIS, size, weight);
+    let mut end = 0;
+    for (index, advance) in advances {
+        left -= advance;
+        if left < 0.0 {
+            break;
+        }
+        end = index;
+    }
+    format!("{}{ELLIPSIS}", text[..end].trim_end())
+}
+
+/// The text in as many lines as it needs, no more than three.
+pub(super) fn wrapped(text: &str, size: f64, weight: Weight, room: f64) -> Vec<String> {
+    const MOST_LINES: usize = 3;
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        let last_line = lines.len() == MOST_LINES;
+        match lines.last_mut() {
+            Some(line) if last_line || width(&format!("{line} {word}"), size, weight) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| fitted(line, size, weight, room)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shipped_typeface_is_read() {
+        let narrow = width("iii", 12.0, Weight::Regular);
+        let wide = width("mmm", 12.0, Weight::Regular);
+        assert!(narrow > 5.0 && narrow < wide && wide < 40.0);
+        assert!(width("mmm", 12.0, Weight::Bold) > wide);
+    }
+
+    #[test]
+    fn a_text_too_long_is_cut_to_the_room() {
+        assert_eq!(fitted("force", 12.0, Weight::Regular, 100.0), "force");
+        let cut = fitted(&"force ".repeat(1000), 12.0, Weight::Regular, 100.0);
+        assert!(cut.ends_with('…') && width(&cut, 12.0, Weight::Regular) <= 100.0);
+        assert_eq!(fitted("äöü", 12.0, Weight::Regular, 0.0), "…");
+    }
+
+    #[test]
+    fn a_long_title_takes_several_lines() {
+        let lines = wrapped(&"contact ".repeat(100), 15.0, Weight::Bold, 300.0);
+        assert_eq!(lines.len(), 3);
+        for line in lines {
+            assert!(width(&line, 15.0, Weight::Bold) <= 300.0);
+        }
+        assert!(wrapped("  ", 15.0, Weight::Bold, 300.0).is_empty());
+    }
+}

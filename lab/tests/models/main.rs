@@ -1,7 +1,0 @@
-//! Models of control-affine plants from files: what they come to, and what is refused.
-
-mod bad;
-mod command;
-mod examples;
-mod hand;
-mod shipped;

@@ -1,8 +1,0 @@
-//! Teleoperators from files: what they come to, and what is refused.
-
-mod bad;
-mod command;
-mod hand;
-mod ledger;
-mod shipped;
-mod springs;
