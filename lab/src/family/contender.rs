@@ -1,8 +1,7 @@
 //! What a scene file can name.
 
-use lyapunov::ParameterError;
+use lyapunov::{NoStabilizer, ParameterError};
 
-use super::Nothing;
 use crate::compare::Settings;
 use crate::scene::{Candidate, Lolc, Popc, Scene, Stabilizer};
 use crate::{AnyStabilizer, Space};
@@ -70,7 +69,7 @@ impl Contender {
     /// The same, made.
     pub(super) fn made<V: Space>(self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
         match self.on(scene) {
-            None => Ok(AnyStabilizer::new(Nothing)),
+            None => Ok(AnyStabilizer::new(NoStabilizer)),
             Some(named) => AnyStabilizer::named(scene, named),
         }
     }

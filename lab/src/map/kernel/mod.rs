@@ -16,7 +16,7 @@ mod seats;
 pub use instructions::Instructions;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Beyond, Dissipation, Lolc, ParameterError, PortEnergy, Scalar};
+use lyapunov::{Beyond, Dissipation, Lolc, NoStabilizer, ParameterError, PortEnergy, Scalar};
 
 use pulp::NullaryFnOnce;
 
@@ -30,7 +30,7 @@ use crate::scene::{
 use aligned::Aligned;
 use backward::Fuse;
 use meter::{Everything, Meter, Verdicts};
-use parts::{Laned, Nobody};
+use parts::Laned;
 use rollout::Rollouts;
 use seats::{Along, Seats};
 
@@ -235,7 +235,7 @@ impl Run<'_> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
         let candidate = match self.contender.on(&self.kernel.along.base) {
-            None => return self.under::<T, Nobody, W>(watching),
+            None => return self.under::<T, NoStabilizer, W>(watching),
             Some(Stabilizer::Popc(_)) => Candidate::Spring,
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
         };

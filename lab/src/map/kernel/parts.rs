@@ -2,7 +2,8 @@
 
 use lyapunov::{
     Action, Adapt, Beyond, Body, DampingLimit, Dissipation, Drive, Held, Hold, Impedance, Lolc,
-    LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
+    LyapunovCandidate, NoStabilizer, OnePort, ParameterError, PortEnergy, Scalar, Stabilized,
+    Stabilizer, Wall,
 };
 
 use super::backward::{Backward, Fuse, Period};
@@ -89,18 +90,7 @@ pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Sized {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 }
 
-/// No stabilizer.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Nobody;
-
-impl<T: Scalar> Stabilizer<T> for Nobody {
-    #[inline(always)]
-    fn stabilize(&mut self, _drive: &Drive<T>, effort: T) -> Action<T> {
-        Action::none(effort)
-    }
-}
-
-impl<T: Scalar> Laned<T> for Nobody {
+impl<T: Scalar> Laned<T> for NoStabilizer {
     fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
     }
