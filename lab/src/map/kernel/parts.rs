@@ -1,9 +1,8 @@
 //! The parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Action, Adapt, Beyond, Body, DampingLimit, Dissipation, Drive, Held, Hold, Impedance, Lolc,
-    LyapunovCandidate, NoStabilizer, OnePort, ParameterError, PortEnergy, Scalar, Stabilized,
-    Stabilizer, Wall,
+    Adapt, Beyond, Body, DampingLimit, Dissipation, Held, Hold, Impedance, Lolc, LyapunovCandidate,
+    NoStabilizer, OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
 };
 
 use super::backward::{Backward, Fuse, Period};

@@ -2,9 +2,8 @@
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
-    Action, Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, NoStabilizer,
-    Observer, OnePort, ParameterError, Plain, Plant, PortEnergy, Sampled, Scalar, Stabilizer, Wall,
-    Work,
+    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, NoStabilizer, Observer,
+    OnePort, ParameterError, Plain, Plant, PortEnergy, Sampled, Scalar, Stabilizer, Wall, Work,
 };
 use rayon::prelude::*;
 
