@@ -49,6 +49,7 @@ pub mod subjects;
 mod summary;
 pub mod teleoperation;
 mod tick;
+mod timing;
 
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
 pub use csv::{COLUMNS, Csv};

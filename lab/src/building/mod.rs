@@ -11,8 +11,8 @@ mod space;
 mod stabilizer;
 
 pub use assembly::Assembly;
-pub(crate) use environment::AsPort;
 pub use environment::Render;
+pub(crate) use environment::{AsPort, on_a_line};
 pub use plant::AnyPlant;
 pub use port::Port;
 pub(crate) use seen::Seen;

@@ -3,7 +3,7 @@
 use lyapunov::{NoStabilizer, ParameterError};
 
 use crate::compare::Settings;
-use crate::scene::{Candidate, Lolc, Popc, Scene, Stabilizer};
+use crate::scene::{Candidate, Draft, Lolc, Popc, Scene, Stabilizer};
 use crate::{AnyStabilizer, Space};
 
 /// A stabilizer that a scene file can name, or none; work, ledger and damping cap are the scene's.
@@ -49,7 +49,7 @@ impl Contender {
     }
 
     /// What it is in `scene`.
-    pub(crate) fn on(self, scene: &Scene) -> Option<Stabilizer> {
+    pub(crate) fn on(self, scene: &Draft) -> Option<Stabilizer> {
         let Settings { work, ledger, damping_cap, .. } = Settings::of(scene);
         let lolc =
             |candidate| Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap }));

@@ -28,16 +28,17 @@ const SHARES: [f64; 4] = [1.0, 0.97, 0.93, 0.88];
 
 impl Looped {
     fn scene(&self, share: f64) -> Result<Scene, HardError> {
-        let mut scene = Scene::parse(&self.text, "a hard case")?;
+        let scene = Scene::parse(&self.text, "a hard case")?;
         let moved = |from: f64| Finite::new(from * share).map(Into::into);
-        let initial = &mut scene.initial;
-        // A share of a finite number is one.
+        let mut draft = scene.to_draft();
+        let initial = &mut draft.initial;
+        // A share of a number in range is one.
         (initial.position, initial.velocity) =
             match (moved(initial.position.get()), moved(initial.velocity.get())) {
                 (Ok(position), Ok(velocity)) => (position, velocity),
                 _ => return Ok(scene),
             };
-        Ok(scene)
+        Ok(draft.check().unwrap_or(scene))
     }
 
     fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {

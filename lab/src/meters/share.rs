@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use lyapunov::Scalar;
 
-use crate::scene::Scene as Draft;
+use crate::scene::Scene;
 use crate::{Space, Tick};
 
 /// The force that acts on the plant, split by whose it is, along the first axis.
@@ -27,7 +27,7 @@ pub(crate) struct Share {
 
 impl Share {
     /// The share in `scene`, whose loop computes in the scalar of `V`.
-    pub(crate) fn new<V: Space>(scene: &Draft) -> Self {
+    pub(crate) fn new<V: Space>(scene: &Scene) -> Self {
         let ticks = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
         // As the loop rounds it.
         let limit = |force: f64| V::Scalar::of(force).lane(0);
