@@ -179,7 +179,7 @@ mod tests {
             scene(HAND, "environment.hunt-crossley = { stiffness = 1e5, exponent = 1.5 }"),
         ];
         for scene in &cases {
-            let last = Rollout::<f64>::of(scene).unwrap().last().unwrap();
+            let last = Rollout::<f64>::of(scene).unwrap().rows().last().unwrap();
             let told = equilibrium(scene).unwrap_or_else(|| panic!("{scene:?} has none"));
             assert!((last.x - told).abs() < 1e-9, "{} but {told} of {scene:?}", last.x);
         }

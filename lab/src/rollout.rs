@@ -5,7 +5,7 @@ use lyapunov::{Drive, OnePort, ParameterError, Plant, Scalar, Signal, Stabilizer
 use crate::building::Seen;
 use crate::family::Member;
 use crate::scene::Scene;
-use crate::{AnyStabilizer, Assembly, Space, Tick};
+use crate::{AnyStabilizer, Assembly, Row, Space, Tick};
 
 /// The ticks of a scene, from tick 0 to the last, computed as they are asked for.
 ///
@@ -49,6 +49,11 @@ impl<V: Space> Rollout<V> {
         V: Scalar,
     {
         Self::assemble(scene, member.on(scene)?)
+    }
+
+    /// The ticks as rows: the first axis of each.
+    pub fn rows(self) -> impl Iterator<Item = Row> {
+        self.map(|tick| Row::of(&tick))
     }
 
     /// The loop of `scene` with `stabilizer`, which has a box already.

@@ -84,7 +84,7 @@ fn alike(name: &str, ours: &[Row], theirs: &[Row]) {
 fn each_is_set_as_the_page_says() {
     let scene = Scene::parse(SCENE, "test").unwrap();
     let rows = |stabilizer: AnyStabilizer<f64>| -> Vec<Row> {
-        Rollout::stabilized_by(&scene, stabilizer).unwrap().collect()
+        Rollout::stabilized_by(&scene, stabilizer).unwrap().rows().collect()
     };
     let mut built = 0;
     let none = rows(Member::ALL[0].on(&scene).unwrap());

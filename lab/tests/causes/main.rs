@@ -64,7 +64,7 @@ fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
         "duration = 0.2\nservo_rate = 100\ndevice.mass = 0.5\n\
          environment.spring.stiffness = 300.0\ninitial.position = 0.01",
     );
-    let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().collect();
+    let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().rows().collect();
     let stored = |row: &Row| 0.5 * 300.0 * row.x * row.x;
     let held: f64 = rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).sum();
     let leak = stored(&rows[rows.len() - 1]) - stored(&rows[0]) - held;
@@ -106,7 +106,7 @@ fn unstable(chance: &mut Chance) -> Scene {
 
 /// Whether the swing about the end of a run does not grow: from its rows alone.
 fn stays(scene: &Scene) -> bool {
-    let rows: Vec<f64> = Rollout::<f64>::of(scene).unwrap().map(|row| row.x).collect();
+    let rows: Vec<f64> = Rollout::<f64>::of(scene).unwrap().rows().map(|row| row.x).collect();
     if rows.len() as u64 != scene.ticks() + 1 {
         return false;
     }
@@ -136,9 +136,9 @@ fn every_remedy_holds() {
             assert!(stays(&remedy.scene), "{:?}: {scene:?}", remedy.changes);
             assert!(remedy.peak_force.is_finite() && remedy.force_error.is_finite());
             if remedy.scene.stabilizer.is_none() {
-                let mut longer = remedy.scene.clone();
+                let mut longer = remedy.scene.to_draft();
                 longer.duration = Positive::new(6.0).unwrap();
-                assert!(stays(&longer), "{:?}: {scene:?}", remedy.changes);
+                assert!(stays(&longer.check().unwrap()), "{:?}: {scene:?}", remedy.changes);
             }
         }
     }
