@@ -137,7 +137,7 @@ fn one_sided(scene: &Draft, surface: f64, pull: f64, free: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rollout;
+    use crate::{Rollout, Scene};
 
     /// A slow hand of 200 N/m, 3 mm beyond a wall of 900 N/m at 2 mm, that comes to rest within 20 s.
     const HAND: &str = "duration = 20.0\nservo_rate = 1000.0\ndevice.mass = 0.2\n\

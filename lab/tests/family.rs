@@ -113,7 +113,7 @@ fn the_parameters_are_seen() {
     let forces = |text: &str, member: Member| -> Vec<f64> {
         let scene = Scene::parse(text, "test").unwrap();
         let rollout = Rollout::stabilized_by(&scene, member.on::<f64>(&scene).unwrap()).unwrap();
-        rollout.map(|row| row.f_out).collect()
+        rollout.map(|tick| tick.command).collect()
     };
     let popc: Member = "popc".parse().unwrap();
     let same: Vec<&str> = Member::ALL

@@ -137,6 +137,7 @@ fn start_of(quarter: u64, last: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Scene;
     use crate::compare::samples::scene;
 
     /// The verdict on a run of 101 rows at `x(t)`, equilibrium 0, starting swing 4 mm.

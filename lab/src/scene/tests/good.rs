@@ -151,7 +151,7 @@ fn an_integrator_has_the_keys_that_apply_to_it_and_their_defaults() {
         let written = toml::to_string(&scene).unwrap();
         assert_eq!(super::scene(&written), scene, "{written}");
         let read: Draft = toml::from_str(&written).unwrap();
-        assert_eq!(read, scene);
+        assert_eq!(read, *scene);
     }
     let single = with("\"f64\"", "\"f32\"").replace("\"exact\"", "\"dopri5\"");
     assert_eq!(scene(&single).integrator, Integrator::Dopri5 { tolerance: positive(1e-6) });
