@@ -57,6 +57,16 @@ fn what_a_scene_does_not_have_leaks_nothing() {
     assert!(of("effects.delay.ticks = 4\nstabilizer.popc.work = \"held\"").controller != 0.0);
 }
 
+/// Without a stabilizer the whole force is the environment's, also where the limit of the force has no place in `f32`.
+#[test]
+fn nothing_is_booked_to_a_controller_that_is_not_there() {
+    let text = shipped::text_of("saturation").unwrap().replace("force = 4.0", "force = 4.1");
+    let scene = scene(&text);
+    assert!(scene.stabilizer.is_none());
+    let told = Explanation::of::<f32>(&scene).unwrap().whole_run;
+    assert!(told.saturation != 0.0 && told.controller == 0.0, "{}", told.controller);
+}
+
 /// A free mass under held forces moves on parabolas: the work of the spring along them is known in closed form.
 #[test]
 fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
