@@ -24,7 +24,7 @@ pub use lyapunov_plants::{
 };
 pub use lyapunov_stabilizers::{
     Account, Aimed, Along, Bounded, ContactReset, Coupled, Coupling, DampingLimit,
-    DriftCompensated, ForceBound, Inertia, Lolc, Metric, PathMemory, PerAxis, Popc, RateLimit,
-    ReferenceFollowing, Refine, Rise, SlopeBound, Spread, Station, Store, Tank, Threshold,
-    WaveTransform, Weights, Windowed,
+    DriftCompensated, ForceBound, Inertia, Lolc, Metric, NoStabilizer, PathMemory, PerAxis, Popc,
+    RateLimit, ReferenceFollowing, Refine, Rise, SlopeBound, Spread, Station, Store, Tank,
+    Threshold, WaveTransform, Weights, Windowed,
 };

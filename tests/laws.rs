@@ -1,12 +1,13 @@
 //! The shipped laws: every part that ships keeps them, and a part that breaks one is told which.
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
-use lyapunov::laws::{self, Law, Samples};
+use lyapunov::laws::{self, Law, Probe, Samples};
 use lyapunov::{
-    Action, Adapt, Body, Compensated, Constant, Contact, DampedMass, DampingLimit, Dissipation,
-    Drive, Fallback, HuntCrossley, Impedance, LayeredWall, Link, Linked, Lolc, LyapunovCandidate,
-    MassSpringDamper, MovingWall, OnePort, Perturb, Plant, PortEnergy, Scalar, Signal, Sine,
-    Sphere, Spring, Stabilizer, Storage, TwoMass, VaryingSpring, Wall,
+    Action, Adapt, Body, Compensated, Constant, Contact, Coupled, Coupling, DampedMass,
+    DampingLimit, Dissipation, Drive, Dropout, Fallback, HuntCrossley, Impedance, LayeredWall,
+    Link, Linked, Lolc, LyapunovCandidate, MassSpringDamper, MovingWall, NoStabilizer, OnePort,
+    ParameterError, Perturb, Plant, PortEnergy, Scalar, Signal, Sine, Sphere, Spring, Stabilizer,
+    Storage, TwoMass, VaryingSpring, Wall,
 };
 use nalgebra::SVector;
 
@@ -114,6 +115,83 @@ fn the_ports_and_plants_that_ship_keep_the_laws() {
         .expect("a chain")
         .pushed(Constant::new(1.5).expect("a load"));
     laws::plant(&moved, samples).expect("a chain of what moves a body");
+}
+
+#[test]
+fn the_adaptors_that_ship_hand_on_the_action() {
+    adaptors_hand_on::<f64>();
+    adaptors_hand_on::<f32>();
+    adaptors_hand_on::<SVector<f64, 3>>();
+    // What all lanes share is turned away for all; a guard is for one value at a time.
+    let samples = Samples::<AutoF64x4>::new(AutoF64x4::of(PERIOD));
+    laws::adaptor(|port| port.differenced(), samples).expect("difference");
+}
+
+fn adaptors_hand_on<V: Signal<Scalar: Scalar<Mask = bool>>>() {
+    let of = V::Scalar::of;
+    let samples = Samples::<V>::new(of(PERIOD));
+    let coupling = Coupling { stiffness: of(1000.0), damping: of(0.1), drag: of(5.0) };
+    let hands_on = [
+        ("hold", laws::adaptor(|port| port.held(10).unwrap(), samples)),
+        ("saturation", laws::adaptor(|port| port.saturated(of(0.1)).unwrap(), samples)),
+        ("delay", laws::adaptor(|port| port.delayed::<4>(2).unwrap(), samples)),
+        ("encoder", laws::adaptor(|port| port.encoded(of(1e-5)).unwrap(), samples)),
+        ("difference", laws::adaptor(|port| port.differenced(), samples)),
+        ("low pass", laws::adaptor(|port| port.low_passed(of(50.0)).unwrap(), samples)),
+        ("window", laws::adaptor(|port| port.windowed::<8>(8, of(1e-5)).unwrap(), samples)),
+        ("noise", laws::adaptor(|port| port.noisy(of(1e-6), |_| 1).unwrap(), samples)),
+        ("dropout", laws::adaptor(|port| dropped(port).unwrap(), samples)),
+        ("guard", laws::adaptor(|port| port.guarded(Fallback::Hold), samples)),
+        ("coupling", laws::adaptor(|port| Coupled::new(port, coupling).unwrap(), samples)),
+    ];
+    for (adaptor, result) in hands_on {
+        assert_eq!(result, Ok(()), "{adaptor}");
+    }
+}
+
+fn dropped<V: Signal>(port: Probe<V>) -> Result<Dropout<Probe<V>, V>, ParameterError> {
+    port.dropped(V::Scalar::of(0.3), Fallback::Hold, |_| 1)
+}
+
+/// An adaptor that doubles the effort, and tells of an action that `told` makes of the one inside.
+struct Doubled<P, F>(P, F);
+
+impl<P: OnePort<f64>, F: Fn(Action<f64>) -> Action<f64>> OnePort<f64> for Doubled<P, F> {
+    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
+        2.0 * self.0.respond(drive)
+    }
+
+    fn action(&self) -> Action<f64> {
+        (self.1)(self.0.action())
+    }
+}
+
+#[test]
+fn an_adaptor_that_forgets_or_changes_the_action_is_caught() {
+    let check = |told: fn(Action<f64>) -> Action<f64>| {
+        laws::adaptor(|port| Doubled(port, told), Samples::new(PERIOD))
+    };
+    assert_eq!(check(|inside| inside), Ok(()));
+    // What a port without a stabilizer tells, the default of the trait.
+    let forgetful = check(|_| Action::none(0.0)).expect_err("broken");
+    assert_eq!((forgetful.law, forgetful.tick), (Law::HandsOn, 0));
+    let law = |told| check(told).expect_err("broken").law;
+    assert_eq!(law(|inside| Action { effort: 2.0 * inside.effort, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Action { sum: 0.0, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Action { alpha: 0.0, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Action { shortfall: 0.0, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Action { accepted: false, ..inside }), Law::HandsOn);
+}
+
+#[test]
+fn no_stabilizer_changes_nothing_and_takes_all() {
+    for (drive, effort) in Samples::<SVector<f64, 3>>::new(PERIOD) {
+        let action = NoStabilizer.stabilize(&drive, effort);
+        assert_eq!((action.effort, action.sum, action.alpha), (effort, 0.0, 0.0));
+        assert!(action.shortfall == 0.0 && action.accepted);
+    }
+    let action = NoStabilizer.stabilize(&Drive::new(PERIOD, f64::NAN, 0.0, 0.0, 0.0), f64::NAN);
+    assert!(action.effort.is_nan() && action.accepted);
 }
 
 /// A stabilizer that does as it is told.

@@ -27,17 +27,17 @@ impl<W: Write> Csv<W> {
         Ok(Self { writer })
     }
 
-    /// Writes one row, each number with as many digits as it takes to read it back exactly.
+    /// Writes one row with its `further` numbers, each with as many digits as it takes to read it back exactly.
     ///
     /// # Errors
     /// What the writer cannot take.
-    pub fn write(&mut self, row: &Row, further: &[f64]) -> io::Result<()> {
+    pub fn write(&mut self, row: &Row, further: impl IntoIterator<Item = f64>) -> io::Result<()> {
         for number in row.numbers() {
             // The sum turns -0.0 into 0.0.
             write!(self.writer, "{:?},", number + 0.0)?;
         }
         write!(self.writer, "{}", u8::from(row.accepted))?;
-        further.iter().try_for_each(|number| write!(self.writer, ",{:?}", number + 0.0))?;
+        further.into_iter().try_for_each(|number| write!(self.writer, ",{:?}", number + 0.0))?;
         writeln!(self.writer)
     }
 

@@ -2,16 +2,15 @@
 
 use lyapunov::{Drive, OnePort};
 
-use crate::Space;
-use crate::building::AsPort;
-use crate::scene::{Environment, Motion, Scene};
+use crate::building::{AsPort, on_a_line};
+use crate::scene::{Draft, Environment, Motion};
 
 /// Halvings of an interval: more than the digits of f64.
 const HALVINGS: usize = 200;
 
 /// Where the operator's spring, the environment and what pushes at the end balance, m; none where no spring pulls, where
 /// something never rests, and in more than one dimension.
-pub(crate) fn equilibrium(scene: &Scene) -> Option<f64> {
+pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
     let (pull, rest) = (last_pull(scene), last_rest(scene)?);
     if scene.dimensions() > 1 || pull <= 0.0 {
         return None;
@@ -24,7 +23,7 @@ pub(crate) fn equilibrium(scene: &Scene) -> Option<f64> {
 }
 
 /// Whether the scene is driven for as long as it lasts.
-pub(crate) fn never_rests(scene: &Scene) -> bool {
+pub(crate) fn never_rests(scene: &Draft) -> bool {
     last_rest(scene).is_none()
         || match &scene.environment {
             Environment::MovingWall(it) => swings(it.amplitude.get(), it.frequency.get()),
@@ -34,7 +33,7 @@ pub(crate) fn never_rests(scene: &Scene) -> bool {
 }
 
 /// Where a spring of `pull` N/m that would rest at `free` and the environment balance.
-fn balance(scene: &Scene, pull: f64, free: f64) -> Option<f64> {
+fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     let between = |push: f64, place: f64| {
         (pull + push > 0.0).then(|| (pull * free + push * place) / (pull + push))
     };
@@ -62,7 +61,7 @@ fn balance(scene: &Scene, pull: f64, free: f64) -> Option<f64> {
 }
 
 /// How far the plant would swing about `rest` if nothing else acted.
-pub(crate) fn swing(scene: &Scene, rest: f64) -> f64 {
+pub(crate) fn swing(scene: &Draft, rest: f64) -> f64 {
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let frequency = (last_pull(scene) / mass).sqrt();
     let away = scene.initial.position.get() - rest;
@@ -74,7 +73,7 @@ fn swings(amplitude: f64, frequency: f64) -> bool {
 }
 
 /// The stiffness that the device is pulled back with at the end, N/m: the operator's spring, and a link in series.
-pub(crate) fn last_pull(scene: &Scene) -> f64 {
+pub(crate) fn last_pull(scene: &Draft) -> f64 {
     let operator = &scene.operator;
     let changes = operator.grip.iter().flat_map(|grip| grip.times.iter().zip(&grip.stiffness));
     let mut gone = changes.filter(|(time, _)| scene.tick_of(time.get()) <= scene.ticks());
@@ -86,7 +85,7 @@ pub(crate) fn last_pull(scene: &Scene) -> f64 {
 }
 
 /// The force in +x on the device at the end, N.
-fn last_push(scene: &Scene) -> f64 {
+fn last_push(scene: &Draft) -> f64 {
     let load = scene.effects.load.map_or(0.0, |load| load.force.get());
     let pulse = scene.effects.pulse.filter(|pulse| {
         let (start, duration) = (pulse.start.get(), pulse.duration.get());
@@ -96,7 +95,7 @@ fn last_push(scene: &Scene) -> f64 {
 }
 
 /// Where the operator's spring rests at the end, m; none if that still moves.
-fn last_rest(scene: &Scene) -> Option<f64> {
+fn last_rest(scene: &Draft) -> Option<f64> {
     let rest = scene.operator.rest.get();
     let end = scene.ticks() as f64 * scene.period();
     match &scene.operator.motion {
@@ -119,12 +118,12 @@ fn last_rest(scene: &Scene) -> Option<f64> {
 }
 
 /// Between the surface and where the spring would rest without the wall, where a wall that only pushes balances it.
-fn one_sided(scene: &Scene, surface: f64, pull: f64, free: f64) -> Option<f64> {
+fn one_sided(scene: &Draft, surface: f64, pull: f64, free: f64) -> Option<f64> {
     if free <= surface {
         return Some(free);
     }
     let excess = |x: f64| {
-        let mut wall = f64::render(scene, AsPort).ok()?;
+        let mut wall = on_a_line::<f64, _>(scene, AsPort).ok()?;
         Some(pull * (x - free) + wall.respond(&Drive::starting(1.0, x, 0.0)))
     };
     let (mut low, mut high) = (surface, free);
@@ -138,7 +137,7 @@ fn one_sided(scene: &Scene, surface: f64, pull: f64, free: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rollout;
+    use crate::{Rollout, Scene};
 
     /// A slow hand of 200 N/m, 3 mm beyond a wall of 900 N/m at 2 mm, that comes to rest within 20 s.
     const HAND: &str = "duration = 20.0\nservo_rate = 1000.0\ndevice.mass = 0.2\n\
@@ -180,7 +179,7 @@ mod tests {
             scene(HAND, "environment.hunt-crossley = { stiffness = 1e5, exponent = 1.5 }"),
         ];
         for scene in &cases {
-            let last = Rollout::<f64>::of(scene).unwrap().last().unwrap();
+            let last = Rollout::<f64>::of(scene).unwrap().rows().last().unwrap();
             let told = equilibrium(scene).unwrap_or_else(|| panic!("{scene:?} has none"));
             assert!((last.x - told).abs() < 1e-9, "{} but {told} of {scene:?}", last.x);
         }

@@ -47,6 +47,8 @@ pub mod shipped;
 pub mod subjects;
 mod summary;
 pub mod teleoperation;
+mod tick;
+mod timing;
 
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
 pub use csv::{COLUMNS, Csv};
@@ -57,6 +59,7 @@ pub use nalgebra::SVector;
 pub use output_error::OutputError;
 pub use prices::{Prices, PricesError};
 pub use rollout::Rollout;
-pub use row::{Row, further_columns};
+pub use row::{Row, further_columns, further_numbers};
 pub use scene::Scene;
 pub use summary::Summary;
+pub use tick::{Apart, Tick};

@@ -1,24 +1,23 @@
 //! The closed loop of a scene, tick by tick.
 
-use lyapunov::{Drive, Mask, OnePort, ParameterError, Plant, Scalar, Signal, Stabilizer};
+use lyapunov::{Drive, OnePort, ParameterError, Plant, Scalar, Signal, Stabilizer};
 
 use crate::building::Seen;
-use crate::family::{Contender, Member};
+use crate::family::Member;
 use crate::scene::Scene;
-use crate::{AnyStabilizer, Assembly, Row, Space};
+use crate::{AnyStabilizer, Assembly, Row, Space, Tick};
 
-/// The rows of a scene, from tick 0 to the last, computed as they are asked for.
+/// The ticks of a scene, from tick 0 to the last, computed as they are asked for.
 ///
 /// Ends early, after the last tick on which everything is finite, if the motion leaves the range of the scalar.
 #[derive(Debug)]
 pub struct Rollout<V: Signal = f64> {
     rate: f64,
-    tick: u64,
+    number: u64,
     last: u64,
     assembly: Assembly<V>,
     seen: Seen<V>,
-    drive: Drive<V>,
-    further: Vec<f64>,
+    truth: Drive<V>,
 }
 
 impl<V: Space> Rollout<V> {
@@ -38,7 +37,7 @@ impl<V: Space> Rollout<V> {
         scene: &Scene,
         stabilizer: impl Stabilizer<V> + 'static,
     ) -> Result<Self, ParameterError> {
-        Self::assemble(scene, Some(AnyStabilizer::new(stabilizer)))
+        Self::assemble(scene, AnyStabilizer::new(stabilizer))
     }
 
     /// The loop of `scene` under `member` of the family, whatever the scene names.
@@ -49,86 +48,48 @@ impl<V: Space> Rollout<V> {
     where
         V: Scalar,
     {
-        let nobody = member == Member::Plain(Contender::Nobody);
-        let stabilizer = if nobody { None } else { Some(member.on(scene)?) };
-        Self::assemble(scene, stabilizer)
+        Self::assemble(scene, member.on(scene)?)
     }
 
-    /// What the plant tells of the coming tick, before anything measures it.
-    pub(crate) fn drive(&self) -> &Drive<V> {
-        &self.drive
+    /// The ticks as rows: the first axis of each.
+    pub fn rows(self) -> impl Iterator<Item = Row> {
+        self.map(|tick| Row::of(&tick))
     }
 
-    /// What stood before the stabilizer on the last tick: the drive as measured, and the environment's effort.
-    pub(crate) fn seen(&self) -> Option<(Drive<V>, V)> {
-        self.seen.environment.get()
-    }
-
-    /// The further numbers of the last row, as [`further_columns`](crate::further_columns) names them.
-    pub fn further(&self) -> &[f64] {
-        &self.further
-    }
-
-    fn assemble(
+    /// The loop of `scene` with `stabilizer`, which has a box already.
+    pub(crate) fn assemble(
         scene: &Scene,
-        stabilizer: Option<AnyStabilizer<V>>,
+        stabilizer: AnyStabilizer<V>,
     ) -> Result<Self, ParameterError> {
         let seen = Seen::default();
         let assembly = Assembly::watched(scene, &seen, stabilizer)?;
-        let (rate, last, drive) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
-        Ok(Self { rate, tick: 0, last, assembly, seen, drive, further: Vec::new() })
+        let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
+        Ok(Self { rate, number: 0, last, assembly, seen, truth })
     }
 
-    fn row(&mut self) -> Option<Row> {
-        let acted = self.assembly.port.respond(&self.drive);
-        let action = self.assembly.port.action();
-        let (measured, environment) = self.seen.environment.get()?;
-        let (_, command) = self.seen.command.get()?;
-        let control = measured.velocity.scale(action.alpha);
-        let signals = [
-            self.drive.position,
-            measured.position,
-            measured.velocity,
-            environment,
-            control,
-            command,
-            acted,
-        ];
-        let [x, x_measured, v, f_env, f_ctl, f_out, f_act] = signals.map(|signal| signal.axis(0));
-        let row = Row {
-            t: self.tick as f64 / self.rate,
-            x,
-            x_measured,
-            v,
-            f_env,
-            f_ctl,
-            f_out,
-            f_act,
-            observer: action.sum.lane(0),
-            alpha: action.alpha.lane(0),
-            shortfall: action.shortfall.lane(0),
-            accepted: Mask::all(action.accepted),
-        };
-        self.further.clear();
-        for axis in 1..V::DIMENSIONS {
-            self.further.extend(signals.map(|signal| signal.axis(axis)));
-        }
-        self.further.extend(self.seen.operator());
-        self.assembly.plant.advance_into(acted, &mut self.drive);
-        let in_range = row.in_range() && self.further.iter().all(|number| number.is_finite());
-        in_range.then_some(row)
+    /// The next tick, whether or not it is in range, and whether or not the scene is over.
+    pub(crate) fn tick(&mut self) -> Tick<V> {
+        let truth = self.truth;
+        let applied = self.assembly.port.respond(&truth);
+        let tick = self.seen.tick(self.number as f64 / self.rate, truth, applied);
+        self.assembly.plant.advance_into(applied, &mut self.truth);
+        self.number += 1;
+        tick
     }
 }
 
 impl<V: Space> Iterator for Rollout<V> {
-    type Item = Row;
+    type Item = Tick<V>;
 
-    fn next(&mut self) -> Option<Row> {
-        if self.tick > self.last {
+    fn next(&mut self) -> Option<Tick<V>> {
+        if self.number > self.last {
             return None;
         }
-        let row = self.row();
-        self.tick = if row.is_some() { self.tick + 1 } else { u64::MAX };
-        row
+        let tick = self.tick();
+        if tick.in_range() {
+            return Some(tick);
+        }
+        self.number = u64::MAX;
+        None
     }
 }

@@ -1,6 +1,8 @@
-//! What one tick came to.
+//! One tick as a line of a table.
 
-use crate::Scene;
+use lyapunov::{Mask, Scalar};
+
+use crate::{Scene, Space, Tick};
 
 /// One servo tick, in SI units: the columns of `lyapunov run --csv`, along the first axis where there are several.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +34,25 @@ pub struct Row {
 }
 
 impl Row {
+    /// The first axis and the first lane of `tick`.
+    pub fn of<V: Space>(tick: &Tick<V>) -> Self {
+        let [x, x_measured, v, f_env, f_ctl, f_out, f_act] = along(tick, 0);
+        Self {
+            t: tick.time,
+            x,
+            x_measured,
+            v,
+            f_env,
+            f_ctl,
+            f_out,
+            f_act,
+            observer: tick.action.sum.lane(0),
+            alpha: tick.action.alpha.lane(0),
+            shortfall: tick.action.shortfall.lane(0),
+            accepted: Mask::all(tick.action.accepted),
+        }
+    }
+
     /// The numbers of the row, in the order of the columns, without the last.
     pub(crate) fn numbers(&self) -> [f64; 11] {
         [
@@ -48,15 +69,10 @@ impl Row {
             self.shortfall,
         ]
     }
-
-    pub(crate) fn in_range(&self) -> bool {
-        self.accepted && self.numbers().iter().all(|number| number.is_finite())
-    }
 }
 
-/// What is told of each further axis, in this order.
-pub(crate) const FURTHER: [&str; 7] =
-    ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_f_act"];
+/// What is told of each axis, as [`along`] tells it.
+const AXIS: [&str; 7] = ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_f_act"];
 
 /// The names of the columns that a scene has beside those of [`Row`]: the further axes of a space, and the operator's
 /// motion where a link sets it apart from the device's.
@@ -65,7 +81,7 @@ pub fn further_columns(scene: &Scene) -> Vec<String> {
     let dimensions = scene.dimensions();
     let mut columns = Vec::new();
     for axis in &axes[1..dimensions] {
-        columns.extend(FURTHER.map(|name| format!("{axis}{name}")));
+        columns.extend(AXIS.map(|name| format!("{axis}{name}")));
     }
     if scene.link.is_some() {
         for axis in &axes[..dimensions] {
@@ -74,4 +90,27 @@ pub fn further_columns(scene: &Scene) -> Vec<String> {
         }
     }
     columns
+}
+
+/// The numbers of `tick` in those columns.
+pub fn further_numbers<V: Space>(tick: &Tick<V>) -> impl Iterator<Item = f64> {
+    let axes = (1..V::DIMENSIONS).flat_map(|axis| along(tick, axis));
+    let operator = tick.operator.into_iter().flat_map(|operator| {
+        (0..V::DIMENSIONS)
+            .flat_map(move |axis| [operator.position.axis(axis), operator.velocity.axis(axis)])
+    });
+    axes.chain(operator)
+}
+
+fn along<V: Space>(tick: &Tick<V>, axis: usize) -> [f64; 7] {
+    let signals = [
+        tick.truth.position,
+        tick.measured.position,
+        tick.measured.velocity,
+        tick.environment,
+        tick.control(),
+        tick.command,
+        tick.applied,
+    ];
+    signals.map(|signal| signal.axis(axis))
 }

@@ -53,6 +53,16 @@ fn what_a_scene_does_not_have_leaks_nothing() {
     assert!(of("effects.delay.ticks = 4\nstabilizer.popc.work = \"held\"").controller != 0.0);
 }
 
+/// Without a stabilizer the whole force is the environment's, also where the limit of the force has no place in `f32`.
+#[test]
+fn nothing_is_booked_to_a_controller_that_is_not_there() {
+    let text = shipped::text_of("saturation").unwrap().replace("force = 4.0", "force = 4.1");
+    let scene = scene(&text);
+    assert!(scene.stabilizer.is_none());
+    let told = Explanation::of::<f32>(&scene).unwrap().whole_run;
+    assert!(told.saturation != 0.0 && told.controller == 0.0, "{}", told.controller);
+}
+
 /// A free mass under held forces moves on parabolas: the work of the spring along them is known in closed form.
 #[test]
 fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
@@ -60,7 +70,7 @@ fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
         "duration = 0.2\nservo_rate = 100\ndevice.mass = 0.5\n\
          environment.spring.stiffness = 300.0\ninitial.position = 0.01",
     );
-    let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().collect();
+    let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().rows().collect();
     let stored = |row: &Row| 0.5 * 300.0 * row.x * row.x;
     let held: f64 = rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).sum();
     let leak = stored(&rows[rows.len() - 1]) - stored(&rows[0]) - held;
@@ -102,7 +112,7 @@ fn unstable(chance: &mut Chance) -> Scene {
 
 /// Whether the swing about the end of a run does not grow: from its rows alone.
 fn stays(scene: &Scene) -> bool {
-    let rows: Vec<f64> = Rollout::<f64>::of(scene).unwrap().map(|row| row.x).collect();
+    let rows: Vec<f64> = Rollout::<f64>::of(scene).unwrap().rows().map(|row| row.x).collect();
     if rows.len() as u64 != scene.ticks() + 1 {
         return false;
     }
@@ -132,9 +142,9 @@ fn every_remedy_holds() {
             assert!(stays(&remedy.scene), "{:?}: {scene:?}", remedy.changes);
             assert!(remedy.peak_force.is_finite() && remedy.force_error.is_finite());
             if remedy.scene.stabilizer.is_none() {
-                let mut longer = remedy.scene.clone();
+                let mut longer = remedy.scene.to_draft();
                 longer.duration = Positive::new(6.0).unwrap();
-                assert!(stays(&longer), "{:?}: {scene:?}", remedy.changes);
+                assert!(stays(&longer.check().unwrap()), "{:?}: {scene:?}", remedy.changes);
             }
         }
     }

@@ -84,7 +84,7 @@ fn alike(name: &str, ours: &[Row], theirs: &[Row]) {
 fn each_is_set_as_the_page_says() {
     let scene = Scene::parse(SCENE, "test").unwrap();
     let rows = |stabilizer: AnyStabilizer<f64>| -> Vec<Row> {
-        Rollout::stabilized_by(&scene, stabilizer).unwrap().collect()
+        Rollout::stabilized_by(&scene, stabilizer).unwrap().rows().collect()
     };
     let mut built = 0;
     let none = rows(Member::ALL[0].on(&scene).unwrap());
@@ -113,7 +113,7 @@ fn the_parameters_are_seen() {
     let forces = |text: &str, member: Member| -> Vec<f64> {
         let scene = Scene::parse(text, "test").unwrap();
         let rollout = Rollout::stabilized_by(&scene, member.on::<f64>(&scene).unwrap()).unwrap();
-        rollout.map(|row| row.f_out).collect()
+        rollout.map(|tick| tick.command).collect()
     };
     let popc: Member = "popc".parse().unwrap();
     let same: Vec<&str> = Member::ALL

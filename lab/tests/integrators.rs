@@ -1,9 +1,9 @@
 //! Scenes moved by each integrator, against the exact motion.
 
 use lyapunov::lanes::AutoF64x8;
-use lyapunov_lab::scene::{Integrator, Positive, Scalar, StepsPerTick};
+use lyapunov_lab::scene::{Draft, Integrator, Positive, Scalar, StepsPerTick};
 use lyapunov_lab::shipped::{SCENES, text_of};
-use lyapunov_lab::{Rollout, Scene, in_space};
+use lyapunov_lab::{Rollout, Scene, Space, Tick, further_numbers, in_space};
 
 /// Rows in which nothing has had time to grow.
 const ROWS: usize = 60;
@@ -14,20 +14,17 @@ fn shipped(name: &str) -> Scene {
 }
 
 fn moved_by(scene: &Scene, integrator: Integrator) -> Scene {
-    let scene = Scene { integrator, ..scene.clone() };
-    scene.check().unwrap_or_else(|conflict| panic!("{conflict}"));
-    scene
+    let draft = Draft { integrator, ..scene.to_draft() };
+    draft.check().unwrap_or_else(|conflict| panic!("{conflict}"))
 }
 
 /// Everything that the rows tell of the motion: each axis, and the operator where a link sets it apart.
 fn places(scene: &Scene) -> Vec<Vec<f64>> {
     in_space!(scene, Axes => {
-        let mut rollout = Rollout::<Axes>::of(scene).expect("a loop");
-        let mut rows = Vec::new();
-        while let Some(row) = rollout.next().filter(|_| rows.len() < ROWS) {
-            rows.push([&[row.x], rollout.further()].concat());
-        }
-        rows
+        let place = |tick: Tick<Axes>| {
+            std::iter::once(tick.truth.position.axis(0)).chain(further_numbers(&tick)).collect()
+        };
+        Rollout::<Axes>::of(scene).expect("a loop").take(ROWS).map(place).collect()
     })
 }
 
@@ -89,14 +86,15 @@ fn single_precision_and_lanes_move_alike() {
         Integrator::Dopri5 { tolerance: tolerance(1e-6) },
         Integrator::Dop853 { tolerance: tolerance(1e-6) },
     ] {
-        let single = moved_by(&Scene { scalar: Scalar::F32, ..double.clone() }, integrator);
+        let single = Draft { scalar: Scalar::F32, ..double.to_draft() }.check().expect("in f32");
+        let single = moved_by(&single, integrator);
         for (exact, single) in exact.iter().zip(places(&single)) {
             let error = (exact[0] - single[0]).abs();
             assert!(error < 1e-3 * span, "{integrator:?}: {error:e} m of {span:e} m");
         }
         let lanes = moved_by(&double, integrator);
-        let wide = Rollout::<AutoF64x8>::of(&lanes).expect("a loop").take(ROWS);
-        let narrow = Rollout::<f64>::of(&lanes).expect("a loop");
+        let wide = Rollout::<AutoF64x8>::of(&lanes).expect("a loop").rows().take(ROWS);
+        let narrow = Rollout::<f64>::of(&lanes).expect("a loop").rows();
         for (wide, narrow) in wide.zip(narrow) {
             assert_eq!(wide, narrow, "{integrator:?}");
         }

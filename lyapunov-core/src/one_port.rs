@@ -11,6 +11,8 @@ pub trait OnePort<V: Signal> {
     fn respond(&mut self, drive: &Drive<V>) -> V;
 
     /// What the stabilizer inside did on the last tick; an adaptor hands on that of the port it owns.
+    ///
+    /// Check an adaptor of your own with [`laws::adaptor`](crate::laws::adaptor).
     #[inline(always)]
     fn action(&self) -> Action<V> {
         Action::none(V::zero())

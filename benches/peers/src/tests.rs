@@ -12,9 +12,9 @@ use crate::{crates, hand, ours};
 
 fn scene() -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/paper-8k-none.toml");
-    let mut scene = Scene::load(&path).expect("a shipped scene");
-    scene.velocity = Velocity::Exact;
-    scene
+    let mut draft = Scene::load(&path).expect("a shipped scene").to_draft();
+    draft.velocity = Velocity::Exact;
+    draft.check().expect("a scene")
 }
 
 fn moved(run: impl FnOnce(&mut Positions)) -> Positions {
@@ -32,7 +32,7 @@ fn error(row: &mut Row) -> f64 {
 #[test]
 fn the_loop_is_the_shipped_scene() {
     let rows = Rollout::<f64>::of(&scene()).expect("a shipped scene");
-    let shipped: Vec<f64> = rows.map(|row| row.x).take(NOWHERE.len()).collect();
+    let shipped: Vec<f64> = rows.rows().map(|row| row.x).take(NOWHERE.len()).collect();
     assert_eq!(moved(|at| ours::exact(at).unwrap())[..], shipped);
 }
 

@@ -9,7 +9,9 @@ use indicatif::ProgressBar;
 use lyapunov::ParameterError;
 use lyapunov_lab::causes::Hint;
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Csv, OutputError, Rollout, Row, Space, Summary, further_columns, in_space};
+use lyapunov_lab::{
+    Csv, OutputError, Rollout, Row, Space, Summary, further_columns, further_numbers, in_space,
+};
 
 use super::{BAR, End, heed_interrupts, say, shown, standard_output};
 use crate::output::Output;
@@ -119,10 +121,13 @@ impl Run {
 /// What a run came to, and why it diverged if it did.
 type Told = (Summary, Hint);
 
+/// The numbers of a row beyond the first axis.
+type Further<'a> = &'a mut dyn Iterator<Item = f64>;
+
 fn simulate(
     scene: &Scene,
     bar: &ProgressBar,
-    write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
+    write: impl FnMut(&Row, Further<'_>) -> Result<(), End>,
 ) -> Result<Told, End> {
     in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), write))
 }
@@ -131,18 +136,17 @@ fn drain<V: Space>(
     scene: &Scene,
     bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
-    mut write: impl FnMut(&Row, &[f64]) -> Result<(), End>,
+    mut write: impl FnMut(&Row, Further<'_>) -> Result<(), End>,
 ) -> Result<Told, End> {
     let (mut summary, mut hint) = (Summary::new(scene), Hint::new(scene));
-    let mut rollout = rollout.map_err(End::input)?;
-    while let Some(row) = rollout.next() {
+    for tick in rollout.map_err(End::input)? {
         if summary.rows.is_multiple_of(BREATH) {
             End::if_interrupted()?;
             bar.set_position(summary.rows);
         }
-        write(&row, rollout.further())?;
-        summary.add(&row, rollout.further());
-        hint.add(&row);
+        write(&Row::of(&tick), &mut further_numbers(&tick))?;
+        summary.add(&tick);
+        hint.add(&tick);
     }
     bar.finish_and_clear();
     Ok((summary, hint))

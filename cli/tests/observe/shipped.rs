@@ -17,7 +17,7 @@ fn report() -> Report {
 fn rollout(rows: usize) -> Vec<Row> {
     let scene = Scene::load(SCENE.as_ref()).unwrap();
     let watch: Popc<f64> = Popc::new(PortEnergy, DampingLimit::of_mass(0.0, 0.3, 0.01).unwrap());
-    Rollout::<f64>::stabilized_by(&scene, watch).unwrap().take(rows).collect()
+    Rollout::<f64>::stabilized_by(&scene, watch).unwrap().rows().take(rows).collect()
 }
 
 fn near(found: f64, expected: f64, share: f64) {

@@ -106,7 +106,7 @@ fn widening(states: &[[DoubleDouble; 2]]) -> f64 {
 
 /// The loop of `scene`, exact, with a push of `force` N from tick `at` to the next.
 fn pushed(scene: &Scene, at: usize, force: f64) -> Result<Assembly<DoubleDouble>, AccuracyError> {
-    let Assembly { plant, port } = Assembly::of(&exact(scene))?;
+    let Assembly { plant, port } = Assembly::of(&exact(scene)?)?;
     let port = Port::new(Pushed { port, at, force: DoubleDouble::of(force) });
     Ok(Assembly { plant, port })
 }

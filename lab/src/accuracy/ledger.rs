@@ -11,6 +11,7 @@ use lyapunov::{
 use super::AccuracyError;
 use super::progress::Progress;
 use super::timing::Time;
+use crate::timing::Rounds;
 
 /// Ticks of 1 ms in all.
 pub(super) const TICKS: u32 = 10_000_000;
@@ -140,19 +141,16 @@ pub(super) fn rows(progress: Progress<'_>) -> Result<Vec<LedgerRow>, AccuracyErr
         errors.push(bench.error(energy));
         progress.part(0.0, 0.7).tell(index + 1, count)?;
     }
-    let mut times = vec![Vec::new(); count];
-    for round in 0..ROUNDS {
-        for ((_, _, bench), times) in benches.iter_mut().zip(&mut times) {
-            times.push(bench.time());
-        }
-        progress.part(0.7, 1.0).tell(round + 1, ROUNDS)?;
-    }
-    let rows = benches.iter().zip(errors).zip(times);
-    let row = |((&(scalar, ledger, _), error), times)| LedgerRow {
+    let times = Rounds::of(count, ROUNDS, |round, at| {
+        progress.part(0.7, 1.0).tell(round, ROUNDS)?;
+        Ok::<_, AccuracyError>(benches[at].2.time())
+    })?;
+    let rows = benches.iter().zip(errors).enumerate();
+    let row = |(at, (&(scalar, ledger, _), error))| LedgerRow {
         scalar,
         ledger,
         error,
-        time: Time::of(times),
+        time: Time::of(&times, at),
     };
     Ok(rows.map(row).collect())
 }

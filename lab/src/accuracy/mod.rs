@@ -21,6 +21,8 @@ use std::fmt;
 
 use lyapunov::ParameterError;
 
+use crate::scene::Conflict;
+
 pub use ledger::LedgerRow;
 pub use setting::{Number, Setting};
 pub use study::{Row, Study};
@@ -31,6 +33,8 @@ pub use timing::Time;
 pub enum AccuracyError {
     /// A part of the scene cannot be made.
     Parameter(ParameterError),
+    /// The scene cannot be computed by a reference's integrator.
+    Scene(Conflict),
     /// The scene has more than one dimension.
     Space {
         /// The scene.
@@ -44,6 +48,7 @@ impl fmt::Display for AccuracyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Parameter(error) => error.fmt(f),
+            Self::Scene(conflict) => conflict.fmt(f),
             Self::Space { scene } => {
                 write!(f, "{scene}: [space] is not for this study\n  = ")?;
                 f.write_str("study a scene of one dimension: axes of a plant move alike")
@@ -54,3 +59,9 @@ impl fmt::Display for AccuracyError {
 }
 
 impl std::error::Error for AccuracyError {}
+
+impl From<Conflict> for AccuracyError {
+    fn from(conflict: Conflict) -> Self {
+        Self::Scene(conflict)
+    }
+}

@@ -6,7 +6,7 @@ use super::AccuracyError;
 use super::extrapolation::Extrapolation;
 use super::progress::Progress;
 use super::trace::trace;
-use crate::scene::{Environment, Integrator, Positive};
+use crate::scene::{Conflict, Draft, Environment, Integrator, Positive};
 use crate::{Assembly, Scene};
 
 /// How many times as far as the two references are apart an error must be to be known.
@@ -39,7 +39,7 @@ impl References {
         ticks: usize,
         progress: Progress<'_>,
     ) -> Result<Self, AccuracyError> {
-        let scene = exact(scene);
+        let scene = exact(scene)?;
         let first = trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress.part(0.0, 0.3))?;
         let (second, progress) = (Second::on(&scene), progress.part(0.3, 1.0));
         let other = match second {
@@ -47,7 +47,7 @@ impl References {
                 trace::<DoubleDouble>(Assembly::moved_by(&scene, Extrapolation)?, ticks, progress)?
             }
             Second::Adaptive => {
-                let scene = Scene { integrator: adaptive(), ..scene.clone() };
+                let scene = Draft { integrator: adaptive(), ..scene.to_draft() }.check()?;
                 trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress)?
             }
             Second::Double => {
@@ -109,8 +109,8 @@ pub(super) fn off(one: DoubleDouble, other: DoubleDouble) -> f64 {
 }
 
 /// `scene` with exact motion.
-pub(super) fn exact(scene: &Scene) -> Scene {
-    Scene { integrator: Integrator::Exact, ..scene.clone() }
+pub(super) fn exact(scene: &Scene) -> Result<Scene, Conflict> {
+    Draft { integrator: Integrator::Exact, ..scene.to_draft() }.check()
 }
 
 impl From<ParameterError> for AccuracyError {

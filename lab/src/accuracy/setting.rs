@@ -1,7 +1,7 @@
 //! How a scene may be computed.
 
 use crate::Scene;
-use crate::scene::{self, Integrator, Ledger, Positive, Stabilizer, StepsPerTick};
+use crate::scene::{self, Draft, Integrator, Ledger, Positive, Stabilizer, StepsPerTick};
 
 /// Equal steps from one tick to the next.
 const STEPS: [i64; 7] = [1, 2, 5, 10, 20, 50, 100];
@@ -58,19 +58,20 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Every setting that `scene` can have; a ledger of its own only where there is a stabilizer.
-    pub(super) fn all(scene: &Scene) -> Vec<Self> {
+    /// Every setting that `scene` can have, with the scene computed like that; a ledger of its own only where there is a
+    /// stabilizer.
+    pub(super) fn all(scene: &Scene) -> Vec<(Self, Scene)> {
         let numbers = [Number::F64, Number::F32, Number::F32WithWideLedger];
         let numbers = &numbers[..if scene.stabilizer.is_some() { 3 } else { 2 }];
         let of = |&number: &Number| {
             integrators(number).into_iter().map(move |integrator| Self { integrator, number })
         };
         let all = numbers.iter().flat_map(of);
-        all.filter(|setting| setting.put_on(scene).check().is_ok()).collect()
+        all.filter_map(|setting| Some((setting, setting.put_on(scene).check().ok()?))).collect()
     }
 
     /// `scene` computed like this.
-    pub(super) fn put_on(self, scene: &Scene) -> Scene {
+    fn put_on(self, scene: &Scene) -> Draft {
         let stabilizer = scene.stabilizer.map(|stabilizer| match stabilizer {
             Stabilizer::Popc(popc) => {
                 Stabilizer::Popc(scene::Popc { ledger: self.number.ledger(), ..popc })
@@ -80,7 +81,7 @@ impl Setting {
             }
         });
         let (scalar, integrator) = (self.number.scalar(), self.integrator);
-        Scene { scalar, integrator, stabilizer, ..scene.clone() }
+        Draft { scalar, integrator, stabilizer, ..scene.to_draft() }
     }
 
     /// Steps or tolerance in one word.

@@ -90,16 +90,16 @@ impl Study {
         let (believed, settings) = (BELIEVED * references.reach(), Setting::all(scene));
         let distance = references.distance(window);
         let mut rows = Vec::new();
-        for (index, &setting) in settings.iter().enumerate() {
+        for (index, (setting, scene)) in settings.iter().enumerate() {
             let part = index as f64 / settings.len() as f64;
             let part = progress.part(0.25, 0.45).part(part, part);
-            let errors = errors(scene, setting, &references, part)?;
+            let errors = errors(scene, setting.number, &references, part)?;
             let max_error = largest(&errors, window);
             let left = errors.iter().position(|error| error.is_nan() || *error > believed);
             let horizon = left.map(|tick| tick as f64 * scene.period());
-            rows.push(Row::untimed(setting, max_error, SURE * distance, horizon));
+            rows.push(Row::untimed(*setting, max_error, SURE * distance, horizon));
         }
-        let (times, rounds) = timing::times(scene, &settings, ticks, progress.part(0.45, 0.85))?;
+        let (times, rounds) = timing::times(&settings, ticks, progress.part(0.45, 0.85))?;
         let ledger = ledger::rows(progress.part(0.85, 1.0))?;
         for (row, time) in rows.iter_mut().zip(times) {
             row.time = time;
@@ -172,17 +172,16 @@ fn rank(rows: &mut [Row]) {
     }
 }
 
-/// How far `setting` is off at every tick of the reference, m; NaN where it has left the range of its scalar.
+/// How far `scene` in numbers like these is off at every tick of the reference, m; NaN where it has left the range of its scalar.
 fn errors(
     scene: &Scene,
-    setting: Setting,
+    number: Number,
     references: &References,
     progress: Progress<'_>,
 ) -> Result<Vec<f64>, AccuracyError> {
-    let scene = setting.put_on(scene);
-    match setting.number {
-        Number::F64 => errors_of::<f64>(&scene, references, progress),
-        Number::F32 | Number::F32WithWideLedger => errors_of::<f32>(&scene, references, progress),
+    match number {
+        Number::F64 => errors_of::<f64>(scene, references, progress),
+        Number::F32 | Number::F32WithWideLedger => errors_of::<f32>(scene, references, progress),
     }
 }
 

@@ -7,7 +7,7 @@ use lyapunov::{
 
 use super::environment::{Render, of};
 use super::plant::stepped;
-use super::port::{Operator, Tap};
+use super::seen::{Operator, Seen};
 use super::{AnyPlant, AnyStabilizer, Port, Space};
 use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
 
@@ -39,7 +39,7 @@ impl<V: Space> Assembly<V> {
     pub(crate) fn watched(
         scene: &Scene,
         seen: &Seen<V>,
-        stabilizer: Option<AnyStabilizer<V>>,
+        stabilizer: AnyStabilizer<V>,
     ) -> Result<Self, ParameterError> {
         Self::put_together(scene, Some(seen), stabilizer)
     }
@@ -52,7 +52,7 @@ impl<V: Space> Assembly<V> {
         scene: &Scene,
         stabilizer: AnyStabilizer<V>,
     ) -> Result<Self, ParameterError> {
-        Self::put_together(scene, None, Some(stabilizer))
+        Self::put_together(scene, None, stabilizer)
     }
 
     /// One tick: the effort that acts until the next.
@@ -66,7 +66,7 @@ impl<V: Space> Assembly<V> {
     fn put_together(
         scene: &Scene,
         seen: Option<&Seen<V>>,
-        stabilizer: Option<AnyStabilizer<V>>,
+        stabilizer: AnyStabilizer<V>,
     ) -> Result<Self, ParameterError> {
         let port = answering(scene, seen, stabilizer)?;
         let unseen = Operator::default();
@@ -92,15 +92,12 @@ impl<V: Space> Assembly<V> {
 fn answering<V: Space>(
     scene: &Scene,
     seen: Option<&Seen<V>>,
-    stabilizer: Option<AnyStabilizer<V>>,
+    stabilizer: AnyStabilizer<V>,
 ) -> Result<Port<V>, ParameterError> {
-    let mut port = V::render(scene, AtServoRate(scene))?;
-    if let Some(seen) = seen {
-        port = port.tapped(&seen.environment);
-    }
-    let port = match stabilizer {
-        None => measured(scene, port)?,
-        Some(stabilizer) => stabilizer.on(port, scene)?,
+    let port = V::render(scene, AtServoRate(scene))?;
+    let port = match seen {
+        None => stabilizer.on(port, scene)?,
+        Some(seen) => measured(scene, port.stabilized(seen.stabilizer(stabilizer)))?,
     };
     commanded(scene, seen, port)
 }
@@ -152,12 +149,12 @@ fn commanded<V: Space>(
     if let Some(saturation) = scene.effects.saturation {
         let clipped = port.saturated(of(saturation.force))?;
         port = match (seen, delay) {
+            (Some(seen), _) => Port::new(seen.command(clipped)),
             (None, Some(ticks)) => return Ok(Port::new(clipped.delayed::<DELAY>(ticks)?)),
-            _ => Port::new(clipped),
+            (None, None) => Port::new(clipped),
         };
-    }
-    if let Some(seen) = seen {
-        port = port.tapped(&seen.command);
+    } else if let Some(seen) = seen {
+        port = Port::new(seen.command(port));
     }
     Ok(match delay {
         None => port,
@@ -211,31 +208,4 @@ fn counted<V: Space>(
         None => Port::new(port),
         Some(resolution) => Port::new(port.encoded(of(resolution))?),
     })
-}
-
-/// What stood before the stabilizer and before the delay on the last tick.
-#[derive(Debug)]
-pub(crate) struct Seen<V: Signal> {
-    /// The drive as measured, and the environment's effort.
-    pub(crate) environment: Tap<V>,
-    /// The effort commanded, after saturation.
-    pub(crate) command: Tap<V>,
-    /// Where the operator is, if a link sets it apart from the device.
-    pub(crate) operator: Operator<V>,
-}
-
-impl<V: Signal> Default for Seen<V> {
-    fn default() -> Self {
-        Self { environment: Tap::default(), command: Tap::default(), operator: Operator::default() }
-    }
-}
-
-impl<V: Space> Seen<V> {
-    /// Position and velocity of an operator that a link sets apart from the device, axis by axis.
-    pub(crate) fn operator(&self) -> impl Iterator<Item = f64> {
-        let seen = self.operator.get().into_iter();
-        seen.flat_map(|(position, velocity)| {
-            (0..V::DIMENSIONS).flat_map(move |axis| [position.axis(axis), velocity.axis(axis)])
-        })
-    }
 }

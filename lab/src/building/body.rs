@@ -8,7 +8,8 @@ use lyapunov::{
 };
 
 use super::AnyPlant;
-use super::port::Operator;
+use super::seen::Operator;
+use crate::tick::Apart;
 
 /// Any tethered body made of parts `P`, boxed.
 pub(super) struct AnyBody<V: Signal, P>(Box<dyn Tethered<V, Parts = P>>);
@@ -60,13 +61,14 @@ impl<V: Signal, P: Copy + 'static> Tethered<V> for AnyBody<V, P> {
 
 /// A body whose operator moves apart from its device.
 pub(super) trait Operated<V> {
-    /// Position and velocity of the operator.
-    fn operator(&self) -> (V, V);
+    /// The motion of the operator.
+    fn operator(&self) -> Apart<V>;
 }
 
 impl<V: Signal> Operated<V> for Linked<V> {
-    fn operator(&self) -> (V, V) {
-        Linked::operator(self)
+    fn operator(&self) -> Apart<V> {
+        let (position, velocity) = Linked::operator(self);
+        Apart { position, velocity }
     }
 }
 
@@ -75,15 +77,18 @@ where
     V: Signal,
     I: Integrator<V, CoupledOscillators<V::Scalar>>,
 {
-    fn operator(&self) -> (V, V) {
+    fn operator(&self) -> Apart<V> {
         let State { position, velocity } = self.state();
-        (position.device + position.stretch, velocity.device + velocity.stretch)
+        Apart {
+            position: position.device + position.stretch,
+            velocity: velocity.device + velocity.stretch,
+        }
     }
 }
 
 impl<T: Scalar> Operated<T> for Friction<Linked<T>, T, 4> {
-    fn operator(&self) -> (T, T) {
-        self.body().operator()
+    fn operator(&self) -> Apart<T> {
+        Operated::operator(self.body())
     }
 }
 

@@ -8,7 +8,7 @@ use lyapunov::{
 use nalgebra::SVector;
 
 use super::{Port, Space};
-use crate::scene::{Environment, Scene};
+use crate::scene::{Draft, Environment, Scene};
 
 /// What is made of an environment and the term of its own damper, both of types that only the scene knows.
 pub trait Render<V: Signal> {
@@ -41,8 +41,8 @@ impl<V: Signal> Render<V> for AsPort {
     }
 }
 
-pub(super) fn on_a_line<T: Scalar, R: Render<T>>(
-    scene: &Scene,
+pub(crate) fn on_a_line<T: Scalar, R: Render<T>>(
+    scene: &Draft,
     to: R,
 ) -> Result<R::Made, ParameterError> {
     let nothing = Dissipation::of(T::zero())?;

@@ -6,14 +6,15 @@ mod environment;
 mod integrator;
 mod plant;
 mod port;
+mod seen;
 mod space;
 mod stabilizer;
 
 pub use assembly::Assembly;
-pub(crate) use assembly::Seen;
-pub(crate) use environment::AsPort;
 pub use environment::Render;
+pub(crate) use environment::{AsPort, on_a_line};
 pub use plant::AnyPlant;
 pub use port::Port;
+pub(crate) use seen::Seen;
 pub use space::Space;
 pub use stabilizer::AnyStabilizer;

@@ -14,7 +14,7 @@ use super::Space;
 use super::body::{AnyBody, Watched};
 use super::environment::of;
 use super::integrator::AnyIntegrator;
-use super::port::Operator;
+use super::seen::Operator;
 use crate::scene::{Motion, NonNegative, Scene};
 
 /// Any plant, boxed.

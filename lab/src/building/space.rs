@@ -7,7 +7,7 @@ use lyapunov::{
 use nalgebra::SVector;
 
 use super::environment::{self, Render};
-use super::port::Operator;
+use super::seen::Operator;
 use super::{AnyPlant, plant};
 use crate::scene::{Coordinates, Scene};
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use lyapunov::{
     Accumulator, Action, Compensated, DampingLimit, Dissipation, Drive, Held, Lolc,
-    LyapunovCandidate, OnePort, ParameterError, PortEnergy, Signal, Stabilizer,
+    LyapunovCandidate, NoStabilizer, OnePort, ParameterError, PortEnergy, Signal, Stabilizer,
 };
 
 use super::assembly::measured;
@@ -44,15 +44,15 @@ impl<V: Space> AnyStabilizer<V> {
         Self(Box::new(Called(stabilizer)))
     }
 
-    /// The stabilizer that `scene` names, if it names one.
+    /// The stabilizer that `scene` names: [`NoStabilizer`] where it names none.
     ///
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
-    pub fn of(scene: &Scene) -> Result<Option<Self>, ParameterError> {
-        Ok(match scene.stabilizer {
-            None => None,
-            Some(named) => Some(Self::named(scene, named)?),
-        })
+    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        match scene.stabilizer {
+            None => Ok(Self::new(NoStabilizer)),
+            Some(named) => Self::named(scene, named),
+        }
     }
 
     /// The stabilizer `named` on the loop of `scene`, whatever the scene itself names.
@@ -143,9 +143,7 @@ impl<V: Signal> fmt::Debug for AnyStabilizer<V> {
 
 impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
     fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        let mut action = [Action::none(effort)];
-        self.0.replay(&[(*drive, effort)], &mut action);
-        action[0]
+        self.0.stabilize(drive, effort)
     }
 }
 
@@ -167,8 +165,8 @@ impl<V: Space> Render<V> for Crediting<'_> {
     }
 }
 
-/// A stabilizer with a loop or a port around it.
-trait Replay<V: Signal> {
+/// A stabilizer that can be had with a loop or a port around it.
+trait Replay<V: Signal>: Stabilizer<V> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
@@ -176,6 +174,12 @@ trait Replay<V: Signal> {
 
 /// A stabilizer that a loop calls through a table.
 struct Called<S>(S);
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        self.0.stabilize(drive, effort)
+    }
+}
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
@@ -189,6 +193,12 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
 
 /// A stabilizer with a loop compiled for its type.
 struct Fused<S>(S);
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        self.0.stabilize(drive, effort)
+    }
+}
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {

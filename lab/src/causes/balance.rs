@@ -4,7 +4,9 @@ use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
 use super::law::{Motion, force, work};
+use crate::meters::{Share, Split};
 use crate::scene::{Scene, Velocity};
+use crate::{Space, Tick};
 
 /// The energies of a stretch of a run by cause, J; docs/explain.md has the equations.
 ///
@@ -100,23 +102,22 @@ impl Balance {
 
 /// One tick as a balance needs it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Tick {
-    pub(super) masses: Masses,
-    pub(super) measured: f64,
-    pub(super) estimated: f64,
-    pub(super) environment: f64,
-    pub(super) acting: f64,
+struct Moment {
+    masses: Masses,
+    measured: f64,
+    estimated: f64,
+    environment: f64,
+    acting: f64,
+    split: Split,
 }
 
 /// A balance in the making.
 pub(super) struct Account {
     scene: Scene,
     body: Body,
-    /// The environment's forces that have not acted yet, the oldest first.
-    waiting: std::collections::VecDeque<f64>,
-    most: f64,
+    share: Share,
     ticks: u64,
-    last: Option<(Tick, Samples)>,
+    last: Option<(Moment, Samples)>,
     whole: Balance,
     first: Option<Balance>,
     touching: bool,
@@ -132,12 +133,10 @@ struct Samples {
 }
 
 impl Account {
-    pub(super) fn new(scene: &Scene, body: Body) -> Self {
-        let delay = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
+    pub(super) fn new<V: Space>(scene: &Scene, body: Body) -> Self {
         Self {
             body,
-            waiting: std::iter::repeat_n(0.0, delay.into()).collect(),
-            most: scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get()),
+            share: Share::new::<V>(scene),
             ticks: 0,
             last: None,
             whole: Balance::default(),
@@ -149,7 +148,15 @@ impl Account {
     }
 
     /// Books one tick more; false once the numbers are out of range.
-    pub(super) fn add(&mut self, tick: Tick) -> bool {
+    pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) -> bool {
+        let tick = Moment {
+            masses: Masses::at(tick),
+            measured: tick.measured.position.axis(0),
+            estimated: tick.measured.velocity.axis(0),
+            environment: tick.environment.axis(0),
+            acting: tick.applied.axis(0),
+            split: self.share.split(tick),
+        };
         let samples = self.samples(&tick);
         let touches =
             tick.environment != 0.0 || force(&self.scene.environment, samples.truly) != 0.0;
@@ -174,7 +181,7 @@ impl Account {
             self.first = Some(Balance::default());
         }
         // What is still on its way belongs to the contact.
-        let acts = tick.acting != 0.0 || self.waiting.iter().any(|force| *force != 0.0);
+        let acts = tick.acting != 0.0 || tick.split.late != 0.0 || self.share.is_waiting();
         self.left |= self.touching && !touches && !acts;
         self.touching |= touches;
         self.last = Some((tick, samples));
@@ -196,7 +203,7 @@ impl Account {
         (close(self.whole), self.first.map(close))
     }
 
-    fn samples(&self, tick: &Tick) -> Samples {
+    fn samples(&self, tick: &Moment) -> Samples {
         let period = self.scene.period();
         let time = self.ticks as f64 * period;
         let [position, velocity] = tick.masses.device;
@@ -222,17 +229,15 @@ impl Account {
     }
 
     /// The balance of one tick, without its rest.
-    fn moved(&mut self, last: &Tick, before: &Samples, now: &Tick, after: &Samples) -> Balance {
+    fn moved(&mut self, last: &Moment, before: &Samples, now: &Moment, after: &Samples) -> Balance {
         let index = self.ticks - 1;
         let passed = self.body.pass(index, last.masses, now.masses, last.acting);
         let Passed { hand, push, burnt: [device, operator, link], gained } = passed;
         let way = now.masses.device[0] - last.masses.device[0];
-        self.waiting.push_back(last.environment);
-        let late = self.waiting.pop_front().unwrap_or_default();
-        let clipped = late.clamp(-self.most, self.most);
+        let Split { late, environment: clipped, controller } = last.split;
         let law = |motion: Motion| force(&self.scene.environment, motion);
         let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
-        let real = |tick: &Tick, time: f64| {
+        let real = |tick: &Moment, time: f64| {
             let [position, velocity] = tick.masses.device;
             Motion { time, position, velocity, acceleration: 0.0 }
         };
@@ -247,7 +252,7 @@ impl Account {
             operator,
             link,
             wall,
-            controller: (last.acting - clipped) * way,
+            controller: controller * way,
             saturation: -(clipped - late) * way,
             delay: -(late - last.environment) * way,
             filter: -(filtered - counted) * way,

@@ -3,8 +3,8 @@
 use lyapunov::{Constant, Course, ParameterError, Pulse, Ramp, Samples, Sine, Step};
 use nalgebra::{DMatrix, DVector};
 
-use crate::Scene;
 use crate::scene::Motion;
+use crate::{Scene, Space, Tick};
 
 /// Terms of a series in a matrix whose rows sum to no more than a half.
 const TERMS: u32 = 24;
@@ -34,6 +34,16 @@ struct Shape {
 pub(super) struct Masses {
     pub(super) operator: [f64; 2],
     pub(super) device: [f64; 2],
+}
+
+impl Masses {
+    /// Those of `tick`.
+    pub(super) fn at<V: Space>(tick: &Tick<V>) -> Self {
+        let along = |position: V, velocity: V| [position.axis(0), velocity.axis(0)];
+        let device = along(tick.truth.position, tick.truth.velocity);
+        let operator = tick.operator.map_or(device, |it| along(it.position, it.velocity));
+        Self { operator, device }
+    }
 }
 
 /// What a tick came to beside the port, J.

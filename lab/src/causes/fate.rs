@@ -1,7 +1,7 @@
 //! What becomes of a run.
 
 use crate::meters::{Boundedness, Criterion};
-use crate::{Row, Scene};
+use crate::{Scene, Space, Tick};
 
 /// How much faster the last quarter may be than the second: as the swings of a [`Boundedness`].
 const GROWTH: f64 = 1.05;
@@ -16,27 +16,27 @@ pub(crate) struct Fate {
     criterion: Criterion,
     swing: Boundedness<f64>,
     last: u64,
-    rows: u64,
+    ticks: u64,
     quarters: [f64; 4],
 }
 
 impl Fate {
     pub(crate) fn new(scene: &Scene) -> Self {
         let (criterion, last) = (Criterion::of(scene), scene.ticks());
-        Self { criterion, swing: Boundedness::new(last), last, rows: 0, quarters: [0.0; 4] }
+        Self { criterion, swing: Boundedness::new(last), last, ticks: 0, quarters: [0.0; 4] }
     }
 
-    pub(crate) fn add(&mut self, row: &Row) {
-        self.swing.add(row.x);
-        let quarter = (4 * self.rows / (self.last + 1)).min(3) as usize;
-        self.quarters[quarter] = self.quarters[quarter].max(row.v.abs());
-        self.rows += 1;
+    pub(crate) fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        self.swing.add(tick.truth.position.axis(0));
+        let quarter = (4 * self.ticks / (self.last + 1)).min(3) as usize;
+        self.quarters[quarter] = self.quarters[quarter].max(tick.measured.velocity.axis(0).abs());
+        self.ticks += 1;
     }
 
     /// Whether the run stayed where it belongs.
     pub(crate) fn is_bounded(&self) -> bool {
         let [first, second, _, end] = self.quarters;
-        let complete = self.rows == self.last + 1;
+        let complete = self.ticks == self.last + 1;
         let swing = self.swing.verdict(0, &self.criterion);
         swing.unwrap_or(complete && end <= (GROWTH * second).max(REST * first))
     }

@@ -5,7 +5,7 @@ use std::fmt;
 use super::fate::Fate;
 use crate::bounds::{Limits, LinearPart};
 use crate::summary::found;
-use crate::{Row, Scene};
+use crate::{Scene, Space, Tick};
 
 /// Watches a run; shown after one that diverges, it is the why in two lines, else nothing.
 #[derive(Clone, Debug)]
@@ -15,14 +15,14 @@ pub struct Hint {
 }
 
 impl Hint {
-    /// Before the first row.
+    /// Before the first tick.
     pub fn new(scene: &Scene) -> Self {
         Self { scene: scene.clone(), fate: Fate::new(scene) }
     }
 
-    /// Looks at one more row.
-    pub fn add(&mut self, row: &Row) {
-        self.fate.add(row);
+    /// Looks at one more tick.
+    pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        self.fate.add(tick);
     }
 
     /// Whether the run diverged.

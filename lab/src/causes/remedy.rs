@@ -3,7 +3,7 @@
 use super::trial::{Feel, Trial};
 use crate::bounds::LinearPart;
 use crate::scene::{
-    Candidate, Cap, Environment, Finite, Ledger, Lolc, NonNegative, Popc, Positive, Scene,
+    Candidate, Cap, Draft, Environment, Finite, Ledger, Lolc, NonNegative, Popc, Positive, Scene,
     Stabilizer, Work,
 };
 use crate::{Space, bounds::impedance};
@@ -51,7 +51,9 @@ pub enum Change {
 
 /// All that is found to help the loop of `scene`.
 pub(super) fn remedies<V: Space>(scene: &Scene) -> Vec<Remedy> {
-    let bare = Scene { stabilizer: None, ..scene.clone() };
+    let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
+        return Vec::new();
+    };
     let found = [softer::<V>(&bare), faster::<V>(&bare), damped::<V>(&bare)];
     found.into_iter().flatten().chain(stabilized::<V>(&bare)).collect()
 }
@@ -73,21 +75,20 @@ fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
     };
     let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial)));
     trials.filter(|stiffness| *stiffness < own && *stiffness > 0.0).find_map(|stiffness| {
-        let mut softer = scene.clone();
+        let mut softer = scene.to_draft();
         let key = set_stiffness(&mut softer.environment, stiffness)?;
-        remedy::<V>(softer, vec![(key, Change::Number(stiffness))])
+        remedy::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
     })
 }
 
 /// The lowest rate that holds: the environment's, and where that is the servo's already, both.
 fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
     let at = |servo: f64, ratio: u64| {
-        let mut faster = scene.clone();
+        let mut faster = scene.to_draft();
         faster.servo_rate = Positive::new(servo).ok()?;
         faster.environment_rate =
             if ratio > 1 { Some(Positive::new(servo / ratio as f64).ok()?) } else { None };
-        faster.check().ok()?;
-        Some(faster)
+        faster.check().ok()
     };
     let own = scene.servo_rate.get();
     let ratios = (1..scene.environment_ratio()).rev();
@@ -119,9 +120,9 @@ fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
     // From nothing too: a share of what stops the mass within a period.
     let unit = 1e-6 * scene.mass() / scene.period();
     let at = |damping: f64| {
-        let mut damped = scene.clone();
+        let mut damped = scene.to_draft();
         damped.device.damping = NonNegative::new(damping).ok()?;
-        Some(damped)
+        damped.check().ok()
     };
     let holds = |factor: f64| at(own + unit * (factor - 1.0)).is_some_and(|scene| decays(&scene));
     let least = own + unit * (lowest(holds, 1e12)? - 1.0);
@@ -149,7 +150,8 @@ fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
                 let word = Change::Word("device-damping");
                 changes.push(("stabilizer.lolc.candidate".to_owned(), word));
             }
-            remedy::<V>(Scene { stabilizer, ..scene.clone() }, changes)
+            let draft = Draft { stabilizer, ..scene.to_draft() };
+            remedy::<V>(draft.check().ok()?, changes)
         })
     };
     [with("popc", &popc), with("lolc", &lolc)].into_iter().flatten().collect()

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use lyapunov::ParameterError;
 
-use super::balance::{Account, Balance, Tick};
+use super::balance::{Account, Balance};
 use super::body::{Body, Masses};
 use super::fate::Fate;
 use super::law::{Motion, force};
@@ -44,43 +44,29 @@ impl Trial {
     /// Runs a loop of `scene`, telling `watch` now and then how many more ticks are done; where it says so, no further.
     pub(super) fn along<V: Space>(
         scene: &Scene,
-        mut rollout: Rollout<V>,
+        rollout: Rollout<V>,
         watch: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Self, ParameterError> {
-        let (mut fate, mut account) = (Fate::new(scene), Account::new(scene, Body::of(scene)?));
+        let mut fate = Fate::new(scene);
+        let mut account = Account::new::<V>(scene, Body::of(scene)?);
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
-        let (mut open, mut ticks) = (true, 0);
-        loop {
-            ticks += 1;
-            if ticks % BREATH == 0 && watch(BREATH).is_break() {
-                break;
-            }
-            let drive = rollout.drive();
-            let (position, velocity) = (drive.position.axis(0), drive.velocity.axis(0));
-            let Some(row) = rollout.next() else { break };
-            fate.add(&row);
-            let device = [position, velocity];
-            let operator = match *rollout.further() {
-                [position, velocity] => [position, velocity],
-                _ => device,
-            };
-            peak = peak.max(row.f_act.abs());
-            let motion = Motion { time: row.t, position, velocity, acceleration: 0.0 };
+        let mut open = true;
+        for (tick, number) in rollout.zip(1..) {
+            fate.add(&tick);
+            let [position, velocity] = Masses::at(&tick).device;
+            let (applied, environment) = (tick.applied.axis(0), tick.environment.axis(0));
+            peak = peak.max(applied.abs());
+            let motion = Motion { time: tick.time, position, velocity, acceleration: 0.0 };
             let ideal = force(&scene.environment, motion);
-            if row.f_env != 0.0 || ideal != 0.0 {
-                square += (row.f_act - ideal) * (row.f_act - ideal);
+            if environment != 0.0 || ideal != 0.0 {
+                square += (applied - ideal) * (applied - ideal);
                 touched += 1;
             }
-            let masses = Masses { operator, device };
-            let tick = Tick {
-                masses,
-                measured: row.x_measured,
-                estimated: row.v,
-                environment: row.f_env,
-                acting: row.f_act,
-            };
             let near = position.abs() < FAR && velocity.abs() < FAR;
-            open = open && near && account.add(tick);
+            open = open && near && account.add(&tick);
+            if (number + 1) % BREATH == 0 && watch(BREATH).is_break() {
+                break;
+            }
         }
         let (whole, first) = account.finish();
         let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };

@@ -4,14 +4,13 @@ use std::ops::ControlFlow;
 
 use lyapunov::{ParameterError, Scalar};
 
-use super::contacts::Contacts;
+use super::contacts::{Contacts, Touch, wall};
 use super::contestants::Contestant;
 use super::cost::{KEPT, Samples};
 use super::score::Score;
-use super::tick::{Share, Tick, wall};
 use super::trace::Trace;
-use crate::meters::{Boundedness, Chatter, Criterion, Energies};
-use crate::{Rollout, Row, Scene, Space, Summary};
+use crate::meters::{Boundedness, Chatter, Criterion, Energies, Share};
+use crate::{Rollout, Scene, Space, Summary, Tick};
 
 /// Ticks between two reports of progress.
 const BREATH: u64 = 1 << 14;
@@ -56,19 +55,14 @@ impl<V: Space> Bout<V> {
     ) -> Result<Self, NoBout> {
         let stabilizer = contestant.stabilizer(scene)?;
         let state_bytes = stabilizer.state_bytes();
-        let mut rollout = Rollout::stabilized_by(scene, stabilizer)?;
-        let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| {
-            // As the loop rounds it.
-            V::Scalar::of(limit.force.get()).lane(0)
-        });
-        let (mut share, mut meters) = (Share::new(scene, most), Meters::new(scene));
+        let mut meters = Meters::new::<V>(scene);
         let mut samples = Vec::new();
         let mut ticks = 0;
-        loop {
-            let velocity = rollout.drive().velocity.axis(0);
-            let Some(row) = rollout.next() else { break };
-            meters.add(&share.tick(row, velocity));
-            samples.extend(rollout.seen().filter(|_| samples.len() < KEPT));
+        for tick in Rollout::assemble(scene, stabilizer)? {
+            meters.add(&tick);
+            if samples.len() < KEPT {
+                samples.push((tick.measured, tick.environment));
+            }
             ticks += 1;
             if ticks % BREATH == 0 && watch(BREATH).is_break() {
                 return Err(NoBout::Stopped);
@@ -87,6 +81,7 @@ impl<V: Space> Bout<V> {
 #[derive(Debug)]
 struct Meters {
     stiffness: Option<f64>,
+    share: Share,
     summary: Summary,
     criterion: Criterion,
     boundedness: Boundedness<f64>,
@@ -99,9 +94,10 @@ struct Meters {
 }
 
 impl Meters {
-    fn new(scene: &Scene) -> Self {
+    fn new<V: Space>(scene: &Scene) -> Self {
         Self {
             stiffness: wall(scene).map(|wall| wall.stiffness.get()),
+            share: Share::new::<V>(scene),
             summary: Summary::new(scene),
             criterion: Criterion::of(scene),
             boundedness: Boundedness::new(scene.ticks()),
@@ -114,18 +110,24 @@ impl Meters {
         }
     }
 
-    fn add(&mut self, tick: &Tick) {
-        let Row { t, x, observer, f_act, .. } = tick.row;
-        self.summary.add(&tick.row, &[]);
-        self.boundedness.add(x);
-        self.contacts.add(tick);
-        self.energies.add(x, tick.environment, tick.controller());
+    fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let split = self.share.split(tick);
+        let touch = Touch {
+            position: tick.truth.position.axis(0),
+            velocity: tick.truth.velocity.axis(0),
+            force: tick.applied.axis(0),
+            environment: split.environment,
+        };
+        self.summary.add(tick);
+        self.boundedness.add(touch.position);
+        self.contacts.add(&touch);
+        self.energies.add(touch.position, split.environment, split.controller);
         if let Some(chatter) = &mut self.chatter {
-            chatter.add(f_act);
+            chatter.add(touch.force);
         }
-        self.position.add(t, x);
-        self.observer.add(t, observer);
-        self.force.add(t, f_act);
+        self.position.add(tick.time, touch.position);
+        self.observer.add(tick.time, tick.action.sum.lane(0));
+        self.force.add(tick.time, touch.force);
     }
 
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {

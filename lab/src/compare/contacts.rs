@@ -1,10 +1,45 @@
 //! What is felt while the wall pushes.
 
-use super::tick::{Tick, wall};
-use crate::scene::{Scene, Wall};
+use crate::scene::{Environment, Scene, Wall};
 
 /// From how long on a contact counts as long, s.
 const LONG: f64 = 0.5;
+
+/// One tick along the first axis, as it is felt.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Touch {
+    /// The plant's true position, m.
+    pub(super) position: f64,
+    /// The plant's own velocity, m/s.
+    pub(super) velocity: f64,
+    /// The force on the plant, N.
+    pub(super) force: f64,
+    /// The environment's share of it, N.
+    pub(super) environment: f64,
+}
+
+impl Touch {
+    /// How deep the plant truly is beyond the surface, m.
+    fn depth(&self, wall: Wall) -> f64 {
+        self.position - wall.position.get()
+    }
+
+    /// The force of the wall's law without sampling, hold, encoder, saturation or delay, N:
+    /// `max(0, k p + b v)` for `p > 0`, else 0, of the true motion.
+    fn ideal(&self, wall: Wall) -> f64 {
+        let depth = self.depth(wall);
+        let force = wall.stiffness.get() * depth + wall.damping.get() * self.velocity;
+        if depth > 0.0 { force.max(0.0) } else { 0.0 }
+    }
+}
+
+/// The wall of a scene, if that is what it has.
+pub(super) fn wall(scene: &Scene) -> Option<Wall> {
+    match scene.environment {
+        Environment::Wall(wall) => Some(wall),
+        _ => None,
+    }
+}
 
 /// Watches contacts: unbroken runs of ticks on which the environment's force acts.
 #[derive(Clone, Copy, Debug)]
@@ -41,10 +76,10 @@ impl Contacts {
         }
     }
 
-    pub(super) fn add(&mut self, tick: &Tick) {
-        let force = tick.row.f_act;
-        let depth = self.wall.map_or(0.0, |wall| tick.depth(wall));
-        if tick.environment != 0.0 {
+    pub(super) fn add(&mut self, touch: &Touch) {
+        let force = touch.force;
+        let depth = self.wall.map_or(0.0, |wall| touch.depth(wall));
+        if touch.environment != 0.0 {
             self.now.ticks += 1;
             self.now.peak = self.now.peak.max(force.abs());
             self.now.moments.0 += force * depth;
@@ -54,9 +89,9 @@ impl Contacts {
         }
         // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
         if let Some(wall) = self.wall
-            && (tick.environment != 0.0 || depth > 0.0)
+            && (touch.environment != 0.0 || depth > 0.0)
         {
-            self.error.0 += (force - tick.ideal(wall)).powi(2);
+            self.error.0 += (force - touch.ideal(wall)).powi(2);
             self.error.1 += 1;
         }
     }
@@ -101,11 +136,16 @@ impl Contacts {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{scene, tick};
+    use super::super::samples::scene;
     use super::*;
 
+    /// A tick on which the plant is at `x`, `environment` of the force is the wall's and `controller` not.
+    fn tick(x: f64, environment: f64, controller: f64) -> Touch {
+        Touch { position: x, velocity: 0.0, force: environment + controller, environment }
+    }
+
     /// The meter after `ticks`; the wall is 1 kN/m at 1 mm, the rate 100 Hz.
-    fn after(ticks: &[Tick]) -> Contacts {
+    fn after(ticks: &[Touch]) -> Contacts {
         let mut contacts = Contacts::new(&scene(""));
         ticks.iter().for_each(|tick| contacts.add(tick));
         contacts.end();
@@ -136,7 +176,7 @@ mod tests {
     fn the_stiffness_felt_is_the_line_through_the_surface() {
         // f = 800 p + 0.1 (−1)^n: Σ f p / Σ p² in closed form for two alternating depths.
         let (one, other) = (0.002, 0.004);
-        let ticks: Vec<Tick> = (0..60)
+        let ticks: Vec<Touch> = (0..60)
             .map(|n| if n % 2 == 0 { (one, 0.1) } else { (other, -0.1) })
             .map(|(p, more)| tick(0.001 + p, 800.0 * p + more, 0.0))
             .collect();
@@ -159,5 +199,15 @@ mod tests {
         let expected = f64::sqrt((1.0 + 0.25 + 0.0625) / 4.0);
         assert!((error - expected).abs() < 1e-12, "{error} {expected}");
         assert_eq!(after(&[free]).force_error(), None);
+    }
+
+    #[test]
+    fn the_ideal_wall_never_pulls_and_knows_the_surface() {
+        let wall = wall(&scene("")).unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
+        let at = |position: f64, velocity: f64| Touch { velocity, ..tick(position, 0.0, 0.0) };
+        assert_eq!(at(0.001, 1.0).ideal(wall), 0.0);
+        assert_eq!(at(0.0005, 1.0).ideal(wall), 0.0);
+        assert!((at(0.003, 0.5).ideal(wall) - 3.0).abs() < 1e-12);
+        assert_eq!(at(0.003, -5.0).ideal(wall), 0.0);
     }
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use lyapunov::{ParameterError, Scalar, Stabilizer};
 
 use crate::family::{Member, Members};
-use crate::scene::{self, Cap, Ledger, Scene, Work};
+use crate::scene::{self, Cap, Draft, Ledger, Scene, Work};
 use crate::{AnyStabilizer, Space};
 
 /// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
@@ -118,7 +118,7 @@ pub struct Settings {
 
 impl Settings {
     /// Those of the stabilizer that `scene` names, whichever it is, or the defaults.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn of(scene: &Draft) -> Self {
         let (work, ledger, damping_cap) = match scene.stabilizer {
             None => (Work::default(), Ledger::default(), Cap::default()),
             Some(scene::Stabilizer::Popc(popc)) => (popc.work, popc.ledger, popc.damping_cap),

@@ -7,6 +7,7 @@ use lyapunov::{Action, Drive, ParameterError};
 
 use super::contestants::Contestant;
 use super::score::StepTime;
+use crate::timing::Rounds;
 use crate::{Scene, Space};
 
 /// How many ticks of a run are kept to be replayed: few enough to stay in the processor's cache.
@@ -23,8 +24,7 @@ pub(super) type Samples<V> = Vec<(Drive<V>, V)>;
 
 /// Times the step of every contestant over the samples of its own run.
 ///
-/// The contestants take turns, round by round, so that a machine that slows down slows them all alike. A pass
-/// over the samples starts with a fresh stabilizer; making it is not timed.
+/// A pass over the samples starts with a fresh stabilizer; making it is not timed.
 ///
 /// # Errors
 /// What making a stabilizer may meet.
@@ -33,18 +33,23 @@ pub(super) fn of<V: Space>(
     contestants: &[Contestant<V>],
     samples: &[Samples<V>],
 ) -> Result<Vec<Option<StepTime>>, ParameterError> {
-    let mut rounds = vec![Vec::with_capacity(ROUNDS); contestants.len()];
-    // The round before the first warms up and does not count.
-    for round in 0..=ROUNDS {
-        for ((contestant, samples), times) in contestants.iter().zip(samples).zip(&mut rounds) {
-            let passes = STEPS.div_ceil(samples.len().max(1));
-            let elapsed = replay(scene, contestant, samples, passes)?;
-            if round > 0 && !samples.is_empty() {
-                times.push(elapsed.as_secs_f64() * 1e9 / (passes * samples.len()) as f64);
-            }
-        }
+    let step = |at: usize| {
+        let (contestant, samples) = (&contestants[at], &samples[at]);
+        let passes = STEPS.div_ceil(samples.len().max(1));
+        let elapsed = replay(scene, contestant, samples, passes)?;
+        Ok::<_, ParameterError>(elapsed.as_secs_f64() * 1e9 / (passes * samples.len()) as f64)
+    };
+    // The round before the first warms up.
+    for at in 0..contestants.len() {
+        step(at)?;
     }
-    Ok(rounds.into_iter().map(spread).collect())
+    let times = Rounds::of(contestants.len(), ROUNDS, |_, at| step(at))?;
+    let told = samples.iter().enumerate().map(|(at, samples)| {
+        let ([_, median, _], [min, max]) = (times.quartiles(at), times.extremes(at));
+        let time = StepTime { median, min, max, rounds: ROUNDS, deterministic: false };
+        (!samples.is_empty()).then_some(time)
+    });
+    Ok(told.collect())
 }
 
 fn replay<V: Space>(
@@ -61,24 +66,4 @@ fn replay<V: Space>(
         stabilizer.replay(black_box(samples), black_box(&mut actions));
     }
     Ok(start.elapsed())
-}
-
-fn spread(mut times: Vec<f64>) -> Option<StepTime> {
-    times.sort_by(f64::total_cmp);
-    let (&min, &max) = (times.first()?, times.last()?);
-    let median = *times.get(times.len() / 2)?;
-    Some(StepTime { median, min, max, rounds: times.len(), deterministic: false })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_spread_is_of_the_rounds() {
-        let time = spread(vec![5.0, 1.0, 3.0, 9.0, 2.0]).unwrap();
-        assert_eq!((time.min, time.median, time.max, time.rounds), (1.0, 3.0, 9.0, 5));
-        assert!(!time.deterministic);
-        assert_eq!(spread(Vec::new()), None);
-    }
 }

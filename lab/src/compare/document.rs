@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Comparison;
+use super::contacts::wall;
 use super::score::Score;
-use super::tick::wall;
 
 #[derive(Serialize)]
 struct Document<'a> {

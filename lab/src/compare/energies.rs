@@ -49,7 +49,7 @@ impl Energies {
         let quiet = |_| watch(0);
         let balance = |number: usize| -> Result<Balance, ParameterError> {
             let stabilizer = contestants.entries()[number].stabilizer(scene)?;
-            Balance::along(scene, Rollout::<V>::stabilized_by(scene, stabilizer)?, &quiet)
+            Balance::along(scene, Rollout::assemble(scene, stabilizer)?, &quiet)
         };
         let rows = comparison.outcomes.par_iter().map(|outcome| {
             let name = &outcome.score.stabilizer;

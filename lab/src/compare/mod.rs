@@ -20,7 +20,6 @@ mod setting;
 mod table;
 #[cfg(test)]
 mod tests;
-mod tick;
 mod trace;
 mod trade_off;
 
@@ -30,6 +29,5 @@ pub use contestants::{Contestants, Settings};
 pub use document::document;
 pub use energies::Energies;
 pub use score::{Score, StepTime};
-pub(crate) use tick::{Share, Tick};
 pub(crate) use trace::Trace;
 pub use trade_off::TradeOff;

@@ -1,7 +1,7 @@
 //! The curves of all contestants over each other.
 
 use super::comparison::{Comparison, Outcome};
-use super::tick::wall;
+use super::contacts::wall;
 use crate::compare::setting::Setting;
 use crate::equilibrium::equilibrium;
 use crate::meters::Criterion;

@@ -68,7 +68,7 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
     let contestants = Contestants::<f64>::nobody().with("damper", move |_| Ok(damper));
     let comparison = Comparison::of("press", scene, &contestants).unwrap();
     let score = comparison.scores().next().unwrap();
-    let rows: Vec<Row> = Rollout::stabilized_by(scene, damper).unwrap().collect();
+    let rows: Vec<Row> = Rollout::stabilized_by(scene, damper).unwrap().rows().collect();
     let delay = scene.effects.delay.map_or(0, |delay| delay.ticks.get() as usize);
     let most = scene.effects.saturation.map_or(f64::MAX, |limit| limit.force.get());
     let wall: Vec<f64> = (0..rows.len())
@@ -137,7 +137,7 @@ fn settings_are_the_scene_s_or_the_defaults() {
     assert_eq!(text(&scene("")), "held work, cap 0.5 (the defaults)");
     // They reach the stabilizers: POPC of the comparison is POPC of the scene.
     let own = scene("stabilizer.popc.damping_cap = 0.1\ninitial.velocity = 0.3\n");
-    let active = Rollout::<f64>::of(&own).unwrap().filter(|row| row.alpha > 0.0).count();
+    let active = Rollout::<f64>::of(&own).unwrap().filter(|tick| tick.action.alpha > 0.0).count();
     assert!(active > 0);
     close(standard(&own)[1].active, 100.0 * active as f64 / 101.0, "active");
 }

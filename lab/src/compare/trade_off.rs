@@ -181,10 +181,10 @@ fn walls(scene: &Scene) -> Vec<Scene> {
         let mut wall = own;
         wall.stiffness = NonNegative::new(stiffness).ok()?;
         wall.damping = NonNegative::new(damping * row).ok()?;
-        let mut with = scene.clone();
+        let mut with = scene.to_draft();
         with.environment = Environment::Wall(wall);
         with.duration = duration.ok()?;
-        with.check().is_ok().then_some(with)
+        with.check().ok()
     };
     if stiffness > 0.0 { (0..VALUES * VALUES).filter_map(with).collect() } else { Vec::new() }
 }

@@ -1,10 +1,9 @@
 //! What a scene file can name.
 
-use lyapunov::ParameterError;
+use lyapunov::{NoStabilizer, ParameterError};
 
-use super::Nothing;
 use crate::compare::Settings;
-use crate::scene::{Candidate, Lolc, Popc, Scene, Stabilizer};
+use crate::scene::{Candidate, Draft, Lolc, Popc, Scene, Stabilizer};
 use crate::{AnyStabilizer, Space};
 
 /// A stabilizer that a scene file can name, or none; work, ledger and damping cap are the scene's.
@@ -50,7 +49,7 @@ impl Contender {
     }
 
     /// What it is in `scene`.
-    pub(crate) fn on(self, scene: &Scene) -> Option<Stabilizer> {
+    pub(crate) fn on(self, scene: &Draft) -> Option<Stabilizer> {
         let Settings { work, ledger, damping_cap, .. } = Settings::of(scene);
         let lolc =
             |candidate| Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap }));
@@ -70,7 +69,7 @@ impl Contender {
     /// The same, made.
     pub(super) fn made<V: Space>(self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
         match self.on(scene) {
-            None => Ok(AnyStabilizer::new(Nothing)),
+            None => Ok(AnyStabilizer::new(NoStabilizer)),
             Some(named) => AnyStabilizer::named(scene, named),
         }
     }

@@ -1,12 +1,12 @@
 //! How each is made.
 
 use lyapunov::{
-    Beyond, DampingLimit, Dissipation, ForceBound, Lolc, ParameterError, Plain, Popc, PortEnergy,
-    ReferenceFollowing, Refine, Scalar, Storage, Store, Tank, Windowed,
+    Beyond, DampingLimit, Dissipation, ForceBound, Lolc, NoStabilizer, ParameterError, Plain, Popc,
+    PortEnergy, ReferenceFollowing, Refine, Scalar, Storage, Store, Tank, Windowed,
 };
 
 use super::basis::SLOTS;
-use super::{Basis, Contender, Member, Nothing};
+use super::{Basis, Contender, Member};
 use crate::scene::Scene;
 use crate::{AnyStabilizer, Space};
 
@@ -36,7 +36,7 @@ impl Member {
         let popc = Popc::new(PortEnergy, limit);
         let (energy, ticks) = (of(basis.energy), basis.ticks());
         Ok(match self {
-            Self::Plain(Contender::Nobody) => AnyStabilizer::called(Nothing),
+            Self::Plain(Contender::Nobody) => AnyStabilizer::called(NoStabilizer),
             Self::Plain(Contender::Popc | Contender::LolcSpring) => AnyStabilizer::called(popc),
             Self::Plain(_) => {
                 let damper = Dissipation::of(of(basis.damping))?;

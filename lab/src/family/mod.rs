@@ -19,12 +19,10 @@ pub(crate) mod contender;
 mod list;
 mod make;
 mod member;
-mod nothing;
 mod reference;
 
 pub(crate) use basis::Basis;
 pub use contender::Contender;
 pub use list::{Members, NoMembers};
 pub use member::{Member, NoMember};
-pub(crate) use nothing::Nothing;
 pub(crate) use reference::Reference;

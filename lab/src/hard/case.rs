@@ -2,13 +2,14 @@
 
 use std::fmt;
 
+use lyapunov::NoStabilizer;
 use serde::{Serialize, Serializer};
 
 use super::naive::Naive;
 use super::tally::{Tally, larger};
 use super::trial::{HardError, Own, Runs, Trial};
 use crate::AnyStabilizer;
-use crate::family::{Member, Nothing};
+use crate::family::Member;
 
 /// One hard case: what makes it hard, what is measured, and the bound that is promised.
 pub struct Case {
@@ -168,7 +169,7 @@ impl Case {
     }
 
     fn without(&self) -> Result<Option<Outcome>, HardError> {
-        let nothing = || AnyStabilizer::new(Nothing);
+        let nothing = || AnyStabilizer::new(NoStabilizer);
         Ok(self.trial.with(&nothing)?.map(|tally| self.outcome(&tally)))
     }
 

@@ -1,17 +1,17 @@
 //! A case that is a scene.
 
 use lyapunov::lanes::AutoF64x8;
-use lyapunov::{ParameterError, Plant, Scalar};
+use lyapunov::{ParameterError, Scalar};
 
 use super::naive::Naive;
 use super::pledge::{Pledge, promises};
 use super::tally::Tally;
 use super::trial::{HardError, Own, Runs, Trial};
-use super::watched::{Terms, Watched};
+use super::watched::{Meters, Terms};
 use crate::compare::Settings;
-use crate::family::{Member, Nothing};
+use crate::family::Member;
 use crate::scene::{Candidate, Finite, Lolc, Scene, Stabilizer};
-use crate::{AnyStabilizer, Assembly, Space};
+use crate::{AnyStabilizer, Rollout, Space, Tick};
 
 /// A loop closed as a scene says.
 pub(super) struct Looped {
@@ -28,22 +28,22 @@ const SHARES: [f64; 4] = [1.0, 0.97, 0.93, 0.88];
 
 impl Looped {
     fn scene(&self, share: f64) -> Result<Scene, HardError> {
-        let mut scene = Scene::parse(&self.text, "a hard case")?;
+        let scene = Scene::parse(&self.text, "a hard case")?;
         let moved = |from: f64| Finite::new(from * share).map(Into::into);
-        let initial = &mut scene.initial;
-        // A share of a finite number is one.
+        let mut draft = scene.to_draft();
+        let initial = &mut draft.initial;
+        // A share of a number in range is one.
         (initial.position, initial.velocity) =
             match (moved(initial.position.get()), moved(initial.velocity.get())) {
                 (Ok(position), Ok(velocity)) => (position, velocity),
                 _ => return Ok(scene),
             };
-        Ok(scene)
+        Ok(draft.check().unwrap_or(scene))
     }
 
     fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
         let scene = self.scene(share)?;
-        let named = AnyStabilizer::of(&scene)?.unwrap_or_else(|| AnyStabilizer::new(Nothing));
-        Ok(looped::<V>(&scene, self.rest, named_in::<V>(&scene), named)?)
+        Ok(looped::<V>(&scene, self.rest, named_in::<V>(&scene), AnyStabilizer::of(&scene)?)?)
     }
 
     fn of_family<T: Scalar + Space>(
@@ -64,13 +64,14 @@ fn looped<V: Space>(
     pledge: Pledge,
     stabilizer: AnyStabilizer<V>,
 ) -> Result<Vec<Tally>, ParameterError> {
-    let (watched, record) = Watched::new::<V::Scalar>(stabilizer, terms(scene, rest, pledge));
-    let mut assembly = Assembly::stabilized_by(scene, AnyStabilizer::new(watched))?;
-    let mut drive = assembly.plant.start();
+    let mut meters = Meters::new::<V::Scalar>(terms(scene, rest, pledge));
+    let mut rollout = Rollout::assemble(scene, stabilizer)?;
+    // To the end, also where the motion has left the range of the scalar.
     for _ in 0..=scene.ticks() {
-        assembly.tick(&mut drive);
+        let Tick { measured, environment, action, .. } = rollout.tick();
+        meters.watch(&measured, environment, &action);
     }
-    Ok(record.tallies())
+    Ok(meters.tallies())
 }
 
 /// What the loop of `scene` comes to under the stabilizer that it names, in the scalar of `V`: with swings counted from the
@@ -79,8 +80,7 @@ fn looped<V: Space>(
 /// # Errors
 /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
 pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
-    let named = AnyStabilizer::of(scene)?.unwrap_or_else(|| AnyStabilizer::new(Nothing));
-    looped::<V>(scene, 0.0, named_in::<V>(scene), named)
+    looped::<V>(scene, 0.0, named_in::<V>(scene), AnyStabilizer::of(scene)?)
 }
 
 /// What the stabilizer that a scene names is held to.

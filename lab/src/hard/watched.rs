@@ -42,17 +42,36 @@ pub(super) struct Watched<S> {
 
 /// Where the measurements of a watched stabilizer are read while a loop owns it.
 #[derive(Clone, Debug)]
-pub(super) struct Record(Rc<RefCell<Vec<Meter>>>);
+pub(super) struct Record(Rc<RefCell<Meters>>);
 
 impl Record {
     /// The measurements so far, of each lane.
     pub(super) fn tallies(&self) -> Vec<Tally> {
-        self.0.borrow().iter().map(|meter| meter.tally).collect()
+        self.0.borrow().tallies()
     }
 }
 
 impl<S> Watched<S> {
     pub(super) fn new<T: Scalar>(stabilizer: S, terms: Terms) -> (Self, Record) {
+        let record = Record(Rc::new(RefCell::new(Meters::new::<T>(terms))));
+        (Self { stabilizer, record: record.clone() }, record)
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watched<S> {
+    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+        let action = self.stabilizer.stabilize(drive, effort);
+        self.record.0.borrow_mut().watch(drive, effort, &action);
+        action
+    }
+}
+
+/// A meter for each lane of what a stabilizer is told and does.
+#[derive(Debug)]
+pub(super) struct Meters(Vec<Meter>);
+
+impl Meters {
+    pub(super) fn new<T: Scalar>(terms: Terms) -> Self {
         let meter = Meter {
             terms,
             tick: 0,
@@ -71,20 +90,21 @@ impl<S> Watched<S> {
             largest: T::largest().lane(0),
             tally: Tally::default(),
         };
-        let record = Record(Rc::new(RefCell::new(vec![meter; T::LANES])));
-        (Self { stabilizer, record: record.clone() }, record)
+        Self(vec![meter; T::LANES])
     }
-}
 
-impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watched<S> {
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        let action = self.stabilizer.stabilize(drive, effort);
+    /// One more tick: what the stabilizer was told, and what it did.
+    pub(super) fn watch<V: Signal>(&mut self, drive: &Drive<V>, effort: V, action: &Action<V>) {
         // What several periods under other efforts did; of a single one this is exactly zero.
         let others = drive.work - drive.acted.times(drive.displacement);
-        for (lane, meter) in self.record.0.borrow_mut().iter_mut().enumerate() {
-            meter.watch(Sight::of(lane, drive, others, effort, &action));
+        for (lane, meter) in self.0.iter_mut().enumerate() {
+            meter.watch(Sight::of(lane, drive, others, effort, action));
         }
-        action
+    }
+
+    /// The measurements so far, of each lane.
+    pub(super) fn tallies(&self) -> Vec<Tally> {
+        self.0.iter().map(|meter| meter.tally).collect()
     }
 }
 

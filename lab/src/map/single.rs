@@ -3,11 +3,10 @@
 use lyapunov::{ParameterError, Scalar};
 
 use super::outcome::{Measures, Outcome};
-use crate::compare::{Share, Tick};
 use crate::family::Member;
-use crate::meters::{Boundedness, Chatter, Criterion, Energies, Settling};
+use crate::meters::{Boundedness, Chatter, Criterion, Energies, Settling, Share};
 use crate::scene::{Scalar as Width, Scene};
-use crate::{Rollout, Space};
+use crate::{Rollout, Space, Tick};
 
 /// Ticks between two looks at what is decided.
 const STRETCH: u64 = 64;
@@ -32,16 +31,11 @@ fn run<T: Scalar + Space>(
 ) -> Result<Option<Outcome>, ParameterError> {
     let criterion = Criterion::of(scene);
     let mut boundedness = Boundedness::<f64>::new(scene.ticks());
-    let mut meters = Meters::new(scene, &criterion);
-    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| {
-        // As the loop rounds it.
-        T::of(limit.force.get()).lane(0)
-    });
-    let mut share = Share::new(scene, most);
+    let mut meters = Meters::new::<T>(scene, &criterion);
     let mut ticks = 0;
-    for row in Rollout::<T>::under(scene, member)? {
-        boundedness.add(row.x);
-        meters.add(&share.tick(row, 0.0));
+    for tick in Rollout::<T>::under(scene, member)? {
+        boundedness.add(tick.truth.position.axis(0));
+        meters.add(&tick);
         ticks += 1;
         if ticks % STRETCH == 0 {
             if boundedness.is_lost(0, &criterion) {
@@ -62,30 +56,33 @@ struct Meters {
     active: u64,
     peak: f64,
     settling: Settling<f64>,
+    share: Share,
     energies: Energies<f64>,
     chatter: Option<Chatter<f64>>,
 }
 
 impl Meters {
-    fn new(scene: &Scene, criterion: &Criterion) -> Self {
+    fn new<V: Space>(scene: &Scene, criterion: &Criterion) -> Self {
         let (rest, band) = criterion.rest();
         Self {
             ticks: 0,
             active: 0,
             peak: 0.0,
             settling: Settling::new(rest, band),
+            share: Share::new::<V>(scene),
             energies: Energies::new(),
             chatter: Chatter::new(scene.servo_rate.get()),
         }
     }
 
-    fn add(&mut self, tick: &Tick) {
-        let force = tick.row.f_act;
+    fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let (position, force) = (tick.truth.position.axis(0), tick.applied.axis(0));
+        let split = self.share.split(tick);
         self.ticks += 1;
-        self.active += u64::from(tick.row.alpha > 0.0);
+        self.active += u64::from(tick.action.alpha.lane(0) > 0.0);
         self.peak = self.peak.max(force.abs());
-        self.settling.add(tick.row.x);
-        self.energies.add(tick.row.x, tick.environment, tick.controller());
+        self.settling.add(position);
+        self.energies.add(position, split.environment, split.controller);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(force);
         }

@@ -5,7 +5,7 @@ use std::fmt;
 use toml::Value;
 
 use super::axis::Axis;
-use crate::scene::{Motion, Scene, nearest, number_keys};
+use crate::scene::{Draft, Motion, Scene, nearest, number_keys};
 
 /// A number of a scene, found by its dotted key.
 #[derive(Clone, Debug)]
@@ -92,15 +92,14 @@ impl Vary {
 
 /// The scene that `tree` describes, with what only a file holds taken from `base`.
 pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
-    let mut scene: Scene =
+    let mut draft: Draft =
         tree.clone().try_into().map_err(|error: toml::de::Error| error.message().to_owned())?;
     if let (Some(Motion::File { samples, .. }), Some(Motion::File { samples: own, .. })) =
-        (&mut scene.operator.motion, &base.operator.motion)
+        (&mut draft.operator.motion, &base.operator.motion)
     {
         *samples = std::sync::Arc::clone(own);
     }
-    scene.check().map_err(|conflict| conflict.to_string())?;
-    Ok(scene)
+    draft.check().map_err(|conflict| conflict.to_string())
 }
 
 fn table(key: &str) -> &str {

@@ -3,7 +3,7 @@
 use lyapunov::Scalar;
 
 use crate::equilibrium::{equilibrium, swing};
-use crate::scene::Scene;
+use crate::scene::Draft;
 use crate::summary::BAND;
 
 /// How much larger the last quarter's swing may be than the second's: what sampling the peaks of an undamped
@@ -22,7 +22,7 @@ pub(crate) struct Criterion {
 }
 
 impl Criterion {
-    pub(crate) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Draft) -> Self {
         let equilibrium = equilibrium(scene);
         let swing = equilibrium.map_or(0.0, |rest| swing(scene, rest));
         // The starting swing, or the spring's deflection at the equilibrium if that is more, so that a start in
@@ -137,6 +137,7 @@ fn start_of(quarter: u64, last: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Scene;
     use crate::compare::samples::scene;
 
     /// The verdict on a run of 101 rows at `x(t)`, equilibrium 0, starting swing 4 mm.

@@ -7,8 +7,10 @@ mod boundedness;
 mod chatter;
 mod energies;
 mod settling;
+mod share;
 
 pub(crate) use boundedness::{Boundedness, Criterion};
 pub(crate) use chatter::Chatter;
 pub(crate) use energies::Energies;
 pub(crate) use settling::Settling;
+pub(crate) use share::{Share, Split};

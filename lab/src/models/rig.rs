@@ -2,8 +2,8 @@
 
 use lyapunov::{
     self as library, Adapt, AffinePlant, ControlAffine, DampingLimit, Decay, Lolc,
-    LyapunovFunction, Mask, OnePort, ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar,
-    Signal, StateFeedback, WithState, decrease_of,
+    LyapunovFunction, Mask, NoStabilizer, OnePort, ParameterError, Plant, Popc, PortEnergy,
+    RungeKutta4, Scalar, Signal, StateFeedback, WithState, decrease_of,
 };
 use nalgebra::SVector;
 
@@ -13,7 +13,6 @@ use super::meter::{Meter, Tick};
 use super::model::Model;
 use super::outcome::Outcome;
 use super::stabilizer::Stabilizer;
-use crate::family::Nothing;
 use crate::subjects::{CompareError, Watch};
 
 /// The longest delay of a controller in ticks.
@@ -110,7 +109,7 @@ where
     ) -> Box<dyn library::Stabilizer<WithState<T, N, M>>> {
         let decrease = decrease_of(self.function, self.plant.state());
         match contestant {
-            Contestant::None => Box::new(Nothing),
+            Contestant::None => Box::new(NoStabilizer),
             Contestant::Popc => Box::new(Popc::new(PortEnergy, self.limit)),
             Contestant::Decrease => Box::new(Lolc::new(decrease, self.limit)),
             Contestant::Decay => Box::new(Lolc::new((decrease, self.decay), self.limit)),

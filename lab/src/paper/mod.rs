@@ -79,7 +79,7 @@ impl Case {
     /// # Errors
     /// None as long as the scene files that ship are right.
     pub fn rows(self) -> Result<Vec<Row>, PaperError> {
-        Ok(Rollout::<f64>::of(&self.scene()?)?.collect())
+        Ok(Rollout::<f64>::of(&self.scene()?)?.rows().collect())
     }
 }
 

@@ -1,8 +1,8 @@
 //! What each effect costs: the time of a step of a loop with it, less that of the loop without.
 
 mod calls;
-mod rounds;
 mod table;
+mod timing;
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -12,8 +12,8 @@ use lyapunov::lanes::AutoF64x8;
 use serde::Serialize;
 
 use crate::scene::Diagnostic;
+use crate::timing::Rounds;
 use calls::Calls;
-use rounds::Times;
 
 /// The prices of all effects, in nanoseconds per step of this machine; docs/effects/prices.md says how to read them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -64,14 +64,14 @@ impl Prices {
     /// As [`PricesError`] tells.
     pub fn measured(watch: &dyn Fn() -> ControlFlow<()>) -> Result<Self, PricesError> {
         let calls = Calls::new()?;
-        let one = rounds::times::<f64>(&calls.all, watch)?;
-        let eight = rounds::times::<AutoF64x8>(&calls.all, watch)?;
+        let one = timing::times::<f64>(&calls.all, watch)?;
+        let eight = timing::times::<AutoF64x8>(&calls.all, watch)?;
         let scalars =
             vec![Column::of("f64", 1, &calls, &one), Column::of("f64x8", 8, &calls, &eight)];
         Ok(Self {
             not_deterministic: ["bare_ns_per_step", "ns_per_step", "spread_ns", "ratio"],
-            rounds: rounds::ROUNDS,
-            ticks: rounds::TICKS,
+            rounds: timing::ROUNDS,
+            ticks: timing::TICKS,
             scalars,
         })
     }
@@ -81,7 +81,7 @@ impl Prices {
     /// # Errors
     /// As [`PricesError`] tells.
     pub fn loops() -> Result<usize, PricesError> {
-        Ok(2 * (rounds::ROUNDS + 1) * Calls::new()?.all.len())
+        Ok(2 * (timing::ROUNDS + 1) * Calls::new()?.all.len())
     }
 
     /// As JSON.
@@ -94,15 +94,23 @@ impl Prices {
 }
 
 impl Column {
-    fn of(scalar: &'static str, rollouts: usize, calls: &Calls, times: &Times) -> Self {
-        let difference = |[without, with]: [usize; 2]| times.difference(without, with);
+    fn of(scalar: &'static str, rollouts: usize, calls: &Calls, times: &Rounds) -> Self {
+        let difference = |[without, with]: [usize; 2]| Difference::of(times, without, with);
         let effects = calls.effects.iter().map(|effect| Price {
             effect: effect.name,
             alone: difference(effect.alone),
             composed: difference(effect.composed),
         });
-        let bare_ns_per_step = times.median(calls.bare);
+        let [_, bare_ns_per_step, _] = times.quartiles(calls.bare);
         Self { scalar, rollouts, bare_ns_per_step, effects: effects.collect() }
+    }
+}
+
+impl Difference {
+    fn of(times: &Rounds, without: usize, with: usize) -> Self {
+        let [lower, median, upper] = times.compared(with, without, |with, without| with - without);
+        let [_, ratio, _] = times.compared(with, without, |with, without| with / without);
+        Self { ns_per_step: median, spread_ns: upper - lower, ratio }
     }
 }
 

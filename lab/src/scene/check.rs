@@ -5,7 +5,7 @@ use std::fmt;
 use lyapunov::{ParameterError, Requirement};
 use serde::Serialize;
 
-use super::{Integrator, Motion, Positive, Scalar, Scene};
+use super::{Draft, Integrator, Motion, Positive, Scalar, Scene};
 use crate::Assembly;
 use crate::in_space;
 
@@ -67,18 +67,20 @@ impl fmt::Display for Conflict {
 
 impl std::error::Error for Conflict {}
 
-impl Scene {
-    /// Checks the rules between values: the number of ticks, the ratio of the rates, what tables ask of each other, the
-    /// range of f32 where the run computes in it, and what the blocks of the loop take.
+impl Draft {
+    /// The scene that it is, if it keeps the rules between values: the number of ticks, the ratio of the rates, what tables
+    /// ask of each other, the range of f32 where the run computes in it, and what the blocks of the loop take.
     ///
     /// # Errors
     /// The first rule that is broken, and its key.
-    pub fn check(&self) -> Result<(), Conflict> {
+    pub fn check(self) -> Result<Scene, Conflict> {
         check_ticks(self.duration, self.servo_rate)?;
         self.check_environment_rate()?;
         self.check_tables()?;
         self.check_scalar()?;
-        self.check_blocks()
+        let scene = Scene(self);
+        check_blocks(&scene)?;
+        Ok(scene)
     }
 
     fn check_environment_rate(&self) -> Result<(), Conflict> {
@@ -118,16 +120,6 @@ impl Scene {
         }
         check_single(self)?;
         self.lost_rest().map_or(Ok(()), |(key, value)| Err(lost(key, value)))
-    }
-
-    /// Builds the loop, because values that are each allowed may join to one that is not.
-    fn check_blocks(&self) -> Result<(), Conflict> {
-        let built = in_space!(self, Axes => Assembly::<Axes>::of(self).map(drop));
-        let scalar = match self.scalar {
-            Scalar::F64 => "f64",
-            Scalar::F32 => "f32",
-        };
-        built.map_err(|error| self.out_of_range(&error, scalar))
     }
 
     fn out_of_range(&self, error: &ParameterError, scalar: &str) -> Conflict {
@@ -221,6 +213,16 @@ impl Scene {
         let lost = samples.iter().find(|(_, rest)| (*rest as f32).is_infinite());
         lost.map(|(_, rest)| ("operator.motion.path".to_owned(), *rest))
     }
+}
+
+/// Builds the loop, because values that are each allowed may join to one that is not.
+fn check_blocks(scene: &Scene) -> Result<(), Conflict> {
+    let built = in_space!(scene, Axes => Assembly::<Axes>::of(scene).map(drop));
+    let scalar = match scene.scalar {
+        Scalar::F64 => "f64",
+        Scalar::F32 => "f32",
+    };
+    built.map_err(|error| scene.out_of_range(&error, scalar))
 }
 
 /// Checks that there are no more ticks than a run may have, and that there is time between them.

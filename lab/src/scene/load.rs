@@ -4,13 +4,13 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::Scene;
 use super::book::Book;
 use super::check::Conflict;
 use super::diagnostic::Diagnostic;
 use super::document::{self, names_any};
 use super::keys::BOOK;
 use super::written::Keys;
+use super::{Draft, Scene};
 
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 20;
@@ -51,10 +51,9 @@ pub(super) fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diag
 }
 
 fn checked(keys: Keys, folder: &Path) -> Result<Scene, Conflict> {
-    let mut scene = Scene::try_from(keys)?;
-    scene.read_motion(folder)?;
-    scene.check()?;
-    Ok(scene)
+    let mut draft = Draft::try_from(keys)?;
+    draft.read_motion(folder)?;
+    draft.check()
 }
 
 /// See [`Scene::load`].

@@ -8,7 +8,8 @@
 //! fault as a sentence in serde's words, from which key, value and remedy would have to be guessed back.
 //!
 //! A rule about one value lives in the type of that value ([`Positive`], [`NonNegative`], [`Finite`], [`Cap`],
-//! [`DelayTicks`] and so on); the rules between values live in [`Scene::check`].
+//! [`DelayTicks`] and so on); the rules between values live in [`Draft::check`], the only way to a [`Scene`]. Who wants another
+//! scene changes a draft of it: [`Scene::to_draft`].
 //!
 //! ```
 //! use lyapunov_lab::scene::Scene;
@@ -35,6 +36,7 @@ mod choice;
 mod coordinates;
 mod diagnostic;
 mod document;
+mod draft;
 mod effects;
 mod environment;
 mod excerpt;
@@ -64,6 +66,7 @@ pub(crate) use check::{check_single, check_ticks};
 pub use coordinates::Coordinates;
 pub use diagnostic::Diagnostic;
 pub(crate) use document::read;
+pub use draft::Draft;
 pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
     Saturation,
@@ -88,49 +91,44 @@ pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
 pub(crate) use suggest::nearest;
 
+use std::ops::Deref;
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-use written::Keys;
-
-/// One simulated run: two bodies that move as one, an environment at the port, at most one stabilizer, and the effects
-/// of the sampled loop.
+/// One simulated run that keeps every rule: a [`Draft`] that was checked.
 ///
-/// [`Scene::parse`] and [`Scene::load`] give only scenes that pass [`Scene::check`]. Whoever changes a field afterwards
-/// calls it again before the derived quantities are used.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Keys", into = "Keys")]
-pub struct Scene {
-    /// Simulated time in s, greater than 0; required.
-    pub duration: Positive,
-    /// Rate of the servo loop in Hz, greater than 0; required.
-    pub servo_rate: Positive,
-    /// Rate at which the environment is evaluated in Hz, the servo rate divided by a whole number; default: the servo
-    /// rate.
-    pub environment_rate: Option<Positive>,
-    /// How the loop obtains the velocity; default: backward difference.
-    pub velocity: Velocity,
-    /// Number type the run computes in; default: f64.
-    pub scalar: Scalar,
-    /// How the plant moves between two ticks; default: exact.
-    pub integrator: Integrator,
-    /// The operator's hand; default: all zero.
-    pub operator: Operator,
-    /// The haptic device; required.
-    pub device: Device,
-    /// What joins the two; default: they move as one.
-    pub link: Option<Link>,
-    /// The space that the scene is in; default: a line.
-    pub space: Option<Space>,
-    /// State of the plant at t = 0; default: at rest at 0.
-    pub initial: Initial,
-    /// What the device touches, exactly one; required.
-    pub environment: Environment,
-    /// What keeps the loop bounded; default: none.
-    pub stabilizer: Option<Stabilizer>,
-    /// Imperfections of the loop; default: none.
-    pub effects: Effects,
+/// It reads like its draft and cannot be changed:
+///
+/// ```
+/// use lyapunov_lab::scene::{Positive, Scene};
+///
+/// let text = "duration = 1.0\nservo_rate = 1000.0\ndevice.mass = 0.2\nenvironment.spring.stiffness = 100.0\n";
+/// let scene = Scene::parse(text, "spring.toml")?;
+/// let mut draft = scene.to_draft();
+/// draft.servo_rate = Positive::new(500.0)?;
+/// let slower = draft.check()?;
+/// assert_eq!((scene.ticks(), slower.ticks()), (1000, 500));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// ```compile_fail
+/// # use lyapunov_lab::scene::{Positive, Scene};
+/// # let text = "duration = 1.0\nservo_rate = 1000.0\ndevice.mass = 0.2\nenvironment.spring.stiffness = 100.0\n";
+/// let mut scene = Scene::parse(text, "spring.toml")?;
+/// scene.servo_rate = Positive::new(500.0)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct Scene(Draft);
+
+impl Deref for Scene {
+    type Target = Draft;
+
+    fn deref(&self) -> &Draft {
+        &self.0
+    }
 }
 
 impl Scene {
@@ -151,40 +149,8 @@ impl Scene {
         load::load(path)
     }
 
-    /// Number of the last tick, N = round(duration · servo_rate), from 0 to 1e9; the run has N + 1 ticks.
-    pub fn ticks(&self) -> u64 {
-        // The conversion saturates, so that a scene which was never checked cannot panic here.
-        (self.duration.get() * self.servo_rate.get()).round() as u64
-    }
-
-    /// Servo period T = 1 / servo_rate, in s.
-    pub fn period(&self) -> f64 {
-        self.servo_rate.get().recip()
-    }
-
-    /// Rate at which the environment is evaluated, in Hz, with its default in place.
-    pub fn environment_rate(&self) -> f64 {
-        self.environment_rate.unwrap_or(self.servo_rate).get()
-    }
-
-    /// Servo ticks from one evaluation of the environment to the next, r = servo_rate / environment_rate, at least 1.
-    pub fn environment_ratio(&self) -> u64 {
-        (self.servo_rate.get() / self.environment_rate()).round() as u64
-    }
-
-    /// Dimensions of the space: 1, 2 or 3.
-    pub fn dimensions(&self) -> usize {
-        self.space.map_or(1, |space| space.dimensions.get().into())
-    }
-
-    /// Mass in kg that the damping limit is taken from: the device's, and the operator's where they move as one.
-    pub fn mass(&self) -> f64 {
-        let operator = if self.link.is_some() { 0.0 } else { self.operator.mass.get() };
-        operator + self.device.mass.get()
-    }
-
-    /// The tick from which on an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
-    pub fn tick_of(&self, instant: f64) -> u64 {
-        lyapunov::tick_of(instant, self.servo_rate.get())
+    /// What the scene says, to be changed and checked again.
+    pub fn to_draft(&self) -> Draft {
+        self.0.clone()
     }
 }

@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::sync::Arc;
 
-use super::Scene;
+use super::Draft;
 use super::check::Conflict;
 use super::operator::Motion;
 
@@ -16,7 +16,7 @@ const KEY: &str = "operator.motion.path";
 
 const EXPECTED: &str = "a motion is CSV with the columns t,rest in s and m, t increasing";
 
-impl Scene {
+impl Draft {
     /// Reads the recorded motion that the scene names, if it names one; its path is taken from `folder`.
     pub(super) fn read_motion(&mut self, folder: &Path) -> Result<(), Conflict> {
         let Some(Motion::File { path, samples }) = &mut self.operator.motion else {

@@ -1,9 +1,9 @@
 //! The rules between the tables of the effects, the operator and the space.
 
 use super::check::Conflict;
-use super::{Environment, Friction, Integrator, Scene, Velocity};
+use super::{Draft, Environment, Friction, Integrator, Velocity};
 
-impl Scene {
+impl Draft {
     /// The rules of each table whose values must fit each other or another table.
     pub(super) fn check_tables(&self) -> Result<(), Conflict> {
         self.check_filter()?;

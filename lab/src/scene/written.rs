@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 use super::check::Conflict;
 use super::integrator::Method;
 use super::{
-    Device, Effects, Environment, Initial, Integrator, Link, Operator, Positive, Scalar, Scene,
+    Device, Draft, Effects, Environment, Initial, Integrator, Link, Operator, Positive, Scalar,
     Space, Stabilizer, StepsPerTick, Velocity,
 };
 
-/// The keys of a scene file. Three of them are one value of a [`Scene`]: its integrator.
+/// The keys of a scene file. Three of them are one value of a [`Draft`]: its integrator.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -68,7 +68,7 @@ pub(super) struct Keys {
     effects: Effects,
 }
 
-impl TryFrom<Keys> for Scene {
+impl TryFrom<Keys> for Draft {
     type Error = Conflict;
 
     fn try_from(keys: Keys) -> Result<Self, Conflict> {
@@ -92,8 +92,8 @@ impl TryFrom<Keys> for Scene {
     }
 }
 
-impl From<Scene> for Keys {
-    fn from(scene: Scene) -> Self {
+impl From<Draft> for Keys {
+    fn from(scene: Draft) -> Self {
         let (integrator, steps_per_tick, tolerance) = scene.integrator.keys();
         Self {
             integrator,

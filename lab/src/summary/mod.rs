@@ -4,14 +4,13 @@ mod document;
 
 use std::fmt;
 
-use crate::Row;
 use crate::described::{self, Described};
 use crate::equilibrium::{equilibrium, never_rests, swing};
 use crate::meters::Settling;
-use crate::row::FURTHER;
 use crate::scene::{
     Candidate, Cap, Environment, Ledger, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
 };
+use crate::{Row, Space, Tick};
 
 /// Settled means within this share of the starting swing about the equilibrium.
 pub(crate) const BAND: f64 = 0.05;
@@ -24,13 +23,13 @@ const WIDTH: usize = 98;
 /// Lengths and energies are told in thousandths of their units.
 const MILLI: f64 = 1e3;
 
-/// What a run came to, summed up row by row.
+/// What a run came to, summed up tick by tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     scene: Scene,
-    /// Rows summed up.
+    /// Ticks summed up.
     pub rows: u64,
-    /// The last row.
+    /// The last tick.
     pub last: Option<Row>,
     /// Where the operator's spring and the environment balance, m; none where no spring pulls, or only out of range.
     pub equilibrium: Option<f64>,
@@ -60,7 +59,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The summary of no row yet.
+    /// The summary of no tick yet.
     pub fn new(scene: &Scene) -> Self {
         let rest = equilibrium(scene).map(|rest| (rest, BAND * swing(scene, rest)));
         let shown = |metres: f64| (MILLI * metres).is_finite();
@@ -85,16 +84,16 @@ impl Summary {
         }
     }
 
-    /// The summary of all `rows` of a `scene` in one dimension.
-    pub fn of(scene: &Scene, rows: impl IntoIterator<Item = Row>) -> Self {
+    /// The summary of all `ticks` of a `scene`.
+    pub fn of<V: Space>(scene: &Scene, ticks: impl IntoIterator<Item = Tick<V>>) -> Self {
         let mut summary = Self::new(scene);
-        rows.into_iter().for_each(|row| summary.add(&row, &[]));
+        ticks.into_iter().for_each(|tick| summary.add(&tick));
         summary
     }
 
-    /// Sums up one more row, with its [further](crate::Rollout::further) numbers where there are any.
-    pub fn add(&mut self, row: &Row, further: &[f64]) {
-        let axes = Axis::of(row, further, self.scene.dimensions());
+    /// Sums up one more tick.
+    pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let (row, axes) = (Row::of(tick), Axis::of(tick));
         if self.last.is_some() {
             for (last, axis) in self.axes.iter().zip(&axes) {
                 self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
@@ -113,7 +112,7 @@ impl Summary {
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
         self.rows += 1;
-        self.last = Some(*row);
+        self.last = Some(row);
         self.axes = axes;
     }
 
@@ -130,7 +129,7 @@ fn rest_of(rest: Option<(f64, f64)>) -> Settling<f64> {
     Settling::new(rest, band)
 }
 
-/// A row along one axis.
+/// A tick along one axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Axis {
     x: f64,
@@ -141,16 +140,18 @@ struct Axis {
 }
 
 impl Axis {
-    /// A row along each axis; all 0 along those that the scene does not have.
-    fn of(row: &Row, further: &[f64], dimensions: usize) -> [Self; 3] {
-        let Row { x, v, f_env, f_ctl, f_act, .. } = *row;
-        let mut axes = [Self { x, v, f_env, f_ctl, f_act }, Self::default(), Self::default()];
-        // What follows the axes is the operator's.
-        let chunks = further.chunks_exact(FURTHER.len()).take(dimensions - 1);
-        for (axis, numbers) in axes[1..].iter_mut().zip(chunks) {
-            if let [x, _, v, f_env, f_ctl, _, f_act] = *numbers {
-                *axis = Self { x, v, f_env, f_ctl, f_act };
-            }
+    /// `tick` along each axis; all 0 along those that the scene does not have.
+    fn of<V: Space>(tick: &Tick<V>) -> [Self; 3] {
+        let control = tick.control();
+        let mut axes = [Self::default(); 3];
+        for (index, axis) in axes.iter_mut().enumerate().take(V::DIMENSIONS) {
+            *axis = Self {
+                x: tick.truth.position.axis(index),
+                v: tick.measured.velocity.axis(index),
+                f_env: tick.environment.axis(index),
+                f_ctl: control.axis(index),
+                f_act: tick.applied.axis(index),
+            };
         }
         axes
     }

@@ -2,8 +2,8 @@
 
 use lyapunov::{
     self as library, Body, ConstantDelay, DampingLimit, DriftCompensated, Exact, Impedance,
-    Located, Lossy, ParameterError, Popc, PortEnergy, Scalar, Station, Stepped, VaryingDelay,
-    WalledOscillator, WaveTransform,
+    Located, Lossy, NoStabilizer, ParameterError, Popc, PortEnergy, Scalar, Station, Stepped,
+    VaryingDelay, WalledOscillator, WaveTransform,
 };
 
 use super::contestant::Contestant;
@@ -11,7 +11,6 @@ use super::link::{Link, Message, Velocities, Waves};
 use super::parts::{Channel, Wall};
 use super::teleoperator::Teleoperator;
 use crate::building::AnyPlant;
-use crate::family::Nothing;
 use crate::scene::Seed;
 
 /// Room for the messages under way: delay and spread at their most.
@@ -95,7 +94,7 @@ pub(super) fn link<T: Scalar>(
     let (damper, mobility) = (damper.map_err(&refused)?, mobility.map_err(refused)?);
     Ok(match contestant {
         Contestant::None => {
-            Box::new(Velocities { master: Box::new(Nothing), slave: Box::new(Nothing) })
+            Box::new(Velocities { master: Box::new(NoStabilizer), slave: Box::new(NoStabilizer) })
         }
         Contestant::Popc => Box::new(Velocities {
             master: Box::new(Popc::new(PortEnergy, damper)),

@@ -1,8 +1,6 @@
 //! Stabilizers at one end of a link.
 
-use lyapunov::{DriftCompensated, Popc, Scalar, Stabilizer, Station};
-
-use crate::family::Nothing;
+use lyapunov::{DriftCompensated, NoStabilizer, Popc, Scalar, Stabilizer, Station};
 
 /// A stabilizer at one end of a link, which may be told of energies and tell of its own; one that does neither is alone.
 pub(super) trait End<T: Scalar>: Stabilizer<T> {
@@ -15,7 +13,7 @@ pub(super) trait End<T: Scalar>: Stabilizer<T> {
     }
 }
 
-impl<T: Scalar> End<T> for Nothing {}
+impl<T: Scalar> End<T> for NoStabilizer {}
 
 impl<T: Scalar> End<T> for Popc<T> {}
 

@@ -15,9 +15,9 @@ const MOST: usize = 3000;
 /// Whether the loop of `scene` decays, from its own motion.
 #[track_caller]
 fn decays<V: Space>(scene: &Scene) -> bool {
-    let mut moved = scene.clone();
+    let mut moved = scene.to_draft();
     moved.initial.velocity = lyapunov_lab::scene::Finite::new(1.0).unwrap().into();
-    let mut assembly = Assembly::<V>::of(&moved).unwrap();
+    let mut assembly = Assembly::<V>::of(&moved.check().unwrap()).unwrap();
     let mut drive = assembly.plant.start();
     let mut stretch = || {
         let mut most = 0.0_f64;

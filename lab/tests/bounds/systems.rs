@@ -102,11 +102,11 @@ pub(crate) fn random(chance: &mut Chance, kind: Kind) -> Scene {
 
 /// The same scene with another stiffness.
 pub(crate) fn stiffened(scene: &Scene, stiffness: f64) -> Scene {
-    let mut scene = scene.clone();
-    match &mut scene.environment {
+    let mut draft = scene.to_draft();
+    match &mut draft.environment {
         Environment::MassSpringDamper(it) => it.stiffness = NonNegative::new(stiffness).unwrap(),
         Environment::Spring(it) => it.stiffness = Finite::new(stiffness).unwrap(),
         other => panic!("{other:?}"),
     }
-    scene
+    draft.check().unwrap_or_else(|conflict| panic!("{conflict}"))
 }

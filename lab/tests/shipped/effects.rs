@@ -2,9 +2,9 @@
 
 use std::f64::consts::SQRT_2;
 
-use lyapunov_lab::Summary;
+use lyapunov_lab::{Rollout, Summary};
 
-use crate::shipped::rows::{absorbed, between, least, most, near, rows, rows_of, scene, width};
+use crate::shipped::rows::{absorbed, between, edited, least, most, near, rows, rows_of, scene, width};
 
 #[test]
 fn hold_stands_still_for_ten_ticks_and_the_damping_does_not() {
@@ -29,34 +29,34 @@ fn dropout_loses_three_in_ten_and_gives_energy() {
 
 #[test]
 fn delay_makes_a_wall_that_settles_swing() {
-    let mut scene = scene("delay");
+    let scene = scene("delay");
     near(most(&rows_of(&scene), |row| row.x.abs()), 0.033, 0.0005);
-    scene.effects.delay = None;
-    let summary = Summary::of(&scene, rows_of(&scene));
+    let prompt = edited(&scene, |draft| draft.effects.delay = None);
+    let summary = Summary::of(&prompt, Rollout::<f64>::of(&prompt).unwrap());
     assert!(summary.settled.is_some_and(|time| time < 1.0), "{summary}");
 }
 
 #[test]
 fn saturation_cuts_at_4_newton_and_lets_the_device_in() {
-    let mut scene = scene("saturation");
+    let scene = scene("saturation");
     let cut = rows_of(&scene);
     assert_eq!(most(&cut, |row| row.f_out.abs()), 4.0);
     assert!(most(&cut, |row| row.f_env) > 20.0);
-    scene.effects.saturation = None;
-    assert!(most(&cut, |row| row.x) > 1.2 * most(&rows_of(&scene), |row| row.x));
+    let whole = edited(&scene, |draft| draft.effects.saturation = None);
+    assert!(most(&cut, |row| row.x) > 1.2 * most(&rows_of(&whole), |row| row.x));
 }
 
 #[test]
 fn filter_cutoff_makes_a_count_2_4_millimetres_per_second() {
-    let mut scene = scene("filter-cutoff");
+    let scene = scene("filter-cutoff");
     let late = |rows: &[_]| most(between(rows, 1.0, 2.0), |row| row.v.abs());
     let turn = 2.0 * std::f64::consts::PI * 50.0 * 1e-3;
     let jump = turn / (1.0 + turn) * 1e-5 / 1e-3;
     near(jump, 2.4e-3, 0.05e-3);
     let filtered = late(&rows_of(&scene));
     assert!(filtered <= jump && filtered > 0.5 * jump, "{filtered}");
-    scene.effects.filter = None;
-    near(late(&rows_of(&scene)), 0.01, 1e-9);
+    let raw = edited(&scene, |draft| draft.effects.filter = None);
+    near(late(&rows_of(&raw)), 0.01, 1e-9);
 }
 
 #[test]
@@ -133,7 +133,7 @@ fn pulse_goes_2_9_millimetres_deeper_and_off_the_wall() {
 #[test]
 fn the_tour_works_all_its_parts() {
     let scene = scene("tour");
-    let effects = scene.effects;
+    let effects = &scene.effects;
     let has = [
         effects.encoder.is_some(),
         effects.noise.is_some(),

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use lyapunov_lab::scene::{Environment, Finite};
+use lyapunov_lab::scene::{Draft, Environment, Finite};
 
-use crate::shipped::rows::{between, least, most, near, rows, rows_in_space, rows_of, scene};
+use crate::shipped::rows::{between, edited, least, most, near, rows, rows_of, scene, ticks_in_space};
 
 #[test]
 fn spring_that_pushes_away_leaves_50_newton_per_metre() {
@@ -43,7 +43,7 @@ fn layered_wall_is_forty_times_as_stiff_below() {
 
 #[test]
 fn hunt_crossley_takes_a_share_that_falls_with_speed() {
-    let mut scene = scene("hunt-crossley");
+    let scene = scene("hunt-crossley");
     let back = -rows_of(&scene).last().unwrap().v;
     near(back, 0.179, 0.5e-3);
     // From the law with v dv = -F dp / m: g(v) = v / d - ln(1 + d v) / d^2 is the same before and after.
@@ -55,8 +55,8 @@ fn hunt_crossley_takes_a_share_that_falls_with_speed() {
     }
     // The force is a sampled one, which gives a little back.
     near(back, low, 0.02 * low);
-    scene.initial.velocity = Finite::new(0.1).unwrap().into();
-    let slower = -rows_of(&scene).last().unwrap().v;
+    let slower = |draft: &mut Draft| draft.initial.velocity = Finite::new(0.1).unwrap().into();
+    let slower = -rows_of(&edited(&scene, slower)).last().unwrap().v;
     assert!(slower / 0.1 > back / 0.2 + 0.02, "{slower}");
 }
 
@@ -70,52 +70,50 @@ fn moving_wall_works_on_the_hand() {
 
 #[test]
 fn varying_spring_swings_itself_up() {
-    let mut scene = scene("varying-spring");
+    let scene = scene("varying-spring");
     assert!(most(&rows_of(&scene), |row| row.x.abs()) > 100.0 * 0.001);
-    if let Environment::VaryingSpring(spring) = &mut scene.environment {
-        spring.amplitude = Finite::new(0.0).unwrap();
-    }
-    assert!(most(&rows_of(&scene), |row| row.x.abs()) < 1.01 * 0.001);
+    let steady = edited(&scene, |draft| {
+        if let Environment::VaryingSpring(spring) = &mut draft.environment {
+            spring.amplitude = Finite::new(0.0).unwrap();
+        }
+    });
+    assert!(most(&rows_of(&steady), |row| row.x.abs()) < 1.01 * 0.001);
 }
 
 #[test]
 fn plane_pushes_square_to_itself_and_lets_slide() {
-    let rows = rows_in_space::<2>("plane");
-    for (row, further) in &rows {
-        near(further[3], 2.0 * row.f_env, 1e-12);
+    let ticks = ticks_in_space::<2>("plane");
+    for tick in &ticks {
+        near(tick.environment.y, 2.0 * tick.environment.x, 1e-12);
     }
-    let late = rows.iter().filter(|(row, _)| row.t > 1.0);
+    let late = ticks.iter().filter(|tick| tick.time > 1.0);
     let (least, most) = late
-        .map(|(row, _)| row.x)
+        .map(|tick| tick.truth.position.x)
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     assert!(most - least > 0.03);
     // How far into the wall, along its normal.
     let depth = |x: f64, y: f64| -(0.5 * x + y) / 1.25_f64.sqrt();
-    let deepest = rows.iter().map(|(row, further)| depth(row.x, further[0])).fold(0.0, f64::max);
+    let places = ticks.iter().map(|tick| tick.truth.position);
+    let deepest = places.map(|place| depth(place.x, place.y)).fold(0.0, f64::max);
     assert!(deepest > 0.0 && deepest < 3e-3, "{deepest}");
 }
 
 #[test]
 fn sphere_is_slid_over() {
-    let rows = rows_in_space::<3>("sphere");
-    let distance = |x: f64, further: &[f64]| x.hypot(further[0]).hypot(further[7]);
-    let nearest =
-        rows.iter().map(|(row, further)| distance(row.x, further)).fold(f64::INFINITY, f64::min);
+    let places = ticks_in_space::<3>("sphere").into_iter().map(|tick| tick.truth.position);
+    let places: Vec<_> = places.collect();
+    let nearest = places.iter().map(|place| place.norm()).fold(f64::INFINITY, f64::min);
     near(nearest, 18.8e-3, 0.1e-3);
-    let over: Vec<f64> = rows
-        .windows(2)
-        .filter(|pair| pair[0].0.x * pair[1].0.x <= 0.0)
-        .map(|pair| pair[1].1[7])
-        .collect();
+    let crossings = places.windows(2).filter(|pair| pair[0].x * pair[1].x <= 0.0);
+    let over: Vec<f64> = crossings.map(|pair| pair[1].z).collect();
     assert!(over.len() >= 3 && over[1..].iter().all(|z| *z > 0.019), "{over:?}");
 }
 
 #[test]
 fn box_pushes_with_one_face() {
-    let rows = rows_in_space::<2>("box");
-    for (row, further) in rows.iter().filter(|(row, _)| row.t > 1.0) {
-        near(row.f_env.abs(), 1.9, 0.1);
-        assert_eq!(further[3], 0.0);
+    for tick in ticks_in_space::<2>("box").iter().filter(|tick| tick.time > 1.0) {
+        near(tick.environment.x.abs(), 1.9, 0.1);
+        assert_eq!(tick.environment.y, 0.0);
     }
 }
 

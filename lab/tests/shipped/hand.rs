@@ -11,14 +11,9 @@ fn pressed(rest: f64) -> f64 {
 
 #[test]
 fn link_buzzes_at_the_device_and_not_at_the_hand() {
-    let mut rollout = Rollout::<f64>::of(&scene("link")).unwrap();
-    let (mut device, mut hand): (Vec<f64>, Vec<f64>) = Default::default();
-    while let Some(row) = rollout.next() {
-        if row.t > 1.0 {
-            device.push(row.x);
-            hand.push(rollout.further()[0]);
-        }
-    }
+    let ticks = Rollout::<f64>::of(&scene("link")).unwrap().filter(|tick| tick.time > 1.0);
+    let (device, hand): (Vec<f64>, Vec<f64>) =
+        ticks.map(|tick| (tick.truth.position, tick.operator.unwrap().position)).unzip();
     let width = |places: &[f64]| {
         let most = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         most - places.iter().copied().fold(f64::INFINITY, f64::min)

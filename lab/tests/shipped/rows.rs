@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use lyapunov_lab::{Rollout, Row, SVector, Scene};
+use lyapunov_lab::scene::Draft;
+use lyapunov_lab::{Rollout, Row, SVector, Scene, Space, Tick};
 
 pub(crate) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
@@ -14,21 +15,26 @@ pub(crate) fn scene(name: &str) -> Scene {
 }
 
 pub(crate) fn rows_of(scene: &Scene) -> Vec<Row> {
-    Rollout::<f64>::of(scene).unwrap().collect()
+    Rollout::<f64>::of(scene).unwrap().rows().collect()
 }
 
 pub(crate) fn rows(name: &str) -> Vec<Row> {
     rows_of(&scene(name))
 }
 
-/// The rows of a scene in several dimensions with the further numbers of each.
-pub(crate) fn rows_in_space<const N: usize>(name: &str) -> Vec<(Row, Vec<f64>)> {
-    let mut rollout = Rollout::<SVector<f64, N>>::of(&scene(name)).unwrap();
-    let mut rows = Vec::new();
-    while let Some(row) = rollout.next() {
-        rows.push((row, rollout.further().to_vec()));
-    }
-    rows
+/// The ticks of a scene in several dimensions.
+pub(crate) fn ticks_in_space<const N: usize>(name: &str) -> Vec<Tick<SVector<f64, N>>>
+where
+    SVector<f64, N>: Space,
+{
+    Rollout::of(&scene(name)).unwrap().collect()
+}
+
+/// The scene after `edit`.
+pub(crate) fn edited(scene: &Scene, edit: impl FnOnce(&mut Draft)) -> Scene {
+    let mut draft = scene.to_draft();
+    edit(&mut draft);
+    draft.check().unwrap_or_else(|conflict| panic!("{conflict}"))
 }
 
 /// The rows from one time to another, s.

@@ -7,7 +7,7 @@ use lyapunov_lab::scene::{Effects, Scalar};
 use lyapunov_lab::shipped::SCENES;
 use lyapunov_lab::{Rollout, in_space};
 
-use crate::shipped::rows::{folder, scene};
+use crate::shipped::rows::{edited, folder, scene};
 
 /// Whether effects have a certain one among them.
 type Has = fn(&Effects) -> bool;
@@ -37,10 +37,9 @@ fn each_begins_with_its_schema_and_two_lines_of_comment() {
 #[test]
 fn each_runs_to_its_end_within_range_in_both_scalars() {
     for shipped in SCENES {
-        let mut scene = scene(shipped.name);
+        let scene = scene(shipped.name);
         for scalar in [Scalar::F64, Scalar::F32] {
-            scene.scalar = scalar;
-            scene.check().unwrap();
+            let scene = edited(&scene, |draft| draft.scalar = scalar);
             let rows = in_space!(scene, Axes => Rollout::<Axes>::of(&scene).unwrap().count());
             assert_eq!(rows as u64, scene.ticks() + 1, "{} in {scalar:?}", shipped.name);
         }

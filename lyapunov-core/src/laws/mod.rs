@@ -19,6 +19,7 @@
 //! # Ok::<(), laws::Violation>(())
 //! ```
 
+mod adaptor;
 mod candidate;
 mod decrease;
 mod integrator;
@@ -29,6 +30,7 @@ mod plant;
 mod samples;
 mod stabilizer;
 
+pub use adaptor::{Probe, adaptor};
 pub use candidate::candidate;
 pub use decrease::decrease;
 pub use integrator::integrator;
@@ -72,6 +74,8 @@ pub enum Law {
     /// The drive tells the motion: displacements lead from position to position, the work is the effort's over
     /// them, and the effort told is the one applied.
     TellsTheTruth,
+    /// An adaptor tells what the stabilizer inside did.
+    HandsOn,
     /// No lane depends on what the others hold.
     LaneByLane,
     /// The error falls with the step as the order says, towards the solution of the equation of motion.
@@ -101,6 +105,7 @@ impl fmt::Display for Law {
             Self::Recovers => "after a sample that is not finite, the next must be finite again",
             Self::NothingForNothing => "where nothing happens, nothing must be credited",
             Self::TellsTheTruth => "the drive must tell what moved and what acted",
+            Self::HandsOn => "an adaptor must hand on the action of the port it owns",
             Self::LaneByLane => "a lane must not depend on the others",
             Self::Converges => "the error must fall with the step as the order says",
             Self::ZeroAtRest => "V must be 0 at rest",

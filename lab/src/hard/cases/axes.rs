@@ -1,12 +1,11 @@
 //! Several axes: what one sum hides.
 
 use lyapunov::{
-    Body, DampingLimit, Drive, Impedance, Lolc, OnePort, ParameterError, PerAxis, Plant,
-    PortEnergy, Scalar, Stabilizer,
+    Body, DampingLimit, Drive, Impedance, Lolc, NoStabilizer, OnePort, ParameterError, PerAxis,
+    Plant, PortEnergy, Scalar, Stabilizer,
 };
 use nalgebra::SVector;
 
-use super::Nothing;
 use crate::Space;
 use crate::family::{Basis, Member};
 use crate::hard::case::{Case, Quantity};
@@ -128,7 +127,7 @@ impl Trial for Masking {
     }
 
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Self::alone(Nothing)
+        Self::alone(NoStabilizer)
     }
 
     fn naive(&self) -> Result<Option<Tally>, HardError> {

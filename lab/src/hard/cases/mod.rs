@@ -14,7 +14,6 @@ mod stiffness;
 mod time;
 
 use super::case::Case;
-pub(super) use crate::family::Nothing;
 
 /// Every case, in the order in which they are told.
 pub(super) fn all() -> Vec<Case> {

@@ -2,10 +2,10 @@
 
 use lyapunov::{
     Accumulator, Adapt, Body, Compensated, Course, DampingLimit, Drive, Held, Impedance, Lolc,
-    OnePort, ParameterError, Perturb, Plain, Plant, PortEnergy, Scalar, Sine, Stabilizer, Wall,
+    NoStabilizer, OnePort, ParameterError, Perturb, Plain, Plant, PortEnergy, Scalar, Sine,
+    Stabilizer, Wall,
 };
 
-use super::Nothing;
 use crate::Space;
 use crate::family::{Basis, Member};
 use crate::hard::balance::{Balance, Told};
@@ -149,7 +149,7 @@ impl Trial for Hour {
     }
 
     fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(Some(Self::run::<f32>(Nothing)?))
+        Ok(Some(Self::run::<f32>(NoStabilizer)?))
     }
 
     fn naive(&self) -> Result<Option<Tally>, HardError> {

@@ -1,9 +1,9 @@
 //! The numbers of a scene that may differ from lane to lane.
 
-use crate::scene::{Environment, Scene, Stabilizer};
+use crate::scene::{Draft, Environment, Stabilizer};
 
 /// Takes one number over from another scene.
-pub(super) type Copy = fn(&mut Scene, &Scene);
+pub(super) type Copy = fn(&mut Draft, &Draft);
 
 /// The numbers by their keys; those that set the course of a run (rates, ticks) are the same for all lanes of a group.
 const FIELDS: &[(&str, Copy)] = &[
@@ -43,7 +43,7 @@ const FIELDS: &[(&str, Copy)] = &[
     ("environment_rate", |to, from| to.environment_rate = from.environment_rate),
 ];
 
-fn cap(to: &mut Scene, from: &Scene) {
+fn cap(to: &mut Draft, from: &Draft) {
     match (&mut to.stabilizer, &from.stabilizer) {
         (Some(Stabilizer::Popc(to)), Some(Stabilizer::Popc(from))) => {
             to.damping_cap = from.damping_cap;

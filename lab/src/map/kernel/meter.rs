@@ -6,7 +6,7 @@ use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
 use crate::map::outcome::Measures;
 use crate::meters::{Boundedness, Chatter, Criterion, Energies, Settling};
-use crate::scene::Scene;
+use crate::scene::Draft;
 
 /// What is looked at along a rollout: no more than what is asked for, by type.
 pub(super) trait Meter<T: Fuse> {
@@ -81,7 +81,7 @@ impl<T: Fuse> Meter<T> for Everything<T> {
 
     fn new(lanes: Lanes<'_>) -> Self {
         let common = lanes.common();
-        let rest = |scene: &Scene| Criterion::of(scene).rest();
+        let rest = |scene: &Draft| Criterion::of(scene).rest();
         Self {
             rate: common.servo_rate.get(),
             ticks: (common.ticks() + 1) as f64,

@@ -16,7 +16,7 @@ mod seats;
 pub use instructions::Instructions;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Beyond, Dissipation, Lolc, ParameterError, PortEnergy, Scalar};
+use lyapunov::{Beyond, Dissipation, Lolc, NoStabilizer, ParameterError, PortEnergy, Scalar};
 
 use pulp::NullaryFnOnce;
 
@@ -25,12 +25,13 @@ use super::grid::{Grid, GridError};
 use super::outcome::Measures;
 use crate::compare::Settings;
 use crate::scene::{
-    Candidate, Environment, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
+    Candidate, Draft, Environment, Integrator, Ledger, Scalar as Width, Scene, Stabilizer,
+    Velocity, Work,
 };
 use aligned::Aligned;
 use backward::Fuse;
 use meter::{Everything, Meter, Verdicts};
-use parts::{Laned, Nobody};
+use parts::Laned;
 use rollout::Rollouts;
 use seats::{Along, Seats};
 
@@ -71,7 +72,7 @@ impl Kernel {
             return Ok(None);
         }
         let along =
-            Along { base: grid.scene.clone(), x: (grid.along(0)?, x), y: (grid.along(1)?, y) };
+            Along { base: grid.scene.to_draft(), x: (grid.along(0)?, x), y: (grid.along(1)?, y) };
         let counted = |scenes: &[Scene]| scenes.iter().all(|scene| scene.ticks() < COUNTED);
         let fits = grid.scene.scalar == Width::F64 || counted(&along.x.0) && counted(&along.y.0);
         Ok(fits.then_some(Self { along, instructions, lanes }))
@@ -144,7 +145,7 @@ impl Kernel {
 
 /// Whether the kernel has all parts of a scene.
 fn covers(scene: &Scene) -> bool {
-    let plain = Scene {
+    let plain = Draft {
         duration: scene.duration,
         servo_rate: scene.servo_rate,
         environment_rate: scene.environment_rate,
@@ -162,7 +163,7 @@ fn covers(scene: &Scene) -> bool {
     };
     let Settings { work, ledger, .. } = Settings::of(scene);
     let booked = work == Work::Held && ledger == Ledger::Plain;
-    matches!(scene.environment, Environment::Wall(_)) && booked && plain == *scene
+    matches!(scene.environment, Environment::Wall(_)) && booked && plain == **scene
 }
 
 /// Some cells under one stabilizer.
@@ -235,7 +236,7 @@ impl Run<'_> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
         let candidate = match self.contender.on(&self.kernel.along.base) {
-            None => return self.under::<T, Nobody, W>(watching),
+            None => return self.under::<T, NoStabilizer, W>(watching),
             Some(Stabilizer::Popc(_)) => Candidate::Spring,
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
         };

@@ -1,36 +1,36 @@
 //! The parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Action, Adapt, Beyond, Body, DampingLimit, Dissipation, Drive, Held, Hold, Impedance, Lolc,
-    LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
+    Adapt, Beyond, Body, DampingLimit, Dissipation, Held, Hold, Impedance, Lolc, LyapunovCandidate,
+    NoStabilizer, OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
 };
 
 use super::backward::{Backward, Fuse, Period};
 use crate::compare::Settings;
-use crate::scene::{self, Environment, Scene};
+use crate::scene::{self, Draft, Environment};
 
 /// The scenes of the lanes, alike in rates and duration; past the last one the last one again.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lanes<'a>(pub(super) &'a [Scene]);
+pub(super) struct Lanes<'a>(pub(super) &'a [Draft]);
 
 /// The port of the kernel: a wall behind a hold, watched, and told velocities that are taken from displacements.
 pub(super) type Watched<T, S> = Backward<Stabilized<Hold<Wall<T>, T>, S, T>, T>;
 
 impl<'a> Lanes<'a> {
     /// What all scenes have in common.
-    pub(super) fn common(self) -> &'a Scene {
+    pub(super) fn common(self) -> &'a Draft {
         &self.0[0]
     }
 
     /// A number of each scene.
-    pub(super) fn each<T: Scalar>(self, number: impl Fn(&Scene) -> f64) -> T {
+    pub(super) fn each<T: Scalar>(self, number: impl Fn(&Draft) -> f64) -> T {
         T::from_lanes(|lane| number(&self.0[lane.min(self.0.len() - 1)]))
     }
 
     /// The body with the numbers of each lane, taken from `last` where that is made of the same.
     pub(super) fn body<T: Scalar>(self, last: &mut Bodies<T>) -> Result<Body<T>, ParameterError> {
         let parts = Impedance {
-            mass: self.each(Scene::mass),
+            mass: self.each(Draft::mass),
             damping: self.each(|it| it.operator.damping.get() + it.device.damping.get()),
             stiffness: self.each(|it| it.operator.stiffness.get()),
         };
@@ -56,7 +56,7 @@ impl<'a> Lanes<'a> {
     }
 }
 
-fn wall(scene: &Scene) -> Option<&scene::Wall> {
+fn wall(scene: &Draft) -> Option<&scene::Wall> {
     match &scene.environment {
         Environment::Wall(wall) => Some(wall),
         _ => None,
@@ -89,18 +89,7 @@ pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Sized {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 }
 
-/// No stabilizer.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Nobody;
-
-impl<T: Scalar> Stabilizer<T> for Nobody {
-    #[inline(always)]
-    fn stabilize(&mut self, _drive: &Drive<T>, effort: T) -> Action<T> {
-        Action::none(effort)
-    }
-}
-
-impl<T: Scalar> Laned<T> for Nobody {
+impl<T: Scalar> Laned<T> for NoStabilizer {
     fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
     }
@@ -110,7 +99,7 @@ impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         let cap = lanes.each(|scene| Settings::of(scene).damping_cap.get());
         let period = T::of(lanes.common().period());
-        let limit = DampingLimit::of_mass(cap, lanes.each(Scene::mass), period)?;
+        let limit = DampingLimit::of_mass(cap, lanes.each(Draft::mass), period)?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
     }
 }

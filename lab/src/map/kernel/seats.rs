@@ -2,7 +2,7 @@
 
 use super::field::Copy;
 use super::parts::Lanes;
-use crate::scene::Scene;
+use crate::scene::{Draft, Scene};
 
 /// Cells that wait for a lane, and the scenes that they make.
 #[derive(Debug)]
@@ -10,20 +10,20 @@ pub(super) struct Seats<'a> {
     pub(super) along: &'a Along,
     pub(super) cells: &'a [u64],
     taken: usize,
-    scenes: Vec<Scene>,
+    scenes: Vec<Draft>,
 }
 
 /// The scenes along both axes, and how a cell takes its two numbers from them.
 #[derive(Debug)]
 pub(super) struct Along {
-    pub(super) base: Scene,
+    pub(super) base: Draft,
     pub(super) x: (Vec<Scene>, Copy),
     pub(super) y: (Vec<Scene>, Copy),
 }
 
 impl Along {
     /// Makes the scene of `cell` out of that of another.
-    fn write(&self, cell: u64, scene: &mut Scene) {
+    fn write(&self, cell: u64, scene: &mut Draft) {
         let columns = self.x.0.len();
         let (column, row) = (cell as usize % columns, cell as usize / columns);
         (self.x.1)(scene, &self.x.0[column]);
@@ -61,6 +61,6 @@ impl<'a> Seats<'a> {
 }
 
 /// What has to be the same for all lanes of a group.
-fn course(scene: &Scene) -> (f64, u64, u64) {
+fn course(scene: &Draft) -> (f64, u64, u64) {
     (scene.servo_rate.get(), scene.environment_ratio(), scene.ticks())
 }

@@ -2,7 +2,7 @@
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
-    Action, Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, Observer,
+    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, NoStabilizer, Observer,
     OnePort, ParameterError, Plain, Plant, PortEnergy, Sampled, Scalar, Stabilizer, Wall, Work,
 };
 use rayon::prelude::*;
@@ -110,7 +110,7 @@ fn lanes(setting: &Setting, starts: &[f64]) -> Result<Vec<Trace>, ParameterError
     let sampled = work.booking::<Sampled, Plain<Lanes>, Lanes>();
     let sampled_credit = with_credit.booking::<Sampled, Plain<Lanes>, Lanes>();
     let mut traces = match (setting.control, setting.printed) {
-        (Control::None, _) => gather(setting, plant, port, Idle, work),
+        (Control::None, _) => gather(setting, plant, port, NoStabilizer, work),
         (Control::Popc, false) => gather(setting, plant, port, popc, work),
         (Control::Popc, true) => gather(setting, plant, port, popc.sampled(), sampled),
         (Control::Lolc, false) => gather(setting, plant, port, lolc, with_credit),
@@ -118,15 +118,6 @@ fn lanes(setting: &Setting, starts: &[f64]) -> Result<Vec<Trace>, ParameterError
     };
     traces.truncate(starts.len());
     Ok(traces)
-}
-
-/// No stabilizer, where a type is asked for one.
-struct Idle;
-
-impl<T: Scalar> Stabilizer<T> for Idle {
-    fn stabilize(&mut self, _drive: &Drive<T>, effort: T) -> Action<T> {
-        Action::none(effort)
-    }
 }
 
 fn gather<C: LyapunovCandidate<Lanes>, W: Work>(

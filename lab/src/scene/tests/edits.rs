@@ -96,7 +96,7 @@ fn edit() -> impl Strategy<Value = Edit> {
 fn holds(text: &str) -> Result<(), TestCaseError> {
     match Scene::parse(text, "edited.toml") {
         Ok(scene) => {
-            prop_assert_eq!(scene.check(), Ok(()));
+            prop_assert_eq!(scene.to_draft().check(), Ok(scene.clone()));
             prop_assert!(scene.ticks() <= 1_000_000_000);
             prop_assert!(scene.environment_ratio() >= 1);
             prop_assert!(scene.period().is_finite() && scene.period() > 0.0);

@@ -18,7 +18,7 @@ fn finite(value: f64) -> Finite {
 
 #[test]
 fn the_full_example_gives_every_value() {
-    let expected = Scene {
+    let expected = Draft {
         duration: positive(10.0),
         servo_rate: positive(100.0),
         environment_rate: Some(positive(100.0)),
@@ -55,7 +55,7 @@ fn the_full_example_gives_every_value() {
             ..Effects::default()
         },
     };
-    assert_eq!(scene(FULL), expected);
+    assert_eq!(*scene(FULL), expected);
     assert_eq!(expected.ticks(), 1000);
     assert_eq!(expected.environment_ratio(), 1);
     assert_eq!(expected.period(), 0.01);
@@ -150,8 +150,8 @@ fn an_integrator_has_the_keys_that_apply_to_it_and_their_defaults() {
         let scene = scene(&with("integrator = \"exact\"", text));
         let written = toml::to_string(&scene).unwrap();
         assert_eq!(super::scene(&written), scene, "{written}");
-        let read: Scene = toml::from_str(&written).unwrap();
-        assert_eq!(read, scene);
+        let read: Draft = toml::from_str(&written).unwrap();
+        assert_eq!(read, *scene);
     }
     let single = with("\"f64\"", "\"f32\"").replace("\"exact\"", "\"dopri5\"");
     assert_eq!(scene(&single).integrator, Integrator::Dopri5 { tolerance: positive(1e-6) });
@@ -263,18 +263,18 @@ fn a_scene_survives_being_written() {
 }
 
 #[test]
-fn a_changed_scene_can_be_checked_again() {
-    let mut scene = scene(FULL);
-    scene.servo_rate = positive(150.0);
-    let conflict = scene.check().unwrap_err();
+fn a_changed_draft_is_a_scene_once_it_is_checked() {
+    let mut draft = scene(FULL).to_draft();
+    draft.servo_rate = positive(150.0);
+    let conflict = draft.clone().check().unwrap_err();
     assert_eq!(conflict.key(), "environment_rate");
-    scene.environment_rate = Some(positive(50.0));
-    assert_eq!(scene.check(), Ok(()));
-    assert_eq!(scene.environment_ratio(), 3);
-    scene.duration = positive(f64::MAX);
-    assert_eq!(scene.check().unwrap_err().key(), "duration");
+    draft.environment_rate = Some(positive(50.0));
+    let scene = draft.clone().check().unwrap();
+    assert_eq!((&*scene, scene.environment_ratio()), (&draft, 3));
+    draft.duration = positive(f64::MAX);
+    assert_eq!(draft.clone().check().unwrap_err().key(), "duration");
     // Nothing derived may panic, checked or not.
-    assert_eq!(scene.ticks(), u64::MAX);
+    assert_eq!(draft.ticks(), u64::MAX);
 }
 
 #[test]

@@ -1,0 +1,28 @@
+//! The null stabilizer.
+
+use lyapunov_core::{Action, Drive, Signal, Stabilizer};
+
+/// No stabilizer: every effort goes through as it came, one that is not finite too.
+///
+/// ```text
+/// f_out(n) = f_in(n), L(n) = 0, alpha(n) = 0
+/// ```
+///
+/// For wherever a stabilizer is asked for and none is wanted: what others are compared with. It watches nothing, so it accepts
+/// every sample and keeps no law that is about rejection.
+///
+/// ```
+/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_stabilizers::NoStabilizer;
+/// let action = NoStabilizer.stabilize(&Drive::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 5.0);
+/// assert_eq!((action.effort, action.sum, action.alpha), (5.0, 0.0, 0.0));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NoStabilizer;
+
+impl<V: Signal> Stabilizer<V> for NoStabilizer {
+    #[inline(always)]
+    fn stabilize(&mut self, _drive: &Drive<V>, effort: V) -> Action<V> {
+        Action::none(effort)
+    }
+}
