@@ -47,10 +47,12 @@ pub mod scene;
 pub mod shipped;
 pub mod subjects;
 mod summary;
+mod table;
 pub mod teleoperation;
+mod words;
 
+pub use self::csv::{COLUMNS, Csv};
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
-pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
 pub use nalgebra::SVector;
 pub use output::{Output, OutputError, Outputs};

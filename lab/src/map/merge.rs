@@ -11,6 +11,7 @@ use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Head, Rows, TableError};
 use crate::Output;
+use crate::csv::Records;
 
 /// Why shards do not make a map.
 #[derive(Debug)]
@@ -83,6 +84,7 @@ pub fn merge(paths: &[PathBuf], out: &mut Output) -> Result<Survey, MergeError> 
     let whole = Head::of(grid, Shard::WHOLE);
     let count = shard.count;
     out.write_all(whole.text().as_bytes()).map_err(|error| out.blame(error))?;
+    let mut rows = Records::new(&mut *out);
     for index in 0..count {
         let shard = Shard { index, count };
         let mut these = shards.iter().filter(|(.., one)| *one == shard);
@@ -90,8 +92,10 @@ pub fn merge(paths: &[PathBuf], out: &mut Output) -> Result<Survey, MergeError> 
         if let Some((path, ..)) = these.next() {
             return Err(MergeError::Twice((*path).clone(), shard));
         }
-        append(path, grid, shard, out, &mut survey)?;
+        append(path, grid, shard, &mut rows, &mut survey)?;
     }
+    let flushed = rows.into_inner().map(drop);
+    flushed.map_err(|error| out.blame(error))?;
     Ok(survey)
 }
 
@@ -99,7 +103,7 @@ fn append(
     path: &Path,
     grid: &Grid,
     shard: Shard,
-    out: &mut Output,
+    out: &mut Records<&mut Output>,
     survey: &mut Survey,
 ) -> Result<(), MergeError> {
     let (lines, _) = open(path)?;
@@ -112,7 +116,7 @@ fn append(
             return Err(MergeError::Unfinished(path.to_owned(), done, all));
         };
         survey.add(cell, &outcomes);
-        table::write(out, grid, cell, &outcomes).map_err(|error| out.blame(error))?;
+        table::write(out, grid, cell, &outcomes).map_err(|error| out.get_ref().blame(error))?;
     }
     Ok(())
 }

@@ -33,5 +33,5 @@ pub(super) fn write(study: &Study, folder: &Path, command: &str) -> Result<(), P
 fn csv(rows: &[Row]) -> io::Result<Vec<u8>> {
     let mut csv = Csv::new(Vec::new(), &[])?;
     rows.iter().try_for_each(|row| csv.write(row, &[]))?;
-    Ok(csv.into_inner())
+    csv.into_inner()
 }
