@@ -61,7 +61,8 @@ pub(crate) struct Cell {
 impl Cell {
     /// A cell with markup of its own.
     pub(crate) fn new(text: &str, markup: Markup) -> Self {
-        Self { text: text.chars().map(printable).collect(), markup }
+        let on_a_line = |character| printable(if character == '\n' { ' ' } else { character });
+        Self { text: text.chars().map(on_a_line).collect(), markup }
     }
 }
 
@@ -132,11 +133,11 @@ impl Table {
     pub(crate) fn to_html(&self, class: &str) -> Markup {
         html! {
             div.wide {
-                table class=(class) {
+                table class=[Some(class).filter(|class| !class.is_empty())] {
                     thead {
                         tr {
                             @for Heading { text, is_number } in &self.headings {
-                                th.number[*is_number] { (text.trim().replace('\n', " ")) }
+                                th class=[is_number.then_some("number")] { (text.trim().replace('\n', " ")) }
                             }
                         }
                     }
@@ -152,7 +153,7 @@ impl Table {
                 @match row {
                     Row::Cells(cells) => {
                         @for (heading, cell) in self.headings.iter().zip(cells) {
-                            td.number[heading.is_number] { (cell.markup) }
+                            td class=[heading.is_number.then_some("number")] { (cell.markup) }
                         }
                     }
                     Row::Words(words) => td colspan=(self.headings.len()) { (words) }

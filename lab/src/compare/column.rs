@@ -88,7 +88,7 @@ impl Column {
     pub(super) fn heading(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
-            Self::Stable => "stable\n",
+            Self::Stable => "stable",
             Self::SettlingTime => "settled\ns",
             Self::ShortPeak => "peak force\n< 0.5 s\nN",
             Self::LongPeak => "peak force\n>= 0.5 s\nN",

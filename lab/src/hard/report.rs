@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{number, outcome, with_unit};
+use super::table::{compared, number, outcome, with_unit};
 use super::{Catalogue, Outcome, Row};
 use crate::html;
 use crate::table::{Cell, Heading, Table};
@@ -48,10 +48,7 @@ fn subject(catalogue: &Catalogue) -> Markup {
 
 /// The cases of one theme.
 fn table(catalogue: &Catalogue, rows: &[Row]) -> Table {
-    let [bound, ours] = match catalogue.stabilizer {
-        Some(_) => ["bound", "measured"],
-        None => ["promised", "ours"],
-    };
+    let [bound, ours] = compared(catalogue);
     let words = ["case", bound].map(Heading::word);
     let numbers = [ours, "naive", "none", "account off"].map(Heading::number);
     let headings = words.into_iter().chain(numbers).chain([Heading::word("")]);

@@ -20,11 +20,7 @@ pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::R
 }
 
 fn table(catalogue: &Catalogue) -> Table {
-    let [bound, ours] = match catalogue.stabilizer {
-        // Of another one a bound may be no promise.
-        Some(_) => ["bound", "measured"],
-        None => ["promised", "ours"],
-    };
+    let [bound, ours] = compared(catalogue);
     let headings = [Heading::word(""), Heading::word("case")];
     let numbers = [bound, ours, "naive"].map(Heading::number);
     let mut table = Table::new(headings.into_iter().chain(numbers));
@@ -45,6 +41,15 @@ fn table(catalogue: &Catalogue) -> Table {
         row.broken.iter().for_each(|broken| table.say(folded("      ", broken)));
     }
     table
+}
+
+/// What the bound of a case and what was measured are called.
+pub(super) fn compared(catalogue: &Catalogue) -> [&'static str; 2] {
+    match catalogue.stabilizer {
+        // Of another one a bound may be no promise.
+        Some(_) => ["bound", "measured"],
+        None => ["promised", "ours"],
+    }
 }
 
 pub(super) fn outcome(outcome: &Outcome) -> String {

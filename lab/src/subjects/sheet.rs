@@ -71,7 +71,7 @@ mod tests {
         };
         let page = page::<Comparison>(&[sheet], hostile);
         assert!(!page.contains("<img"), "{page}");
-        // Name, start, heading, cell and command, and the title of the drawing.
-        assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 6, "{page}");
+        // Command, name, start, heading and cell, and the drawing's title, which it has twice.
+        assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 7, "{page}");
     }
 }
