@@ -89,9 +89,9 @@ impl Explanation {
         f.write_str(&textwrap::indent(&table, "  "))?;
         let (leak, energy) = first.largest_leak();
         if -first.wall > energy.max(0.0) {
-            writeln!(f, "  most came from the environment, which gives energy by its own law")?;
+            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
         } else if energy > 0.0 {
-            writeln!(f, "  most came in through the {leak}")?;
+            writeln!(f, "\n  most came in through the {leak}")?;
         }
         Ok(())
     }
