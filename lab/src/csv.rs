@@ -86,9 +86,9 @@ impl<W: Write> Records<W> {
                 Field::Count(count) => write!(self.digits, "{count}"),
                 Field::Nothing => Ok(()),
             };
-            self.writer.write_field(&self.digits)?;
+            self.writer.write_field(&self.digits).map_err(plain)?;
         }
-        Ok(self.writer.write_record(None::<&str>)?)
+        self.writer.write_record(None::<&str>).map_err(plain)
     }
 
     /// The writer.
@@ -99,6 +99,14 @@ impl<W: Write> Records<W> {
     /// Hands back the writer, flushed.
     pub(crate) fn into_inner(self) -> io::Result<W> {
         self.writer.into_inner().map_err(::csv::IntoInnerError::into_error)
+    }
+}
+
+/// The error of the writer beneath, with its kind.
+fn plain(error: ::csv::Error) -> io::Error {
+    match error.into_kind() {
+        ::csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
     }
 }
 
@@ -117,6 +125,28 @@ pub(crate) fn text<'a, R: IntoIterator<Item = Field<'a>>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// By its kind a reader that has enough is told from a full disk.
+    #[test]
+    fn an_error_keeps_its_kind() {
+        struct Full;
+        impl Write for Full {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(io::ErrorKind::StorageFull.into())
+            }
+
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        let mut records = Records::new(Full);
+        let long = "x".repeat(1 << 16);
+        let error = (0..3).find_map(|_| records.put([Field::Text(&long)]).err()).unwrap();
+        assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+        let mut records = Records::new(Full);
+        records.put([Field::Text("short")]).unwrap();
+        assert_eq!(records.into_inner().err().unwrap().kind(), io::ErrorKind::StorageFull);
+    }
 
     #[test]
     fn what_is_written_reads_back() {
