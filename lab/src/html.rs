@@ -1,25 +1,46 @@
-//! What all report pages share.
+//! Report pages: each one file that needs nothing else.
 
-/// The version that a page was made by.
-pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
-
-/// How a page ends.
-pub(crate) const CLOSED: &str = "</body>\n</html>\n";
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("html.css");
 
-/// A page that needs nothing else, up to its heading, which is its `title`.
-pub(crate) fn opened(title: &str) -> String {
-    let title = escaped(title);
-    format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
-    )
+/// A page with `title` as its heading.
+pub(crate) fn page(title: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (title) }
+                (body)
+            }
+        }
+    };
+    page.into_string() + "\n"
 }
 
-/// The text with everything replaced that HTML reads as markup between tags.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+/// The command that something was made by, and its version.
+pub(crate) fn maker(command: &str) -> Markup {
+    html! { code { (command) } ", lyapunov " (env!("CARGO_PKG_VERSION")) }
+}
+
+/// A drawing, an element of SVG, with what it shows.
+pub(crate) fn figure(id: Option<&str>, svg: String, caption: &Markup) -> Markup {
+    html! {
+        figure id=[id] {
+            (PreEscaped(svg))
+            figcaption { (caption) }
+        }
+    }
+}
+
+/// A verdict in the colour of its `class`: `yes`, `no` or `open`.
+pub(crate) fn verdict(class: &str, word: &str) -> Markup {
+    html! { span class=(class) { (word) } }
 }

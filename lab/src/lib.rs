@@ -46,12 +46,14 @@ pub mod scene;
 pub mod shipped;
 pub mod subjects;
 mod summary;
+mod table;
 pub mod teleoperation;
 mod tick;
 mod timing;
+mod words;
 
+pub use self::csv::{COLUMNS, Csv};
 pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
-pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]

@@ -54,7 +54,7 @@ impl Run {
                 let told = simulate(&scene, &hidden, |row, further| {
                     csv.write(row, further).map_err(standard_output)
                 })?;
-                csv.into_inner().flush().map_err(standard_output)?;
+                csv.into_inner().map_err(standard_output)?;
                 if !self.quiet {
                     say(self.words(&told)?.trim_end());
                 }
@@ -68,7 +68,7 @@ impl Run {
                 let told = simulate(&scene, &self.progress(&scene), |row, further| {
                     csv.write(row, further).map_err(refused)
                 })?;
-                csv.into_inner().keep().map_err(End::input)?;
+                csv.into_inner().map_err(refused)?.keep().map_err(End::input)?;
                 self.tell(&told)?;
             }
             None => {

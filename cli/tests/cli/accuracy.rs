@@ -33,7 +33,7 @@ fn a_target_is_met_by_keys_that_a_scene_takes() {
     let cheapest = &told["target"]["cheapest"];
     assert!(cheapest["max_error"].as_f64().unwrap() <= 1e-6, "{cheapest}");
     let page = place.text("out/report.html");
-    assert!(page.contains("<svg") && page.contains("integrator = \""), "{page}");
+    assert!(page.contains("<svg") && page.contains("integrator = &quot;"), "{page}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
-//! What the terminal shows: at most 100 columns.
+//! The tables of a study, and what the terminal shows.
 
-use std::fmt::{self, Write};
+use std::fmt;
 
 use super::Study;
 use super::horizon::GROWN;
@@ -8,55 +8,21 @@ use super::ledger::TICKS;
 use super::reference::Second;
 use super::study::Row;
 use super::timing;
+use crate::html::verdict;
 use crate::summary::found;
+use crate::table::{Cell, Heading, Table};
+use crate::words::folded;
 
 pub(super) fn write(study: &Study, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: what accuracy costs\n", study.name)?;
-    for sentence in study.sentences() {
-        for line in folded(&sentence) {
-            writeln!(f, "{line}")?;
-        }
-    }
-    let chaotic = study.basis.growth.chaotic;
-    let believed = if chaotic { "  believed for" } else { "" };
-    writeln!(
-        f,
-        "\n   {:>16} {:>9}  {:>13}  {:<20} {:>9}  {:<7}{believed}",
-        "per simulated s", "spread", "largest error", "propagator", "", "scalar"
-    )?;
-    for row in &study.rows {
-        write!(f, "{}", line(row))?;
-        match (chaotic, row.horizon) {
-            (false, _) => writeln!(f)?,
-            (true, Some(horizon)) => writeln!(f, "  {:>10} s", found(horizon).to_string())?,
-            (true, None) => writeln!(f, "  {:>12}", "to the end")?,
-        }
-    }
+    study.sentences().iter().try_for_each(|sentence| writeln!(f, "{}", folded("", sentence)))?;
+    write!(f, "\n{}", study.settings())?;
     writeln!(
         f,
         "\n*  no other is as fast and as accurate   ~  less than 100 times the references' distance"
     )?;
     writeln!(f, "\nledger: a step of POPC over {TICKS} ticks that take 26.7 J\n")?;
-    writeln!(f, "   {:>16} {:>9}  {:>13}  {:<20}", "per tick", "spread", "error", "ledger")?;
-    for row in &study.ledger {
-        let (time, spread) = (duration(row.time.median), duration(row.time.spread));
-        let error = format!("{:.1e} J", row.error);
-        writeln!(f, "   {time:>16} {spread:>9}  {error:>13}  {} {}", row.scalar, row.ledger)?;
-    }
-    Ok(())
-}
-
-fn line(row: &Row) -> String {
-    let mark = if row.is_on_front { '*' } else { ' ' };
-    let (time, spread) = (duration(row.time.median), duration(row.time.spread));
-    let setting = row.setting;
-    format!(
-        "{mark}  {time:>16} {spread:>9}  {:>13}  {:<20} {:>9}  {:<7}",
-        row.error(),
-        setting.integrator.name(),
-        setting.detail(),
-        setting.number.name()
-    )
+    write!(f, "{}", study.ledgers())
 }
 
 /// A time in a unit that suits it.
@@ -68,22 +34,6 @@ pub(super) fn duration(nanoseconds: f64) -> String {
     };
     let digits = if value < 9.95 { 2 } else { usize::from(value < 99.5) };
     format!("{value:.digits$} {unit}")
-}
-
-/// The sentence in lines of at most 98 characters.
-fn folded(sentence: &str) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in sentence.split(' ') {
-        let last = lines.last().map_or(0, |line| line.chars().count());
-        if last > 0 && last + 1 + word.chars().count() > 98 {
-            lines.push(String::new());
-        }
-        if let Some(line) = lines.last_mut() {
-            let gap = if line.is_empty() { "" } else { " " };
-            let _ = write!(line, "{gap}{word}");
-        }
-    }
-    lines
 }
 
 impl Row {
@@ -99,6 +49,61 @@ impl Row {
 }
 
 impl Study {
+    /// The settings, the fastest first.
+    pub(super) fn settings(&self) -> Table {
+        let mut headings = vec![
+            Heading::word("front"),
+            Heading::number("per simulated\nsecond"),
+            Heading::number("spread"),
+            Heading::number("largest\nerror"),
+            Heading::word("propagator"),
+            Heading::number("steps,\ntolerance"),
+            Heading::word("scalar"),
+        ];
+        let chaotic = self.basis.growth.chaotic;
+        headings.extend(chaotic.then(|| Heading::number("believed for")));
+        Table::new(headings).with_rows(self.rows.iter().map(|row| {
+            let front = if row.is_on_front {
+                Cell::new("*", verdict("yes", "front"))
+            } else {
+                Cell::from("")
+            };
+            let horizon = row.horizon.map(|time| format!("{} s", found(time)));
+            let horizon = horizon.unwrap_or_else(|| "to the end".to_owned());
+            [
+                front,
+                duration(row.time.median).into(),
+                duration(row.time.spread).into(),
+                row.error().into(),
+                row.setting.integrator.name().into(),
+                row.setting.detail().into(),
+                row.setting.number.name().into(),
+            ]
+            .into_iter()
+            .chain(chaotic.then(|| horizon.into()))
+        }))
+    }
+
+    /// What the ledgers cost, and how far their sums are off.
+    pub(super) fn ledgers(&self) -> Table {
+        let headings = [
+            Heading::word("scalar"),
+            Heading::word("ledger"),
+            Heading::number("error of\nthe sum"),
+            Heading::number("per tick"),
+            Heading::number("spread"),
+        ];
+        Table::new(headings).with_rows(self.ledger.iter().map(|row| {
+            [
+                row.scalar.into(),
+                row.ledger.into(),
+                format!("{:.1e} J", row.error).into(),
+                duration(row.time.median).into(),
+                duration(row.time.spread).into(),
+            ]
+        }))
+    }
+
     /// What the numbers mean, sentence by sentence.
     pub(super) fn sentences(&self) -> Vec<String> {
         let (basis, period) = (&self.basis, self.scene.period());

@@ -4,9 +4,7 @@ use std::fmt;
 
 use super::Limits;
 use crate::summary::{found, given};
-
-/// How much of a name is shown.
-const NAME: usize = 22;
+use crate::table::{Heading, Table};
 
 impl fmt::Display for Limits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -18,15 +16,16 @@ impl fmt::Display for Limits {
             Some(radius) => writeln!(f, "  radius       {radius:.10} in contact{}", word(radius))?,
             None => writeln!(f, "  radius       none")?,
         }
-        writeln!(f, "\n  {:<NAME$}  {:>12}  the scene's own is", "limit", "at most N/m")?;
-        writeln!(f, "  {}  {}  {}", "-".repeat(NAME), "-".repeat(12), "-".repeat(30))?;
-        for (_, name, limit) in self.named() {
-            let (most, place) = match limit {
-                None => ("-".to_owned(), "-".to_owned()),
-                Some(limit) => (found(limit).to_string(), self.place(limit)),
-            };
-            writeln!(f, "  {name:<NAME$}  {most:>12}  {place}")?;
-        }
+        let headings = [
+            Heading::word("limit"),
+            Heading::number("at most N/m"),
+            Heading::word("the scene's own is"),
+        ];
+        let rows = self.named().into_iter().map(|(_, name, limit)| {
+            [name.into(), limit.into(), limit.map(|limit| self.place(limit)).into()]
+        });
+        let table = Table::new(headings).with_rows(rows).to_string();
+        write!(f, "\n{}", textwrap::indent(&table, "  "))?;
         for (index, note) in self.notes.iter().enumerate() {
             let gap = if index == 0 { "\n" } else { "" };
             writeln!(f, "{gap}  - {note}")?;

@@ -5,6 +5,7 @@ use std::fmt;
 use super::hint::broken;
 use super::{Balance, Change, Explanation, Groups, Remedy};
 use crate::summary::{found, given};
+use crate::table::{Cell, Heading, Table};
 
 /// Energies are told in thousandths of a joule.
 const MILLI: f64 = 1e3;
@@ -74,21 +75,23 @@ impl Explanation {
         };
         let stretch =
             |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
-        writeln!(f, "  {:<34}{:>16}{:>16}", "energy in mJ", "first contact", "whole run")?;
-        let times = [first, &self.whole_run].map(stretch);
-        writeln!(f, "  {:<24}{:>26}{:>16}", "", times[0], times[1])?;
-        for (name, of) in LINES {
-            let values = [first, &self.whole_run].map(of);
-            if values != [0.0, 0.0] {
-                let [first, whole] = values.map(|value| found(MILLI * value).to_string());
-                writeln!(f, "  {name:<34}{first:>16}{whole:>16}")?;
-            }
-        }
+        let headings = [
+            Heading::word("energy in mJ"),
+            Heading::number(format!("first contact\n{}", stretch(first))),
+            Heading::number(format!("whole run\n{}", stretch(&self.whole_run))),
+        ];
+        let values = LINES.into_iter().map(|(name, of)| (name, [first, &self.whole_run].map(of)));
+        let rows = values.filter(|(_, values)| *values != [0.0, 0.0]).map(|(name, values)| {
+            let [first, whole] = values.map(|value| Cell::from(MILLI * value));
+            [name.into(), first, whole]
+        });
+        let table = Table::new(headings).with_rows(rows).to_string();
+        f.write_str(&textwrap::indent(&table, "  "))?;
         let (leak, energy) = first.largest_leak();
         if -first.wall > energy.max(0.0) {
-            writeln!(f, "  most came from the environment, which gives energy by its own law")?;
+            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
         } else if energy > 0.0 {
-            writeln!(f, "  most came in through the {leak}")?;
+            writeln!(f, "\n  most came in through the {leak}")?;
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use super::score::Score;
 use crate::scene::nearest;
-use crate::summary::found;
+use crate::table::Cell;
 
 /// A column of the table; its name is its key in `compare.json`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,47 +85,46 @@ impl Column {
     }
 
     /// The heading in the table, in lines; the last one is the unit.
-    pub(super) fn heading(self) -> [&'static str; 3] {
+    pub(super) fn heading(self) -> &'static str {
         match self {
-            Self::Stabilizer => ["", "", "stabilizer"],
-            Self::Stable => ["", "stable", ""],
-            Self::SettlingTime => ["", "settled", "s"],
-            Self::ShortPeak => ["peak force", "< 0.5 s", "N"],
-            Self::LongPeak => ["peak force", ">= 0.5 s", "N"],
-            Self::EnergyInjected => ["injected", "by loop", "mJ"],
-            Self::EnergyTaken => ["taken by", "control", "mJ"],
-            Self::Shortfall => ["largest", "shortfall", "mJ"],
-            Self::StiffnessFelt => ["stiffness", "felt", "N/m"],
-            Self::StiffnessPercent => ["of", "asked", "%"],
-            Self::ForceError => ["force", "error", "N rms"],
-            Self::Chatter => ["chatter", "5-50 Hz", "N rms"],
-            Self::Active => ["", "active", "%"],
+            Self::Stabilizer => "stabilizer",
+            Self::Stable => "stable",
+            Self::SettlingTime => "settled\ns",
+            Self::ShortPeak => "peak force\n< 0.5 s\nN",
+            Self::LongPeak => "peak force\n>= 0.5 s\nN",
+            Self::EnergyInjected => "injected\nby loop\nmJ",
+            Self::EnergyTaken => "taken by\ncontrol\nmJ",
+            Self::Shortfall => "largest\nshortfall\nmJ",
+            Self::StiffnessFelt => "stiffness\nfelt\nN/m",
+            Self::StiffnessPercent => "of\nasked\n%",
+            Self::ForceError => "force\nerror\nN rms",
+            Self::Chatter => "chatter\n5-50 Hz\nN rms",
+            Self::Active => "active\n%",
             // Without optimisation the numbers say nothing about a real loop.
             Self::StepTime if cfg!(debug_assertions) => {
-                ["time per step", "median (range)", "ns, debug build"]
+                "time per step\nmedian (range)\nns, debug build"
             }
-            Self::StepTime => ["time per step", "median (range)", "ns"],
-            Self::StateBytes => ["", "state", "bytes"],
+            Self::StepTime => "time per step\nmedian (range)\nns",
+            Self::StateBytes => "state\nbytes",
         }
     }
 
     /// What the table shows of `score`.
-    pub(super) fn cell(self, score: &Score) -> String {
+    pub(super) fn cell(self, score: &Score) -> Cell {
         match self {
-            Self::Stabilizer => score.stabilizer.clone(),
-            Self::Stable => match score.stable {
-                Some(true) => "yes".to_owned(),
-                Some(false) => "no".to_owned(),
-                None => "-".to_owned(),
-            },
-            Self::StepTime => score.step_time.map_or("-".to_owned(), |time| {
-                let decimals = if time.median < 100.0 { 2 } else { 0 };
-                let shown = |time: f64| format!("{time:.decimals$}");
-                format!("{} ({}-{})", shown(time.median), shown(time.min), shown(time.max))
-            }),
-            Self::StateBytes => score.state_bytes.to_string(),
-            Self::Active => score.active.map_or("-".to_owned(), |share| format!("{share:.1}")),
-            _ => self.value(score).map_or("-".to_owned(), |value| found(value).to_string()),
+            Self::Stabilizer => score.stabilizer.as_str().into(),
+            Self::Stable => score.stable.into(),
+            Self::StepTime => {
+                let told = score.step_time.map(|time| {
+                    let decimals = if time.median < 100.0 { 2 } else { 0 };
+                    let shown = |time: f64| format!("{time:.decimals$}");
+                    format!("{} ({}-{})", shown(time.median), shown(time.min), shown(time.max))
+                });
+                told.into()
+            }
+            Self::StateBytes => score.state_bytes.to_string().into(),
+            Self::Active => score.active.map(|share| format!("{share:.1}")).into(),
+            _ => self.value(score).into(),
         }
     }
 

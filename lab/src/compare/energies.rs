@@ -10,7 +10,7 @@ use super::comparison::{CompareError, Comparison};
 use super::contestants::Contestants;
 use super::setting::Setting;
 use crate::causes::Balance;
-use crate::csv::quoted;
+use crate::csv::{self, Field};
 use crate::{Rollout, Space};
 use lyapunov_figures::{Figure, Panel, Series};
 
@@ -115,10 +115,12 @@ impl Energies {
 
     /// The same as comma-separated values, in numbers that read back exactly: what each part gave, in J.
     pub fn csv(&self) -> String {
-        let lines = self.rows.iter().flat_map(|(name, balance)| {
+        let records = self.rows.iter().flat_map(|(name, balance)| {
             let parts = balance.iter().flat_map(Balance::parts);
-            parts.map(move |(part, given)| format!("{},{part},{:?}\n", quoted(name), given + 0.0))
+            parts.map(|(part, given)| {
+                [Field::Text(name), Field::Text(part), Field::Number(given + 0.0)]
+            })
         });
-        std::iter::once("stabilizer,part,given_j\n".to_owned()).chain(lines).collect()
+        csv::text(["stabilizer", "part", "given_j"], records)
     }
 }

@@ -1,6 +1,5 @@
 //! How much a stabilizer renders stably, against how well.
 
-use std::fmt::Write;
 use std::ops::ControlFlow;
 
 use rayon::prelude::*;
@@ -9,7 +8,7 @@ use super::bout::{Bout, NoBout, Watch};
 use super::comparison::{CompareError, Comparison};
 use super::contestants::Contestants;
 use crate::Space;
-use crate::csv::quoted;
+use crate::csv::{self, Field};
 use crate::family::Contender;
 use crate::quartiles::quartiles;
 use crate::scene::{Environment, NonNegative, Positive, Scene};
@@ -141,12 +140,14 @@ impl TradeOff {
 
     /// The same as comma-separated values.
     pub fn csv(&self) -> String {
-        let mut text = "stabilizer,stable_walls,walls,common_walls,force_error_rms_n\n".to_owned();
-        for (name, stable, error) in &self.rows {
-            let (name, error) = (quoted(name), error.map_or(String::new(), |it| format!("{it:?}")));
-            let _ = writeln!(text, "{name},{stable},{},{},{error}", self.walls, self.common);
-        }
-        text
+        let records = self.rows.iter().map(|(name, stable, error)| {
+            let [stable, walls, common] = [*stable, self.walls, self.common].map(Field::Count);
+            [Field::Text(name), stable, walls, common, (*error).into()]
+        });
+        csv::text(
+            ["stabilizer", "stable_walls", "walls", "common_walls", "force_error_rms_n"],
+            records,
+        )
     }
 }
 

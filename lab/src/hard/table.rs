@@ -2,26 +2,15 @@
 
 use std::fmt;
 
-use super::{Catalogue, Outcome, Row};
+use super::{Catalogue, Outcome};
+use crate::table::{Heading, Table};
+use crate::words::folded;
 
 pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if let Some(name) = catalogue.stabilizer {
         writeln!(f, "{name} in the place of ours, in f64 and f32\n")?;
     }
-    let mut theme = "";
-    let [bound, ours] = match catalogue.stabilizer {
-        // Of another one a bound may be no promise.
-        Some(_) => ["bound", "measured"],
-        None => ["promised", "ours"],
-    };
-    for row in &catalogue.rows {
-        if row.theme != theme {
-            let gap = if theme.is_empty() { "" } else { "\n" };
-            theme = row.theme;
-            writeln!(f, "{gap}      {theme:31} {bound:>36} {ours:>11} {:>11}", "naive")?;
-        }
-        one(row, f)?;
-    }
+    write!(f, "{}", table(catalogue))?;
     let passed = catalogue.rows.iter().filter(|row| row.passed).count();
     writeln!(f, "\n{passed} of {} passed", catalogue.rows.len())?;
     match catalogue.rows.iter().filter(|row| row.verdict() == "over").count() {
@@ -30,17 +19,37 @@ pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::R
     }
 }
 
-fn one(row: &Row, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let verdict = row.verdict();
-    let bound = format!("{} <= {}", row.quantity, with_unit(row.bound, row.unit));
-    let naive = row.naive.as_ref().map_or("-".to_owned(), outcome);
-    let ours = number(row.measured);
-    writeln!(f, "{verdict}  {:31} {bound:>36} {ours:>11} {naive:>11}", row.case)?;
-    writeln!(f, "      {}", row.hard)?;
-    if let Some(broken) = &row.broken {
-        writeln!(f, "      {broken}")?;
+fn table(catalogue: &Catalogue) -> Table {
+    let [bound, ours] = compared(catalogue);
+    let headings = [Heading::word(""), Heading::word("case")];
+    let numbers = [bound, ours, "naive"].map(Heading::number);
+    let mut table = Table::new(headings.into_iter().chain(numbers));
+    let mut theme = "";
+    for row in &catalogue.rows {
+        if row.theme != theme {
+            theme = row.theme;
+            table.say(format!("\n{theme}"));
+        }
+        table.push([
+            row.verdict().into(),
+            row.case.into(),
+            format!("{} <= {}", row.quantity, with_unit(row.bound, row.unit)).into(),
+            number(row.measured).into(),
+            row.naive.as_ref().map(outcome).into(),
+        ]);
+        table.say(folded("      ", row.hard));
+        row.broken.iter().for_each(|broken| table.say(folded("      ", broken)));
     }
-    Ok(())
+    table
+}
+
+/// What the bound of a case and what was measured are called.
+pub(super) fn compared(catalogue: &Catalogue) -> [&'static str; 2] {
+    match catalogue.stabilizer {
+        // Of another one a bound may be no promise.
+        Some(_) => ["bound", "measured"],
+        None => ["promised", "ours"],
+    }
 }
 
 pub(super) fn outcome(outcome: &Outcome) -> String {

@@ -12,6 +12,7 @@ use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Head, Rows, TableError};
 use crate::OutputError;
+use crate::csv::Records;
 
 /// A table that grows by whole cells under a name of its own, and takes its name when it is finished.
 #[derive(Debug)]
@@ -126,11 +127,11 @@ impl Book {
     /// What the system says; what was written before stays.
     pub fn put(&mut self, grid: &Grid, outcomes: &[Vec<Outcome>]) -> Result<(), OutputError> {
         let refuse = |error| OutputError::new(&self.part, error);
-        let mut text = Vec::new();
+        let mut rows = Records::new(Vec::new());
         for (cell, outcomes) in (self.next..).zip(outcomes) {
-            table::write(&mut text, grid, cell, outcomes).map_err(refuse)?;
+            table::write(&mut rows, grid, cell, outcomes).map_err(refuse)?;
         }
-        self.file.write_all(&text).map_err(refuse)?;
+        self.file.write_all(&rows.into_inner().map_err(refuse)?).map_err(refuse)?;
         self.next += outcomes.len() as u64;
         Ok(())
     }

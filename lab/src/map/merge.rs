@@ -11,6 +11,7 @@ use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Head, Rows, TableError};
 use crate::OutputError;
+use crate::csv::Records;
 
 /// Why shards do not make a map.
 #[derive(Debug)]
@@ -83,6 +84,7 @@ pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Su
     let whole = Head::of(grid, Shard::WHOLE);
     let count = shard.count;
     out.write_all(whole.text().as_bytes()).map_err(|error| OutputError::new(place, error))?;
+    let mut rows = Records::new(&mut *out);
     for index in 0..count {
         let shard = Shard { index, count };
         let mut these = shards.iter().filter(|(.., one)| *one == shard);
@@ -90,8 +92,10 @@ pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Su
         if let Some((path, ..)) = these.next() {
             return Err(MergeError::Twice((*path).clone(), shard));
         }
-        append(path, grid, shard, &mut survey, out, place)?;
+        append(path, grid, shard, &mut survey, &mut rows, place)?;
     }
+    let flushed = rows.into_inner().map(drop);
+    flushed.map_err(|error| OutputError::new(place, error))?;
     Ok(survey)
 }
 
@@ -100,7 +104,7 @@ fn append(
     grid: &Grid,
     shard: Shard,
     survey: &mut Survey,
-    out: &mut impl Write,
+    out: &mut Records<impl Write>,
     place: &Path,
 ) -> Result<(), MergeError> {
     let (lines, _) = open(path)?;

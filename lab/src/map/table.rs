@@ -9,6 +9,7 @@ use super::axis::Axis;
 use super::grid::Grid;
 use super::outcome::{Measure, Measures, Outcome};
 use super::shard::Shard;
+use crate::csv::{self, Field, Records};
 use crate::family::Members;
 use crate::scene::Scene;
 
@@ -29,9 +30,9 @@ impl Head {
         // A scene that was read can be written.
         let scene = toml::to_string(&grid.scene).unwrap_or_default();
         scene.lines().for_each(|line| text += &format!("#| {line}\n"));
-        text += &format!("{},{},stabilizer,stable", grid.x.key, grid.y.key);
-        Measure::ALL.iter().for_each(|measure| text += &format!(",{}", measure.key));
-        text.push('\n');
+        let names = [&grid.x.key, &grid.y.key, "stabilizer", "stable"];
+        let measures = Measure::ALL.map(|measure| measure.key);
+        text += &csv::text(names.into_iter().chain(measures), None::<[Field<'_>; 0]>);
         Self { text }
     }
 
@@ -140,24 +141,17 @@ impl std::error::Error for TableError {}
 /// # Errors
 /// What the writer cannot take.
 pub(super) fn write(
-    out: &mut impl Write,
+    out: &mut Records<impl Write>,
     grid: &Grid,
     cell: u64,
     outcomes: &[Outcome],
 ) -> io::Result<()> {
     let [x, y] = grid.values(cell);
     for (member, outcome) in grid.members.iter().zip(outcomes) {
-        write!(out, "{x:?},{y:?},{member},")?;
-        if let Some(stable) = outcome.stable {
-            write!(out, "{}", u8::from(stable))?;
-        }
-        for measure in Measure::ALL {
-            match measure.of(&outcome.measures) {
-                Some(value) => write!(out, ",{value:?}")?,
-                None => write!(out, ",")?,
-            }
-        }
-        writeln!(out)?;
+        let stable = outcome.stable.map_or(Field::Nothing, |it| Field::Count(it.into()));
+        let names = [Field::Number(x), Field::Number(y), Field::Text(member.name()), stable];
+        let measures = Measure::ALL.map(|measure| measure.of(&outcome.measures).into());
+        out.put(names.into_iter().chain(measures))?;
     }
     Ok(())
 }

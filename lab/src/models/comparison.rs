@@ -8,6 +8,7 @@ use super::document;
 use super::model::Model;
 use super::outcome::{Outcome, Score};
 use super::{picture, table};
+use crate::csv::{self, Field};
 use crate::subjects::{CompareError, Compared, Sheet, Watch};
 
 /// All contestants on one model; shown, it is the table of `lyapunov compare`.
@@ -73,10 +74,11 @@ impl Comparison {
 
     /// [`Comparison::curves`] as comma-separated values, in numbers that read back exactly.
     pub fn csv(&self) -> String {
-        let rows = self.curves().flat_map(|(contestant, curve)| {
-            curve.iter().map(move |(t, v)| format!("{},{t:?},{v:?}\n", contestant.name()))
+        let records = self.curves().flat_map(|(contestant, curve)| {
+            let name = Field::Text(contestant.name());
+            curve.iter().map(move |(t, v)| [name, Field::Number(*t), Field::Number(*v)])
         });
-        std::iter::once("stabilizer,t,v\n".to_owned()).chain(rows).collect()
+        csv::text(["stabilizer", "t", "v"], records)
     }
 }
 

@@ -3,11 +3,23 @@
 use super::comparison::Comparison;
 use super::meter::BOUND;
 use super::outcome::Score;
-use crate::subjects::Table;
 use crate::summary::{found, given};
+use crate::table::{Cell, Heading, Table};
 
 pub(super) fn of(comparison: &Comparison) -> Table {
-    Table { headings: headings(comparison), rows: comparison.scores().map(cells).collect() }
+    let plant = &comparison.model.plant;
+    let (v, input) = (plant.unit_of_value(), plant.unit_of_input());
+    let headings = [
+        Heading::word("stabilizer"),
+        Heading::word("bounded"),
+        Heading::number(format!("largest\nV\n{v}")),
+        Heading::number(format!("V at\nthe end\n{v}")),
+        Heading::number(format!("largest\neffort\n{input}")),
+        Heading::number("active\n%"),
+        Heading::number(format!("largest\nshortfall\n{v}")),
+        Heading::number(format!("energy\ntaken\n{v}")),
+    ];
+    Table::new(headings).with_rows(comparison.scores().map(cells))
 }
 
 /// The model in one line.
@@ -48,29 +60,15 @@ fn spaced(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(" {unit}") }
 }
 
-fn headings(comparison: &Comparison) -> Vec<Vec<String>> {
-    let (v, input) =
-        (comparison.model.plant.unit_of_value(), comparison.model.plant.unit_of_input());
+fn cells(score: &Score) -> [Cell; 8] {
     [
-        ["", "", "largest", "V at", "largest", "", "largest", "energy"],
-        ["", "", "V", "the end", "effort", "active", "shortfall", "taken"],
-        ["stabilizer", "bounded", v, v, input, "%", v, v],
-    ]
-    .map(|line| line.map(str::to_owned).into())
-    .into()
-}
-
-fn cells(score: &Score) -> Vec<String> {
-    let number =
-        |value: Option<f64>| value.map_or("-".to_owned(), |value| found(value).to_string());
-    vec![
-        score.stabilizer.to_owned(),
-        if score.bounded { "yes" } else { "no" }.to_owned(),
-        number(score.largest),
-        number(score.end),
-        number(score.effort),
-        format!("{:.1}", score.active),
-        number(score.shortfall),
-        number(score.taken),
+        score.stabilizer.into(),
+        score.bounded.into(),
+        score.largest.into(),
+        score.end.into(),
+        score.effort.into(),
+        format!("{:.1}", score.active).into(),
+        score.shortfall.into(),
+        score.taken.into(),
     ]
 }

@@ -4,8 +4,8 @@ use std::fmt;
 use std::io;
 
 use super::bad::BadRows;
-use super::fold::fold;
 use crate::scene::printable;
+use crate::words::folded;
 
 /// Why a log cannot be observed: what is wrong, and what would be right.
 #[derive(Debug)]
@@ -68,7 +68,7 @@ impl fmt::Display for ObserveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)?;
         let Some(help) = &self.help else { return Ok(()) };
-        write!(f, "\n  = {}", fold(help, 4))
+        write!(f, "\n{}", folded("  = ", help))
     }
 }
 

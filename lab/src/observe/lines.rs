@@ -1,7 +1,6 @@
 //! Lines of a stream, in memory that does not grow.
 
-use std::io::{self, ErrorKind, Read};
-use std::ops::Range;
+use std::io::{self, BufRead, BufReader, Read};
 
 /// Room for the longest line, in bytes.
 pub(super) const LONGEST: usize = 1 << 18;
@@ -30,27 +29,17 @@ pub(super) enum Next {
 /// The standard library's buffered reader grows with the longest line, and a file of zeros is one long line.
 #[derive(Debug)]
 pub(super) struct Lines<R> {
-    reader: R,
-    buffer: Vec<u8>,
-    start: usize,
-    end: usize,
+    reader: BufReader<R>,
     number: u64,
-    text: Range<usize>,
-    /// Whether the buffer holds the beginning of a line that there is no room for.
+    text: Vec<u8>,
+    /// Whether the rest of a line that there is no room for comes next.
     overfull: bool,
 }
 
 impl<R: Read> Lines<R> {
     pub(super) fn new(reader: R) -> Self {
-        Self {
-            reader,
-            buffer: vec![0; LONGEST],
-            start: 0,
-            end: 0,
-            number: 0,
-            text: 0..0,
-            overfull: false,
-        }
+        let reader = BufReader::with_capacity(LONGEST, reader);
+        Self { reader, number: 0, text: Vec::new(), overfull: false }
     }
 
     /// The number of the line that was read last, from 1.
@@ -60,75 +49,27 @@ impl<R: Read> Lines<R> {
 
     /// The line that was read last, without its line break.
     pub(super) fn text(&self) -> &[u8] {
-        let text = &self.buffer[self.text.clone()];
+        let text = self.text.strip_suffix(b"\n").unwrap_or(&self.text);
         text.strip_suffix(b"\r").unwrap_or(text)
     }
 
     /// Goes on to the next line.
     pub(super) fn read(&mut self) -> io::Result<Next> {
         if std::mem::take(&mut self.overfull) {
-            self.pass_over()?;
-        }
-        let mut searched = self.start;
-        loop {
-            if let Some(at) = find(b'\n', &self.buffer[searched..self.end]) {
-                return Ok(self.take(searched + at, 1));
-            }
-            self.buffer.copy_within(self.start..self.end, 0);
-            self.end -= self.start;
-            (self.start, searched) = (0, self.end);
-            if self.end == self.buffer.len() {
-                self.number += 1;
-                (self.text, self.overfull) = (0..0, true);
-                return Ok(Next::TooLong);
-            }
-            if self.fill()? == 0 {
-                return Ok(if self.end > 0 { self.take(self.end, 0) } else { Next::End });
-            }
-        }
-    }
-
-    /// Takes the line that goes on to `end`, where a line break of `width` bytes is.
-    fn take(&mut self, end: usize, width: usize) -> Next {
-        self.text = self.start..end;
-        self.start = end + width;
-        self.number += 1;
-        Next::Line
-    }
-
-    /// Passes over the rest of a line that the buffer has no room for.
-    fn pass_over(&mut self) -> io::Result<()> {
-        let mut passed = self.end as u64;
-        loop {
-            (self.start, self.end) = (0, 0);
-            let more = self.fill()?;
-            if let Some(at) = find(b'\n', &self.buffer[..more]) {
-                self.start = at + 1;
-                return Ok(());
-            }
-            passed += more as u64;
-            if more == 0 {
-                return Ok(());
-            }
-            if passed > ENDLESS {
+            let passed = self.reader.by_ref().take(ENDLESS).skip_until(b'\n')?;
+            if passed as u64 == ENDLESS {
                 let line = self.number;
                 return Err(io::Error::other(format!("line {line} has no end within 1 GiB")));
             }
         }
-    }
-
-    /// Reads more behind what is there; returns how much.
-    fn fill(&mut self) -> io::Result<usize> {
-        loop {
-            match self.reader.read(&mut self.buffer[self.end..]) {
-                Ok(more) => {
-                    self.end += more;
-                    return Ok(more);
-                }
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
-            }
+        self.text.clear();
+        self.reader.by_ref().take(LONGEST as u64).read_until(b'\n', &mut self.text)?;
+        if self.text.is_empty() {
+            return Ok(Next::End);
         }
+        self.number += 1;
+        self.overfull = self.text.len() == LONGEST && !self.text.ends_with(b"\n");
+        Ok(if self.overfull { Next::TooLong } else { Next::Line })
     }
 }
 

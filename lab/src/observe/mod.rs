@@ -21,7 +21,6 @@ mod contact;
 mod envelope;
 mod error;
 mod fields;
-mod fold;
 mod layout;
 mod lines;
 mod log;

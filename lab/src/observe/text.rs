@@ -4,16 +4,14 @@ use std::fmt;
 
 use super::candidate::Candidate;
 use super::contact::{Contact, SHARE};
-use super::fold::fold;
 use super::report::Report;
 use super::step::GAP;
 use super::sum::Sum;
 use super::traces::prefix;
 use crate::scene::printable;
 use crate::summary::found;
-
-/// Columns in front of what a line says.
-const MARGIN: usize = 14;
+use crate::table::{Cell, Heading, Table};
+use crate::words::folded;
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -28,7 +26,7 @@ impl fmt::Display for Report {
 
 /// Begins a new line with its label and what it says, folded.
 fn line(f: &mut fmt::Formatter<'_>, label: &str, text: &str) -> fmt::Result {
-    write!(f, "\n  {label:<12}{}", fold(text, MARGIN))
+    write!(f, "\n{}", folded(&format!("  {label:<12}"), text))
 }
 
 /// The units and decimals that suit a report.
@@ -158,15 +156,18 @@ impl Report {
             return Ok(());
         }
         let joules = &units.joules;
-        let titles = ["from, s", "to, s"].map(str::to_owned).into_iter().chain([
-            format!("in, {joules}"),
-            format!("out, {joules}"),
-            format!("generated, {joules}"),
-            "peak, N".to_owned(),
-            "repair, N.s/m".to_owned(),
-        ]);
-        write_cells(f, titles)?;
-        contacts.worst.iter().try_for_each(|contact| write_cells(f, cells(contact, units)))
+        let headings = [
+            "from\ns".to_owned(),
+            "to\ns".to_owned(),
+            format!("in\n{joules}"),
+            format!("out\n{joules}"),
+            format!("generated\n{joules}"),
+            "peak\nN".to_owned(),
+            "repair\nN.s/m".to_owned(),
+        ];
+        let rows = contacts.worst.iter().map(|contact| cells(contact, units));
+        let table = Table::new(headings.map(Heading::number)).with_rows(rows).to_string();
+        write!(f, "\n{}", textwrap::indent(table.trim_end(), "  "))
     }
 }
 
@@ -192,24 +193,15 @@ fn told(sum: &Sum, units: &Units) -> String {
     text
 }
 
-fn cells(contact: &Contact, units: &Units) -> impl Iterator<Item = String> {
-    let energy = |joules: f64| found(units.joule * joules).to_string();
-    let repair = contact.damping.map(|damping| found(damping).to_string());
+fn cells(contact: &Contact, units: &Units) -> [Cell; 7] {
+    let energy = |joules: f64| Cell::from(units.joule * joules);
     [
-        units.time(contact.start),
-        units.time(contact.end),
+        units.time(contact.start).into(),
+        units.time(contact.end).into(),
         energy(contact.absorbed),
         energy(contact.released),
         energy(contact.generated),
-        found(contact.peak_force).to_string(),
-        repair.unwrap_or_else(|| "none".to_owned()),
+        contact.peak_force.into(),
+        contact.damping.map_or_else(|| "none".into(), Cell::from),
     ]
-    .into_iter()
-}
-
-/// Begins a new line of the table; with the widest numbers it is 99 columns wide.
-fn write_cells(f: &mut fmt::Formatter<'_>, cells: impl Iterator<Item = String>) -> fmt::Result {
-    const WIDTHS: [usize; 7] = [17, 16, 10, 10, 13, 10, 13];
-    f.write_str("\n")?;
-    cells.zip(WIDTHS).try_for_each(|(cell, width)| write!(f, " {cell:>width$}"))
 }

@@ -1,12 +1,13 @@
 //! The report page of the paper: one file that needs nothing else.
 
-use std::fmt::Write;
+use maud::{Markup, PreEscaped, html};
 
 use super::Case;
 use super::claims::{Verdict, number};
 use super::figures::Drawn;
 use super::study::Study;
-use crate::html::{CLOSED, VERSION, escaped, opened};
+use crate::html;
+use crate::table::{Cell, Heading, Table};
 
 /// What the page is made of.
 pub(super) struct Report<'a> {
@@ -19,160 +20,149 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     /// The page, as HTML.
     pub(super) fn to_html(&self) -> String {
-        let mut page = opened("The paper, claim by claim");
-        let _ = writeln!(
-            page,
-            "<p>Section IV of <cite>Lyapunov Observer/Controller for Stable Haptic Interaction</cite> \
-             (Jafari, Etoundi, Chong), computed by <code>{}</code>, lyapunov {VERSION}.</p>",
-            escaped(self.command)
-        );
-        self.claims(&mut page);
-        self.figures(&mut page);
-        self.balances(&mut page);
-        self.verdicts(&mut page);
-        self.readings(&mut page);
-        page.push_str(DEFINITIONS);
-        self.scenes(&mut page);
-        page.push_str(CLOSED);
-        page
-    }
-
-    fn claims(&self, page: &mut String) {
-        page.push_str(
-            "<h2>Claims</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>The paper says</th>\
-             <th>What was looked at</th><th class=\"number\">Median</th><th class=\"number\">Held</th>\
-             <th>Verdict</th></tr></thead>\n<tbody>\n",
-        );
-        for claim in &self.study.claims {
-            let (class, verdict) = told(claim.verdict);
-            let _ = writeln!(
-                page,
-                "<tr id=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
-                 <td class=\"number\">{} of {}</td><td class=\"{class}\">{verdict}</td></tr>",
-                claim.id,
-                escaped(claim.paper),
-                escaped(claim.reading),
-                claim.measured(),
-                claim.held,
-                claim.of
-            );
-        }
-        page.push_str("</tbody>\n</table></div>\n");
-    }
-
-    fn figures(&self, page: &mut String) {
-        page.push_str("<h2>Figures</h2>\n");
-        for (name, figure, cases) in self.figures {
-            let _ = write!(
-                page,
-                "<figure id=\"{name}\">\n{}\n<figcaption>Drawn by <code>{}</code>, lyapunov {VERSION}, from",
-                figure.to_svg(),
-                escaped(self.command)
-            );
-            for (index, case) in cases.iter().enumerate() {
-                let (and, case) = (if index == 0 { "" } else { " and" }, case.name());
-                let _ = write!(
-                    page,
-                    "{and} <a href=\"#{case}\">scenes/{case}.toml</a> (rows: <a href=\"{case}.csv\">{case}.csv</a>)"
-                );
+        let body = html! {
+            p {
+                "Section IV of " cite { "Lyapunov Observer/Controller for Stable Haptic Interaction" }
+                " (Jafari, Etoundi, Chong), computed by " (html::maker(self.command)) "."
             }
-            page.push_str(".</figcaption>\n</figure>\n");
-        }
+            h2 { "Claims" }
+            (self.claims().to_html(""))
+            h2 { "Figures" }
+            @for drawn in self.figures { (self.figure(drawn)) }
+            h2 { "Where the energy went" }
+            p {
+                "Millijoules over 30 s from the paper's start. A negative wall is energy that the sampled loop generated; \
+                 the last column is what the causes leave unexplained."
+            }
+            (self.balances().to_html("short"))
+            h2 { "How the verdicts move with what the paper leaves open" }
+            p {
+                "Starts for which a claim holds, of 101, in the colour of the verdict. A cap of 0.5, everything at \
+                 100 Hz, is the reading above; one thing is changed at a time. The wall stays at 100 Hz."
+            }
+            (self.verdicts().to_html("counts"))
+            h2 { "How the ensembles move with it" }
+            (self.readings().to_html("short"))
+            (PreEscaped(DEFINITIONS))
+            (self.scenes())
+        };
+        html::page("The paper, claim by claim", &body)
+    }
+
+    fn claims(&self) -> Table {
+        let headings = [
+            Heading::word("the paper says"),
+            Heading::word("what was looked at"),
+            Heading::number("median"),
+            Heading::number("held"),
+            Heading::word("verdict"),
+        ];
+        Table::new(headings).with_rows(self.study.claims.iter().map(|claim| {
+            let (class, verdict) = told(claim.verdict);
+            [
+                html! { span id=(claim.id) { (claim.paper) } }.into(),
+                claim.reading.into(),
+                claim.measured().into(),
+                format!("{} of {}", claim.held, claim.of).into(),
+                html::verdict(class, verdict).into(),
+            ]
+        }))
+    }
+
+    fn figure(&self, (name, figure, cases): &Drawn) -> Markup {
+        let caption = html! {
+            "Drawn by " (html::maker(self.command)) ", from"
+            @for (index, case) in cases.iter().map(|case| case.name()).enumerate() {
+                @if index > 0 { " and" }
+                " " a href={ "#" (case) } { "scenes/" (case) ".toml" }
+                " (rows: " a href={ (case) ".csv" } { (case) ".csv" } ")"
+            }
+            "."
+        };
+        html::figure(Some(name), figure.to_svg(), &caption)
     }
 
     /// The scene files of the figures, and how to run them alone.
-    fn scenes(&self, page: &mut String) {
-        page.push_str("<h2>Scenes</h2>\n");
+    fn scenes(&self) -> Markup {
         let mut cases: Vec<Case> = Vec::new();
         for case in self.figures.iter().flat_map(|(_, _, cases)| *cases) {
             if !cases.contains(case) {
                 cases.push(*case);
             }
         }
-        for case in cases {
-            let (name, text) = (case.name(), escaped(case.text()));
-            let _ = writeln!(
-                page,
-                "<section id=\"{name}\">\n<h3><code>scenes/{name}.toml</code></h3>\n\
-                 <p>Alone: <code>lyapunov run scenes/{name}.toml --csv {name}.csv</code></p>\n\
-                 <pre>{text}</pre>\n</section>"
-            );
+        html! {
+            h2 { "Scenes" }
+            @for (name, text) in cases.into_iter().map(|case| (case.name(), case.text())) {
+                section id=(name) {
+                    h3 { code { "scenes/" (name) ".toml" } }
+                    p { "Alone: " code { "lyapunov run scenes/" (name) ".toml --csv " (name) ".csv" } }
+                    pre { (text) }
+                }
+            }
         }
     }
 
-    fn verdicts(&self, page: &mut String) {
-        page.push_str(
-            "<h2>How the verdicts move with what the paper leaves open</h2>\n<p>Starts for which a claim holds, of \
-             101, in the colour of the verdict. A cap of 0.5, everything at 100 Hz, is the reading above; one \
-             thing is changed at a time. The wall stays at 100 Hz.</p>\n\
-             <div class=\"wide\"><table class=\"counts\">\n<thead><tr><th>The paper says</th>",
-        );
-        for moved in &self.study.moved {
-            let _ = write!(page, "<th class=\"number\">{}</th>", escaped(&moved.name));
-        }
-        page.push_str("</tr></thead>\n<tbody>\n");
-        for (index, claim) in self.study.moved.first().iter().flat_map(|it| &it.claims).enumerate()
-        {
-            let _ = write!(page, "<tr><td>{}</td>", escaped(claim.paper));
-            for claim in self.study.moved.iter().filter_map(|moved| moved.claims.get(index)) {
+    fn verdicts(&self) -> Table {
+        let readings = self.study.moved.iter().map(|moved| Heading::number(moved.name.as_str()));
+        let headings = std::iter::once(Heading::word("the paper says")).chain(readings);
+        let claims = self.study.moved.iter().take(1).flat_map(|moved| &moved.claims).enumerate();
+        Table::new(headings).with_rows(claims.map(|(index, claim)| {
+            let moved = self.study.moved.iter().filter_map(move |moved| moved.claims.get(index));
+            let counts = moved.map(|claim| {
                 let (class, verdict) = told(claim.verdict);
-                let _ = write!(
-                    page,
-                    "<td class=\"number\"><span class=\"{class}\" title=\"{verdict}\">{}</span></td>",
-                    claim.held
-                );
-            }
-            page.push_str("</tr>\n");
-        }
-        page.push_str("</tbody>\n</table></div>\n");
+                html! { span class=(class) title=(verdict) { (claim.held) } }.into()
+            });
+            std::iter::once(Cell::from(claim.paper)).chain(counts)
+        }))
     }
 
-    fn balances(&self, page: &mut String) {
-        page.push_str(
-            "<h2>Where the energy went</h2>\n<p>Millijoules over 30 s from the paper's start. A negative wall is \
-             energy that the sampled loop generated; the last column is what the causes leave unexplained.</p>\n\
-             <div class=\"wide\"><table class=\"short\">\n<thead><tr><th>Run</th><th class=\"number\">At the start</th>\
-             <th class=\"number\">Burnt by operator and device</th><th class=\"number\">Taken by the wall</th>\
-             <th class=\"number\">Taken by the controller</th><th class=\"number\">At the end</th>\
-             <th class=\"number\">Residual</th></tr></thead>\n<tbody>\n",
-        );
-        for (name, balance) in &self.study.balances {
-            let _ = write!(page, "<tr><td>{name}</td>");
-            let parts =
-                [balance.start, balance.burnt, balance.wall, balance.controller, balance.end];
-            for joules in parts.into_iter().chain([balance.residual()]) {
-                let _ = write!(page, "<td class=\"number\">{}</td>", number(1e3 * joules));
-            }
-            page.push_str("</tr>\n");
-        }
-        page.push_str("</tbody>\n</table></div>\n");
+    fn balances(&self) -> Table {
+        let parts = [
+            "at the start",
+            "burnt by operator and device",
+            "taken by the wall",
+            "taken by the controller",
+            "at the end",
+            "residual",
+        ];
+        let headings = std::iter::once(Heading::word("run")).chain(parts.map(Heading::number));
+        Table::new(headings).with_rows(self.study.balances.iter().map(|(name, balance)| {
+            let parts = [
+                balance.start,
+                balance.burnt,
+                balance.wall,
+                balance.controller,
+                balance.end,
+                balance.residual(),
+            ];
+            let numbers = parts.map(|joules| Cell::from(number(1e3 * joules)));
+            std::iter::once(Cell::from(*name)).chain(numbers)
+        }))
     }
 
-    fn readings(&self, page: &mut String) {
-        page.push_str(
-            "<h2>How the ensembles move with it</h2>\n<div class=\"wide\"><table class=\"short\">\n<thead><tr>\
-             <th>Wall</th><th>Stabilizer</th><th>Reading</th><th class=\"number\">Bounded</th>\
-             <th class=\"number\">Settled</th><th class=\"number\">Median settling time, s</th>\
-             <th class=\"number\">Ticks active</th><th class=\"number\">Taken by the controller, mJ</th>\
-             </tr></thead>\n<tbody>\n",
-        );
-        for reading in &self.study.readings {
-            let _ = writeln!(
-                page,
-                "<tr><td>{} kN/m</td><td>{}</td><td>{}</td><td class=\"number\">{:.0} %</td>\
-                 <td class=\"number\">{:.0} %</td><td class=\"number\">{}</td>\
-                 <td class=\"number\">{:.0} %</td><td class=\"number\">{}</td></tr>",
-                1e-3 * reading.setting.stiffness,
-                format!("{:?}", reading.setting.control).to_uppercase(),
-                escaped(&reading.name),
-                100.0 * reading.bounded,
-                100.0 * reading.settled,
-                reading.settling_time.map_or("–".to_owned(), number),
-                100.0 * reading.active,
-                number(1e3 * reading.taken)
-            );
-        }
-        page.push_str("</tbody>\n</table></div>\n");
+    fn readings(&self) -> Table {
+        let words = ["wall", "stabilizer", "reading"].map(Heading::word);
+        let numbers = [
+            "bounded",
+            "settled",
+            "median settling time, s",
+            "ticks active",
+            "taken by the controller, mJ",
+        ];
+        let headings = words.into_iter().chain(numbers.map(Heading::number));
+        Table::new(headings).with_rows(self.study.readings.iter().map(|reading| {
+            let percent = |share: f64| Cell::from(format!("{:.0} %", 100.0 * share));
+            [
+                format!("{} kN/m", 1e-3 * reading.setting.stiffness).into(),
+                format!("{:?}", reading.setting.control).to_uppercase().into(),
+                reading.name.as_str().into(),
+                percent(reading.bounded),
+                percent(reading.settled),
+                reading.settling_time.map_or("\u{2013}".to_owned(), number).into(),
+                percent(reading.active),
+                number(1e3 * reading.taken).into(),
+            ]
+        }))
     }
 }
 

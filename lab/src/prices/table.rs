@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Column, Difference, Prices};
+use crate::table::{Cell, Heading, Table};
 
 pub(super) fn write(prices: &Prices, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (index, column) in prices.scalars.iter().enumerate() {
@@ -25,20 +26,21 @@ fn part(column: &Column, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         1 => String::from("one rollout"),
         several => format!("{several} rollouts at once"),
     };
-    writeln!(f, "{scalar}, {what}: {bare_ns_per_step:.1} ns per step without effects")?;
-    let heads = ["ns", "spread", "ratio"].map(|head| format!("{head:>9}")).concat();
-    writeln!(f, "{:<20}{:>27}  {:>27}", "", "alone", "with all others")?;
-    writeln!(f, "{:<20}{heads}  {heads}", "effect")?;
-    for price in effects {
-        let [alone, composed] = [price.alone, price.composed].map(cells);
-        writeln!(f, "{:<20}{alone}  {composed}", price.effect)?;
-    }
-    Ok(())
+    writeln!(f, "{scalar}, {what}: {bare_ns_per_step:.1} ns per step without effects\n")?;
+    let numbers = ["alone", "with all\nothers"].map(|company| {
+        ["ns", "spread", "ratio"].map(|what| Heading::number(format!("{company}\n{what}")))
+    });
+    let headings = std::iter::once(Heading::word("effect")).chain(numbers.into_iter().flatten());
+    let rows = effects.iter().map(|price| {
+        let numbers = [price.alone, price.composed].into_iter().flat_map(cells);
+        std::iter::once(price.effect.into()).chain(numbers)
+    });
+    write!(f, "{}", Table::new(headings).with_rows(rows))
 }
 
-fn cells(difference: Difference) -> String {
+fn cells(difference: Difference) -> [Cell; 3] {
     let Difference { ns_per_step, spread_ns, ratio } = difference;
-    format!(" {ns_per_step:>8.1} {spread_ns:>8.1} {ratio:>8.2}")
+    [format!("{ns_per_step:.1}"), format!("{spread_ns:.1}"), format!("{ratio:.2}")].map(Cell::from)
 }
 
 #[cfg(test)]

@@ -4,9 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::excerpt::{Excerpt, printable};
-
-/// The widest line of help.
-const WIDTH: usize = 96;
+use crate::words::folded;
 
 /// Why a scene cannot be read: what is wrong, where, and what would be right.
 ///
@@ -116,19 +114,7 @@ impl std::error::Error for Diagnostic {}
 /// Writes one piece of advice; its first line is folded between words, lines of code below it stay as they are.
 fn write_advice(formatter: &mut fmt::Formatter<'_>, advice: &str, margin: usize) -> fmt::Result {
     let mut lines = advice.split('\n');
-    let mut column = margin + 3;
-    write!(formatter, "\n{:margin$} =", "")?;
-    for word in lines.next().unwrap_or_default().split(' ') {
-        let length = word.chars().count();
-        if column + 1 + length > WIDTH {
-            write!(formatter, "\n{:margin$}  ", "")?;
-            column = margin + 3;
-        }
-        write!(formatter, " {word}")?;
-        column += 1 + length;
-    }
-    for line in lines {
-        write!(formatter, "\n{:margin$}       {line}", "")?;
-    }
-    Ok(())
+    let label = format!("{:margin$} = ", "");
+    write!(formatter, "\n{}", folded(&label, lines.next().unwrap_or_default()))?;
+    lines.try_for_each(|line| write!(formatter, "\n{:margin$}       {line}", ""))
 }

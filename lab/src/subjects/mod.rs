@@ -4,13 +4,9 @@
 //! shown and written is the same for all of them, and is here.
 
 mod compared;
-mod page;
 mod sheet;
 mod subject;
-mod table;
 
 pub use compared::{CompareError, Compared, Watch};
-pub use page::page;
-pub use sheet::Sheet;
+pub use sheet::{Sheet, page};
 pub use subject::Subject;
-pub(crate) use table::Table;

@@ -2,8 +2,12 @@
 
 use std::fmt;
 
-use super::table::Table;
 use lyapunov_figures::Figure;
+use maud::html;
+
+use super::compared::Compared;
+use crate::html;
+use crate::table::Table;
 
 /// A comparison as it is shown; in the terminal it takes 100 columns at most, but for a name that is longer.
 #[derive(Clone, Debug)]
@@ -28,5 +32,46 @@ impl fmt::Display for Sheet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}: {}\n{}", self.name, self.setting, self.start)?;
         self.tables.iter().try_for_each(|table| write!(f, "\n{table}"))
+    }
+}
+
+/// The `sheets` of comparisons `C` as a page, in HTML; `command` made them.
+pub fn page<C: Compared>(sheets: &[Sheet], command: &str) -> String {
+    let body = html! {
+        p { "By " (html::maker(command)) "." }
+        p { (C::ABOUT) " All numbers are in " code { "compare.json" } "." }
+        @for sheet in sheets {
+            h2 { (sheet.name) }
+            p { (sheet.start) "." }
+            (html::figure(None, sheet.figure.to_svg(), &html! { (sheet.caption) }))
+            @for table in &sheet.tables { (table.to_html("short")) }
+        }
+    };
+    html::page(C::TITLE, &body)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::Comparison;
+    use crate::table::Heading;
+
+    #[test]
+    fn what_a_file_is_called_is_no_markup() {
+        let hostile = "<img src=x onerror=alert(1)>&";
+        let table = Table::new([Heading::word(hostile)]).with_rows([[hostile.into()]]);
+        let sheet = Sheet {
+            name: hostile.to_owned(),
+            setting: hostile.to_owned(),
+            start: hostile.to_owned(),
+            tables: vec![table],
+            figure: Figure::new(hostile),
+            caption: "",
+            csv: String::new(),
+        };
+        let page = page::<Comparison>(&[sheet], hostile);
+        assert!(!page.contains("<img"), "{page}");
+        // Command, name, start, heading and cell, and the drawing's title, which it has twice.
+        assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 7, "{page}");
     }
 }

@@ -10,15 +10,13 @@ use crate::meters::Settling;
 use crate::scene::{
     Candidate, Cap, Environment, Ledger, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
 };
+use crate::words::listed;
 use crate::{Row, Space, Tick};
 
 /// Settled means within this share of the starting swing about the equilibrium.
 pub(crate) const BAND: f64 = 0.05;
 /// Settled in the last tenth of a run is not yet settled.
 const LATE: f64 = 0.9;
-
-/// The widest line.
-const WIDTH: usize = 98;
 
 /// Lengths and energies are told in thousandths of their units.
 const MILLI: f64 = 1e3;
@@ -297,20 +295,10 @@ impl Summary {
 
 /// A line of things with their name in front, folded where it grows long; nothing where there is none.
 fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let mut column = usize::MAX;
-    for thing in things {
-        if column == usize::MAX {
-            write!(f, "\n  {name:<13}{thing}")?;
-            column = 15 + thing.len();
-        } else if column + 2 + thing.len() < WIDTH {
-            write!(f, ", {thing}")?;
-            column += 2 + thing.len();
-        } else {
-            write!(f, ",\n{:15}{thing}", "")?;
-            column = 15 + thing.len();
-        }
+    if things.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    write!(f, "\n{}", listed(&format!("  {name:<13}"), things))
 }
 
 /// How a stabilizer books work, and how much it may inject.

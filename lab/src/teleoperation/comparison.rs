@@ -6,6 +6,7 @@ use super::contestant::Contestant;
 use super::score::{Curves, Outcome, Score};
 use super::teleoperator::Teleoperator;
 use super::{document, picture, rig, table};
+use crate::csv::{self, Field};
 use crate::subjects::{CompareError, Compared, Sheet, Watch};
 
 /// All contestants on one teleoperator; shown, it is the table of `lyapunov compare`.
@@ -68,16 +69,16 @@ impl Comparison {
 
     /// [`Comparison::curves`] as comma-separated values, in numbers that read back exactly.
     fn csv(&self) -> String {
-        let rows = self.curves().flat_map(|(contestant, curves)| {
+        let records = self.curves().flat_map(|(contestant, curves)| {
             let devices = [("master", &curves.master), ("slave", &curves.slave)];
             devices.into_iter().flat_map(move |(device, curve)| {
-                let line = move |(t, x): &(f64, f64)| {
-                    format!("{},{device},{t:?},{x:?}\n", contestant.name())
-                };
-                curve.iter().map(line)
+                let names = [contestant.name(), device].map(Field::Text);
+                curve
+                    .iter()
+                    .map(move |(t, x)| [names[0], names[1], Field::Number(*t), Field::Number(*x)])
             })
         });
-        std::iter::once("stabilizer,device,t,x\n".to_owned()).chain(rows).collect()
+        csv::text(["stabilizer", "device", "t", "x"], records)
     }
 }
 

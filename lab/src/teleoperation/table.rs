@@ -4,8 +4,8 @@ use super::comparison::Comparison;
 use super::meter::BOUND;
 use super::score::Score;
 use super::teleoperator::Teleoperator;
-use crate::subjects::Table;
 use crate::summary::{found, given};
+use crate::table::{Cell, Heading, Table};
 
 /// The teleoperator in one line.
 pub(super) fn setting(file: &Teleoperator) -> String {
@@ -38,47 +38,50 @@ pub(super) fn start(file: &Teleoperator) -> String {
 
 /// How the devices moved, and what it took.
 pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
-    let table = |headings: [[&str; 7]; 3], cells: fn(&Score) -> [String; 7]| Table {
-        headings: headings.map(|line| line.map(str::to_owned).into()).into(),
-        rows: comparison.scores().map(|score| cells(score).into()).collect(),
-    };
     let motion = [
-        ["", "", "largest", "speed at", "largest", "error at", "drift at"],
-        ["", "", "energy", "the end", "error", "the end", "the end"],
-        ["stabilizer", "bounded", "mJ", "mm/s", "mm", "mm", "mm"],
+        Heading::word("stabilizer"),
+        Heading::word("bounded"),
+        Heading::number("largest\nenergy\nmJ"),
+        Heading::number("speed at\nthe end\nmm/s"),
+        Heading::number("largest\nerror\nmm"),
+        Heading::number("error at\nthe end\nmm"),
+        Heading::number("drift at\nthe end\nmm"),
     ];
     let ports = [
-        ["", "force", "force in", "least", "", "active at", "active at"],
-        ["", "felt", "contact", "energy", "shortfall", "the master", "the slave"],
-        ["stabilizer", "N", "N", "mJ", "mJ", "%", "%"],
+        Heading::word("stabilizer"),
+        Heading::number("force\nfelt\nN"),
+        Heading::number("force in\ncontact\nN"),
+        Heading::number("least\nenergy\nmJ"),
+        Heading::number("shortfall\nmJ"),
+        Heading::number("active at\nthe master\n%"),
+        Heading::number("active at\nthe slave\n%"),
     ];
-    vec![table(motion, in_motion), table(ports, at_ports)]
-}
-
-fn in_motion(score: &Score) -> [String; 7] {
-    [
-        score.stabilizer.to_owned(),
-        if score.bounded { "yes" } else { "no" }.to_owned(),
-        number(score.energy),
-        number(score.speed),
-        number(score.error),
-        number(score.error_end),
-        number(score.drift),
+    vec![
+        Table::new(motion).with_rows(comparison.scores().map(in_motion)),
+        Table::new(ports).with_rows(comparison.scores().map(at_ports)),
     ]
 }
 
-fn at_ports(score: &Score) -> [String; 7] {
+fn in_motion(score: &Score) -> [Cell; 7] {
     [
-        score.stabilizer.to_owned(),
-        number(score.felt),
-        number(score.contact),
-        number(score.kept),
-        number(score.shortfall),
-        format!("{:.1}", score.active_master),
-        format!("{:.1}", score.active_slave),
+        score.stabilizer.into(),
+        score.bounded.into(),
+        score.energy.into(),
+        score.speed.into(),
+        score.error.into(),
+        score.error_end.into(),
+        score.drift.into(),
     ]
 }
 
-fn number(value: Option<f64>) -> String {
-    value.map_or("-".to_owned(), |value| found(value).to_string())
+fn at_ports(score: &Score) -> [Cell; 7] {
+    [
+        score.stabilizer.into(),
+        score.felt.into(),
+        score.contact.into(),
+        score.kept.into(),
+        score.shortfall.into(),
+        format!("{:.1}", score.active_master).into(),
+        format!("{:.1}", score.active_slave).into(),
+    ]
 }
