@@ -3,7 +3,7 @@
 use lyapunov::laws::{self, Samples};
 use lyapunov::{
     AffinePlant, ArmEnergy, ControlAffine, Decay, Drive, LyapunovCandidate, LyapunovFunction,
-    Plant, PortEnergy, RungeKutta4, UprightEnergy, WithState, decrease_of,
+    Plant, PortEnergy, RungeKutta4, UprightEnergy, WithFlow, WithState, decrease_of,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector4};
 
@@ -143,12 +143,8 @@ fn affine_plants_keep_the_laws_of_a_plant_and_the_integrator_its_own() {
     let plant = AffinePlant::new(arm(), springs, RungeKutta4, 1e-3, 2).expect("a plant");
     laws::plant(&plant, small::<4, 2>()).expect("the arm");
 
-    let view = lyapunov::FirstOrder { plant: pendulum(), function: energy };
-    let still = WithState { input: Vector1::new(0.0), state: Vector2::zeros() };
-    let from = lyapunov::State {
-        position: still,
-        velocity: WithState { input: Vector1::new(0.0), state: Vector2::new(0.4, -1.0) },
-    };
-    let push = WithState::of_input(Vector1::new(0.7));
-    laws::integrator(&RungeKutta4, &view, [(from, push)], 0.2, 4).expect("of order 4");
+    let dynamics = WithFlow { plant: pendulum(), function: energy };
+    let from = WithState { input: Vector1::new(0.0), state: Vector2::new(0.4, -1.0) };
+    let push = Vector1::new(0.7);
+    laws::integrator(&RungeKutta4, &dynamics, [(from, push)], 0.2, 4).expect("of order 4");
 }

@@ -3,8 +3,8 @@
 use core::cell::Cell;
 
 use lyapunov::{
-    Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, Dynamics, EmbeddedPair, Exact,
-    Impedance, Integrator, Oscillator, Plant, Requirement, State,
+    Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, Impedance,
+    Integrator, Mechanics, Oscillator, Plant, Requirement, State,
 };
 use nalgebra::Vector2;
 
@@ -13,7 +13,7 @@ use crate::{hand, moved, pair};
 /// A pendulum and what it costs: its acceleration, counted.
 struct Counted<'a>(&'a Cell<u32>);
 
-impl Dynamics<f64> for Counted<'_> {
+impl Mechanics<f64> for Counted<'_> {
     type Coordinates = f64;
 
     fn acceleration(&self, angle: f64, rate: f64, effort: f64) -> f64 {

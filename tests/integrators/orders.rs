@@ -2,7 +2,7 @@
 
 use lyapunov::{
     CoupledOscillators, DormandPrince5, DormandPrince8, Exact, Impedance, ImplicitMidpoint,
-    Integrator, Linked, Oscillator, Plant, RungeKutta4, SemiImplicitEuler, State,
+    Integrator, Linked, Oscillator, Plant, RungeKuttaNystrom4, SemiImplicitEuler, State,
 };
 
 use crate::{U, hand, moved, pair};
@@ -78,10 +78,10 @@ fn errors_fall_with_the_step_as_the_order_says() {
         |slope: f64, order: f64| assert!((slope - order).abs() < 0.1, "{slope}, not {order}");
     near(order_of_one(SemiImplicitEuler, fine), 1.0);
     near(order_of_one(ImplicitMidpoint, coarse), 2.0);
-    near(order_of_one(RungeKutta4, coarse), 4.0);
+    near(order_of_one(RungeKuttaNystrom4, coarse), 4.0);
     near(order_of_two(SemiImplicitEuler, fine), 1.0);
     near(order_of_two(ImplicitMidpoint, coarse), 2.0);
-    near(order_of_two(RungeKutta4, coarse), 4.0);
+    near(order_of_two(RungeKuttaNystrom4, coarse), 4.0);
     near(order_of_one(DormandPrince5, [32, 64, 128, 256]), 5.0);
     near(order_of_two(DormandPrince5, [64, 128, 256, 512]), 5.0);
     // So few steps that rounding stays out, and so many that the next order does.
