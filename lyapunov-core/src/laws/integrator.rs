@@ -7,6 +7,8 @@ use crate::{Dynamics, Integrator, Scalar, Signal};
 
 /// Steps of the coarse runs over the interval.
 const COARSE: [u32; 4] = [8, 16, 32, 64];
+/// Where runs are compared: at one place alone errors of different signs may cancel.
+const PLACES: usize = 8;
 /// Steps of the run that they are compared with.
 const FINE: u32 = 2048;
 /// How far below its order a regressed slope may lie.
@@ -19,8 +21,8 @@ const SLACK: f64 = 0.25;
 ///
 /// Its errors over the interval in 8, 16, 32 and 64 steps are taken against 2048 steps of Kutta's 3/8 rule, and the
 /// slope of their logarithms over that of the step must be `order` or more, less a quarter. Errors of the size of
-/// rounding are left out, so that an exact integrator has any order. An error is the sum of those of all axes, in the
-/// axes' own units. Choose an interval in which the fastest motion turns about one radian.
+/// rounding are left out, so that an exact integrator has any order. An error is the sum over eight places and over all
+/// axes, each relative to its largest magnitude. Choose an interval in which the fastest motion turns about one radian.
 ///
 /// # Errors
 /// The first law that is broken, the start as its sample; for [`Converges`](Law::Converges) the slope.
@@ -61,20 +63,21 @@ fn spread<X: Signal>(signal: X, lane: usize) -> X {
     signal.map(|axis| X::Scalar::of(axis.lane(lane)))
 }
 
-/// The magnitudes of all axes together.
-fn size<X: Signal>(state: X) -> X::Scalar {
-    state.map(Scalar::magnitude).sum()
-}
-
-/// Where `steps` steps lead.
+/// Where `steps` steps lead: at the end of each of [`PLACES`] equal parts of the interval.
 fn follow<X: Signal>(
     from: X,
     interval: X::Scalar,
     steps: u32,
     mut gain: impl FnMut(X, X::Scalar) -> X,
-) -> X {
+) -> [X; PLACES] {
     let step = interval / X::Scalar::of(steps.into());
-    (0..steps).fold(from, |state, _| state + gain(state, step))
+    let mut at = from;
+    core::array::from_fn(|_| {
+        for _ in 0..steps / PLACES as u32 {
+            at = at + gain(at, step);
+        }
+        at
+    })
 }
 
 /// Kutta's 3/8 rule, of order 4 (Kutta 1901).
@@ -108,15 +111,23 @@ where
     I: Integrator<U, D> + Clone,
 {
     let fine = follow(from, interval, FINE, |at, step| three_eighths(dynamics, at, input, step));
+    let size = fine.into_iter().fold(from.map(Scalar::magnitude), |size, at| {
+        size.zip(at, |size, axis| size.larger(axis.magnitude()))
+    });
+    let size = size.map(|axis| axis + U::Scalar::tiny());
     let errors = COARSE.map(|steps| {
         let mut integrator = integrator.clone();
         let coarse =
             follow(from, interval, steps, |at, step| integrator.step(dynamics, at, input, step));
-        size(coarse - fine)
+        let mut error = U::Scalar::of(0.0);
+        for (coarse, fine) in coarse.into_iter().zip(fine) {
+            error += (coarse - fine).zip(size, |error, size| error.magnitude() / size).sum();
+        }
+        error
     });
-    let moved = size(from) + size(fine);
     // Each axis is rounded once a step, by half a unit in the last place at most.
-    let rounding = moved * U::Scalar::epsilon() * U::Scalar::of(f64::from(FINE));
+    let axes = D::State::splat(U::Scalar::of(1.0)).sum();
+    let rounding = axes * U::Scalar::epsilon() * U::Scalar::of(f64::from(FINE));
     for lane in 0..U::Scalar::LANES {
         let errors = errors.map(|error| error.lane(lane));
         let Some(slope) = slope(errors, rounding.lane(lane)) else { continue };
