@@ -16,6 +16,8 @@
 
 mod accumulator;
 mod action;
+#[cfg(feature = "approx")]
+mod approximate;
 mod candidate;
 mod dissipation;
 mod double_double;
@@ -36,6 +38,10 @@ mod scalar;
 mod signal;
 mod stabilizer;
 mod state;
+
+#[cfg(feature = "approx")]
+#[doc(hidden)]
+pub use approx;
 
 pub use accumulator::{Accumulator, Compensated, Plain, Wide, Widen};
 pub use action::Action;

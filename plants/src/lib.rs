@@ -23,6 +23,8 @@
 #![no_std]
 
 mod affine;
+#[cfg(feature = "approx")]
+mod approximate;
 mod bodies;
 mod channels;
 mod courses;

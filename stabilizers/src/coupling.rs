@@ -13,6 +13,9 @@ pub struct Coupling<T> {
     pub drag: T,
 }
 
+#[cfg(feature = "approx")]
+lyapunov_core::approximate!(impl[T: PartialEq] Coupling<T>, of T { stiffness, damping, drag });
+
 impl<T: Scalar> Coupling<T> {
     /// The least viscous damping of a device that renders this coupling passively, N·s/m: `K T / 2 + B`.
     pub fn device_damping(self, period: T) -> T {

@@ -90,3 +90,6 @@ impl<T: Scalar> DampingLimit<T> {
         Self { most: most.smaller(T::largest()) }
     }
 }
+
+#[cfg(feature = "approx")]
+lyapunov_core::approximate!(impl[T: PartialEq] DampingLimit<T>, of T { most });
