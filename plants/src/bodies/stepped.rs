@@ -14,13 +14,14 @@ use crate::{Assembled, Coordinates, Tethered};
 /// two positions, as [`Body`](crate::Body) does; what a step gains is added to the state, and no time is summed.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{ParameterError, Plant};
 /// use lyapunov_plants::{Impedance, Oscillator, RungeKuttaNystrom4, Stepped};
 /// let hand = Oscillator::new(Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 })?;
 /// let mut plant = Stepped::new(hand, RungeKuttaNystrom4, 1e-3, 4)?.starting(-0.004_f64, 0.0);
 /// let drive = plant.advance(0.0);
 /// // Over so short a time it falls freely: x₀ (1 − k T² / (2 m)).
-/// assert!((drive.position + 0.004 * (1.0 - 50.0 * 1e-6 / 0.6)).abs() < 1e-9);
+/// assert_abs_diff_eq!(drive.position, -0.004 * (1.0 - 50.0 * 1e-6 / 0.6), epsilon = 1e-9);
 /// # Ok::<(), ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
