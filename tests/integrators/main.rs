@@ -3,6 +3,7 @@
 mod adaptive;
 mod energy;
 mod exact;
+mod first_order;
 mod lanes;
 mod law;
 mod located;
