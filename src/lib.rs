@@ -3,24 +3,24 @@
 
 pub use lyapunov_core::{
     Accumulator, Action, Always, Beyond, Compensated, Dissipation, DoubleDouble, Drive, Dynamics,
-    Gate, Held, Integrator, Ledger, Load, LyapunovCandidate, LyapunovFunction, Mask, Observer,
-    OnePort, ParameterError, Plain, Plant, PortEnergy, Requirement, Sampled, Scalar, Signal,
-    Stabilized, Stabilizer, State, Storage, Wide, Widen, Work, lanes, laws,
+    Gate, Held, Integrator, Ledger, Load, LyapunovCandidate, LyapunovFunction, Mask, Mechanics,
+    Observer, OnePort, ParameterError, Plain, Plant, PortEnergy, Requirement, Sampled, Scalar,
+    Signal, Stabilized, Stabilizer, State, Storage, Wide, Widen, Work, lanes, laws,
 };
 pub use lyapunov_plants::{
     Adapt, Adaptive, AdaptiveWindow, AdmittanceDevice, AffinePlant, ArmEnergy, Assembled, Body,
     Channel, Constant, ConstantDelay, Contact, ControlAffine, Coordinates, CoupledOscillators,
     Course, Cuboid, DampedMass, DcMotor, Decay, Delay, Difference, DissipationOf, DormandPrince5,
-    DormandPrince8, Dropout, EmbeddedPair, Encoder, Exact, Fallback, FirstAxis, FirstOrder,
-    Friction, Grip, Ground, Guard, Hold, HuntCrossley, Impedance, ImplicitDynamics,
-    ImplicitMidpoint, InvertedPendulum, Jitter, Joined, LayeredWall, LegEnergy, Limb, Linear,
-    LinearDynamics, Link, Linked, Located, Lossy, LowPass, MassSpringDamper, Measured, Motion,
-    MotorEnergy, MotorParts, MovingWall, Nearest, Noise, Oscillator, Perturb, Plane, ProstheticLeg,
-    Pulse, Push, QuadraticForm, Ramp, Random, Rubbing, RubbingOscillator, RungeKutta4, Samples,
-    Saturation, SemiImplicitEuler, Sine, Solid, Source, Sphere, Spring, StateFeedback, Step,
-    Stepped, Stribeck, Switching, Tethered, Transition, Transitions, TwoLinkArm, TwoMass,
+    DormandPrince8, Dropout, EmbeddedPair, Encoder, Exact, Fallback, FirstAxis, Friction, Grip,
+    Ground, Guard, Hold, HuntCrossley, Impedance, ImplicitMechanics, ImplicitMidpoint,
+    InvertedPendulum, Jitter, Joined, LayeredWall, LegEnergy, Limb, Linear, LinearDynamics, Link,
+    Linked, Located, Lossy, LowPass, MassSpringDamper, Measured, Motion, MotorEnergy, MotorParts,
+    MovingWall, Nearest, Noise, Oscillator, Perturb, Plane, ProstheticLeg, Pulse, Push,
+    QuadraticForm, Ramp, Random, Rubbing, RubbingOscillator, RungeKutta4, RungeKuttaNystrom4,
+    Samples, Saturation, SemiImplicitEuler, Sine, Solid, Source, Sphere, Spring, StateFeedback,
+    Step, Stepped, Stribeck, Switching, Tethered, Transition, Transitions, TwoLinkArm, TwoMass,
     UprightEnergy, VanDerPol, VaryingDelay, VaryingSpring, Wall, Walled, WalledOscillator,
-    WithState, decrease_of, held_input, tick_of,
+    WithFlow, WithState, decrease_of, held_input, tick_of,
 };
 pub use lyapunov_stabilizers::{
     Account, Aimed, Along, Bounded, ContactReset, Coupled, Coupling, DampingLimit,

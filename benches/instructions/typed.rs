@@ -2,8 +2,8 @@
 
 use lyapunov::{
     Adapt, Body, DampingLimit, Difference, Dissipation, ForceBound, Hold, Impedance, Lolc, OnePort,
-    Oscillator, ParameterError, Plant, Popc, PortEnergy, RungeKutta4, Scalar, Stabilized, Stepped,
-    Store, Tank, Wall,
+    Oscillator, ParameterError, Plant, Popc, PortEnergy, RungeKuttaNystrom4, Scalar, Stabilized,
+    Stepped, Store, Tank, Wall,
 };
 
 use super::numbers::{
@@ -18,7 +18,7 @@ pub(crate) type Corrected<T> = Difference<Stabilized<Hold<Wall<T>, T>, Popc<T>, 
 pub(crate) type Plain<T> = Difference<Wall<T>>;
 
 /// A mass moved by the classical Runge-Kutta method.
-pub(crate) type Integrated<T> = Stepped<T, Oscillator<T>, RungeKutta4>;
+pub(crate) type Integrated<T> = Stepped<T, Oscillator<T>, RungeKuttaNystrom4>;
 
 /// What moves, and what answers.
 #[derive(Clone, Copy, Debug)]
@@ -88,7 +88,7 @@ pub(crate) fn plain<T: Scalar>() -> Result<Loop<Body<T>, Plain<T>>, ParameterErr
 
 /// The plain loop with a body that is integrated.
 pub(crate) fn integrated<T: Scalar>() -> Result<Loop<Integrated<T>, Plain<T>>, ParameterError> {
-    let plant = Stepped::new(Oscillator::new(hand())?, RungeKutta4, T::of(PERIOD), STEPS)?;
+    let plant = Stepped::new(Oscillator::new(hand())?, RungeKuttaNystrom4, T::of(PERIOD), STEPS)?;
     Ok(Loop { plant: plant.starting(T::of(START), T::of(0.0)), port: wall()?.differenced() })
 }
 

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use approx::abs_diff_eq;
 use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Comparison, Contestants, Score};
 use lyapunov_lab::family::{Member, Members};
@@ -128,7 +129,7 @@ fn energies_by_cause_add_up() {
         assert!(left.abs() < 1e-9 * came && came > 1e-3, "{name}: {left} of {came} J");
         let controller = own.iter().find(|part| part[1] == "controller").unwrap();
         let taken = 1e-3 * row["energy_taken_mj"].as_f64().unwrap();
-        assert!((given(controller) + taken).abs() < 1e-9 * taken, "{name}");
+        assert!(abs_diff_eq!(given(controller), -taken, epsilon = 1e-9 * taken), "{name}");
     }
 }
 
@@ -176,7 +177,7 @@ fn the_trade_off_is_what_144_comparisons_say() {
         let mut own: Vec<f64> = common.iter().map(|wall| wall[index].unwrap()).collect();
         own.sort_by(f64::total_cmp);
         let (middle, told) = (own[(own.len() - 1) / 2], line[4].parse::<f64>().unwrap());
-        assert!((told - middle).abs() <= 1e-9 * middle, "{told} {middle}");
+        assert!(abs_diff_eq!(told, middle, epsilon = 1e-9 * middle), "{told} {middle}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! Why loops are unstable: the energy balance closes, and what is said to help does.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov_lab::causes::{Balance, Change, Explanation};
 use lyapunov_lab::scene::{Positive, Scene};
 use lyapunov_lab::{Rollout, Row, shipped};
@@ -75,8 +76,8 @@ fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
     let held: f64 = rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).sum();
     let leak = stored(&rows[rows.len() - 1]) - stored(&rows[0]) - held;
     let told = Explanation::of::<f64>(&scene).unwrap().whole_run;
-    assert!((told.hold / leak - 1.0).abs() < 1e-9, "{} {leak}", told.hold);
-    assert!((told.gained / -held - 1.0).abs() < 1e-9);
+    assert!(abs_diff_eq!(told.hold / leak, 1.0, epsilon = 1e-9), "{} {leak}", told.hold);
+    assert_abs_diff_eq!(told.gained / -held, 1.0, epsilon = 1e-9);
 }
 
 /// A random wall that is too stiff for its loop.

@@ -1,5 +1,6 @@
 //! The claims of the paper against straight code: the loop written out, the medians over the same starts.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov_lab::paper::claims::{
     Balance, Control, Grid, Measures, Setting, Verdict, claims, run, starts,
 };
@@ -78,14 +79,17 @@ fn middle(mut numbers: Vec<f64>) -> f64 {
 }
 
 fn near(measured: f64, expected: f64, share: f64, what: &str) {
-    assert!((measured / expected - 1.0).abs() <= share, "{what}: {measured} against {expected}");
+    assert!(
+        abs_diff_eq!(measured / expected, 1.0, epsilon = share),
+        "{what}: {measured} against {expected}"
+    );
 }
 
 #[test]
 fn ensembles_agree_with_straight_code() {
     let starts = starts(101);
     for (index, start) in [(0, -0.0036), (50, -0.004), (100, -0.0044)] {
-        assert!((starts[index] - start).abs() < 1e-17);
+        assert_abs_diff_eq!(starts[index], start, epsilon = 1e-17);
     }
     let walls = [(8e3, 2.0, 0.15), (50e3, 20.0, 0.05)];
     for (control, credited) in [(Control::Popc, false), (Control::Lolc, true)] {

@@ -1,5 +1,6 @@
 //! The family by name: each is what docs/family.md says, with the numbers of that page worked out here by hand.
 
+use approx::abs_diff_eq;
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::laws::Samples;
 use lyapunov::{
@@ -137,7 +138,7 @@ fn a_budget_is_what_is_stored_at_the_start() {
     let mut budgeted = member.on::<f64>(&scene).unwrap();
     let still = Drive::starting(PERIOD, 0.003, 0.0);
     let sum = budgeted.stabilize(&still, 40.0).sum;
-    assert!((sum - 0.5 * 20000.0 * 0.002 * 0.002).abs() < 1e-15, "{sum}");
+    assert!(abs_diff_eq!(sum, 0.5 * 20000.0 * 0.002 * 0.002, epsilon = 1e-15), "{sum}");
 }
 
 #[test]

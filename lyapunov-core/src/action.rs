@@ -17,7 +17,22 @@ pub struct Action<V: Signal> {
     pub accepted: <V::Scalar as Scalar>::Mask,
 }
 
+impl<V: Signal> PartialEq for Action<V> {
+    fn eq(&self, other: &Self) -> bool {
+        self.effort == other.effort
+            && self.sum == other.sum
+            && self.alpha == other.alpha
+            && self.shortfall == other.shortfall
+            && self.accepted_alike(other)
+    }
+}
+
 impl<V: Signal> Action<V> {
+    /// Whether both accept the same lanes.
+    pub(crate) fn accepted_alike(&self, other: &Self) -> bool {
+        (0..V::Scalar::LANES).all(|lane| self.accepted.lane(lane) == other.accepted.lane(lane))
+    }
+
     /// What a port without a stabilizer reports: `effort` as it is, and nothing done.
     #[inline(always)]
     pub fn none(effort: V) -> Self {

@@ -81,12 +81,13 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 /// finite one spans the gap; in a sum of terms only this one does.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, LyapunovCandidate, Storage};
 /// // A hand of 0.3 kg with a spring of 50 N/m.
 /// let energy = |x: f64, v: f64| 0.5 * (0.3 * v * v + 50.0 * x * x);
 /// let mut candidate = Storage::starting(energy, 0.1, 0.0);
 /// let drive = Drive::new(1e-3, 0.0, 0.0, -0.1, 0.0);
-/// assert!((candidate.decrease(&drive) - 0.25).abs() < 1e-12);
+/// assert_abs_diff_eq!(candidate.decrease(&drive), 0.25, epsilon = 1e-12);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Storage<F, T> {

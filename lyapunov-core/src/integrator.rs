@@ -1,53 +1,31 @@
-//! What follows an equation of motion through time.
+//! What follows a differential equation through time.
 
-use crate::{Dynamics, Signal, State};
+use crate::{Dynamics, Signal};
 
-/// A one-step method: it follows an equation of motion over an interval under a held effort.
+/// A one-step method: it follows `ẋ = f(x, u)` over an interval under a held input.
 ///
 /// It answers with what the state *gains*, not with the new state: a gain is a small number with digits of its own,
 /// and whoever sums chooses how. Over no time it gains exactly nothing. What an integrator remembers from step to
 /// step (a matrix, a step size) is in its value.
 ///
 /// ```
-/// use lyapunov_core::{Dynamics, Integrator, Signal, State};
+/// use lyapunov_core::{Dynamics, Integrator, Signal};
 /// /// Euler's method, of order 1.
 /// struct Euler;
-/// impl<V: Signal, D: Dynamics<V>> Integrator<V, D> for Euler {
-///     fn step(
-///         &mut self,
-///         dynamics: &D,
-///         from: State<D::Coordinates>,
-///         effort: V,
-///         interval: V::Scalar,
-///     ) -> State<D::Coordinates> {
-///         let acceleration = dynamics.acceleration(from.position, from.velocity, effort);
-///         State {
-///             position: from.velocity.scale(interval),
-///             velocity: acceleration.scale(interval),
-///         }
+/// impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for Euler {
+///     fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+///         dynamics.rate(from, input).scale(interval)
 ///     }
 /// }
 /// ```
-pub trait Integrator<V: Signal, D: Dynamics<V>> {
-    /// What `from` gains over `interval` s, while `effort` is held.
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates>;
+pub trait Integrator<U: Signal, D: Dynamics<U>> {
+    /// What `from` gains over `interval` s, while `input` is held.
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State;
 }
 
-impl<V: Signal, D: Dynamics<V>, I: Integrator<V, D> + ?Sized> Integrator<V, D> for &mut I {
+impl<U: Signal, D: Dynamics<U>, I: Integrator<U, D> + ?Sized> Integrator<U, D> for &mut I {
     #[inline]
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
-        (**self).step(dynamics, from, effort, interval)
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+        (**self).step(dynamics, from, input, interval)
     }
 }

@@ -4,7 +4,7 @@
 //! A [`Plant`] moves and tells a [`Drive`]: what moved, and which effort really acted. A [`OnePort`] answers
 //! with the next effort. In between a [`Stabilizer`] watches an [`Observer`]: the sum of what a
 //! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. An [`Integrator`] follows the [`Dynamics`] of a plant through
-//! its period. Everything is generic over the [`Scalar`] (`f32`,
+//! its period; those of a mass are [`Mechanics`]. Everything is generic over the [`Scalar`] (`f32`,
 //! `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
 //! an allocator, and does not panic. [`laws`] checks parts of one's own.
 //!
@@ -16,6 +16,8 @@
 
 mod accumulator;
 mod action;
+#[cfg(feature = "approx")]
+mod approximate;
 mod candidate;
 mod dissipation;
 mod double_double;
@@ -27,6 +29,7 @@ pub mod laws;
 mod ledger;
 mod load;
 mod lyapunov_function;
+mod mechanics;
 mod observer;
 mod one_port;
 mod parameter;
@@ -34,6 +37,11 @@ mod plant;
 mod scalar;
 mod signal;
 mod stabilizer;
+mod state;
+
+#[cfg(feature = "approx")]
+#[doc(hidden)]
+pub use approx;
 
 pub use accumulator::{Accumulator, Compensated, Plain, Wide, Widen};
 pub use action::Action;
@@ -41,11 +49,12 @@ pub use candidate::{LyapunovCandidate, PortEnergy, Storage};
 pub use dissipation::{Always, Beyond, Dissipation, Gate};
 pub use double_double::DoubleDouble;
 pub use drive::Drive;
-pub use dynamics::{Dynamics, State};
+pub use dynamics::Dynamics;
 pub use integrator::Integrator;
 pub use ledger::{Held, Ledger, Sampled, Work};
 pub use load::Load;
 pub use lyapunov_function::LyapunovFunction;
+pub use mechanics::Mechanics;
 pub use observer::Observer;
 pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
@@ -53,3 +62,4 @@ pub use plant::Plant;
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;
 pub use stabilizer::{Stabilized, Stabilizer};
+pub use state::State;

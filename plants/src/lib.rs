@@ -3,7 +3,7 @@
 //! Environments answer a motion: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and the one-sided
 //! [`Wall`] of its evaluation; [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`], which swing
 //! with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly, and so is
-//! [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as [`RungeKutta4`]. What follows
+//! [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as [`RungeKuttaNystrom4`]. What follows
 //! time by itself, a hand or a load, is a [`Course`]. Effects are adaptors that own the port, chained by [`Adapt`], or
 //! the body, chained by [`Perturb`], they act on; one that is not written costs nothing. A [`Channel`] carries messages
 //! between two loops.
@@ -23,6 +23,8 @@
 #![no_std]
 
 mod affine;
+#[cfg(feature = "approx")]
+mod approximate;
 mod bodies;
 mod channels;
 mod courses;
@@ -34,8 +36,8 @@ mod models;
 mod random;
 
 pub use affine::{
-    AffinePlant, ControlAffine, Decay, FirstOrder, Measured, QuadraticForm, StateFeedback,
-    WithState, decrease_of,
+    AffinePlant, ControlAffine, Decay, Measured, QuadraticForm, StateFeedback, WithFlow, WithState,
+    decrease_of,
 };
 pub use bodies::{
     Body, DampedMass, Friction, Grip, Impedance, Jitter, Linear, Link, Linked, Motion, Perturb,
@@ -44,7 +46,7 @@ pub use bodies::{
 pub use channels::{Channel, ConstantDelay, Lossy, VaryingDelay};
 pub use courses::{Constant, Course, FirstAxis, Pulse, Ramp, Samples, Sine, Step, tick_of};
 pub use dynamics::{
-    Assembled, Coordinates, CoupledOscillators, ImplicitDynamics, Joined, LinearDynamics,
+    Assembled, Coordinates, CoupledOscillators, ImplicitMechanics, Joined, LinearDynamics,
     Oscillator, Rubbing, RubbingOscillator, Switching, Walled, WalledOscillator,
 };
 pub use effects::{
@@ -57,7 +59,7 @@ pub use environments::{
 };
 pub use integrators::{
     Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, ImplicitMidpoint, Located,
-    RungeKutta4, SemiImplicitEuler,
+    RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler,
 };
 pub use models::{
     AdmittanceDevice, ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, Limb, MotorEnergy,

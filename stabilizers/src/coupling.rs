@@ -13,6 +13,9 @@ pub struct Coupling<T> {
     pub drag: T,
 }
 
+#[cfg(feature = "approx")]
+lyapunov_core::approximate!(impl[T: PartialEq] Coupling<T>, of T { stiffness, damping, drag });
+
 impl<T: Scalar> Coupling<T> {
     /// The least viscous damping of a device that renders this coupling passively, N·s/m: `K T / 2 + B`.
     pub fn device_damping(self, period: T) -> T {
@@ -52,6 +55,7 @@ impl<T: Scalar> Coupling<T> {
 /// A deflection or an answer that is not finite is told once and then forgotten.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, OnePort};
 /// use lyapunov_stabilizers::{Coupled, Coupling};
 /// struct Spring(f64); // N/m
@@ -61,13 +65,13 @@ impl<T: Scalar> Coupling<T> {
 ///     }
 /// }
 /// let coupling = Coupling { stiffness: 1000.0_f64, damping: 0.1, drag: 5.0 };
-/// assert!((coupling.device_damping(1e-3) - 0.6).abs() < 1e-12); // N·s/m
+/// assert_abs_diff_eq!(coupling.device_damping(1e-3), 0.6, epsilon = 1e-12); // N·s/m
 /// let mut port = Coupled::new(Spring(9000.0), coupling)?;
 /// let mut force = port.respond(&Drive::new(1e-3, 1e-3, 1.0, 1e-3, 0.0));
 /// for _ in 0..100 {
 ///     force = port.respond(&Drive::new(1e-3, 1e-3, 0.0, 0.0, force));
 /// }
-/// assert!((force - 0.9).abs() < 1e-9); // 1 mm on 900 N/m
+/// assert_abs_diff_eq!(force, 0.9, epsilon = 1e-9); // 1 mm on 900 N/m
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

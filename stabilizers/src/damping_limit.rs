@@ -64,10 +64,11 @@ impl<T: Scalar> DampingLimit<T> {
     /// later it is, and the smaller damper burns less.
     ///
     /// ```
+    /// use approx::assert_abs_diff_eq;
     /// use lyapunov_stabilizers::DampingLimit;
     /// let prompt = DampingLimit::of_mass(0.5, 0.2, 1e-3_f64)?; // 100 N·s/m
     /// assert_eq!(prompt.delayed(0), prompt);
-    /// assert!((prompt.delayed(1).most() - 41.42).abs() < 0.01);
+    /// assert_abs_diff_eq!(prompt.delayed(1).most(), 41.42, epsilon = 0.01);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
     pub fn delayed(self, ticks: u32) -> Self {
@@ -90,3 +91,6 @@ impl<T: Scalar> DampingLimit<T> {
         Self { most: most.smaller(T::largest()) }
     }
 }
+
+#[cfg(feature = "approx")]
+lyapunov_core::approximate!(impl[T: PartialEq] DampingLimit<T>, of T { most });

@@ -22,11 +22,12 @@ use crate::{Account, Refine};
 /// burnt allows large forces later: see [`Refine::bounded`] and [`Refine::reset_at`].
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, Stabilizer};
 /// use lyapunov_stabilizers::ForceBound;
 /// let mut bound = ForceBound::new(0.1)?.budgeted(1e-3)?; // N·s/m, J
 /// let action = bound.stabilize(&Drive::starting(1e-3, 0.0, 0.0), 5.0);
-/// assert!((action.effort - 0.4_f64.sqrt()).abs() < 1e-12); // √(4 · 0.1 · 1e-3 / 1e-3) N
+/// assert_abs_diff_eq!(action.effort, 0.4_f64.sqrt(), epsilon = 1e-12); // √(4 · 0.1 · 1e-3 / 1e-3) N
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

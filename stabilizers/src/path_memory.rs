@@ -33,6 +33,7 @@ use crate::Refine;
 /// period: larger ones give less back, smaller ones cost time.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, Stabilizer};
 /// use lyapunov_stabilizers::PathMemory;
 /// let mut memory = PathMemory::<f64, 32>::beyond(0.0, 3.2e-3)?; // cells of 0.1 mm
@@ -40,7 +41,7 @@ use crate::Refine;
 /// assert_eq!(memory.stabilize(&pressed, 8.0).effort, 8.0);
 /// let back = Drive::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 2.0);
 /// let effort: f64 = memory.stabilize(&back, 7.2).effort;
-/// assert!((effort - 2.0).abs() < 1e-9);
+/// assert_abs_diff_eq!(effort, 2.0, epsilon = 1e-9);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

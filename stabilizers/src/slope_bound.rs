@@ -37,13 +37,14 @@ use crate::Refine;
 /// shortfall.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, Stabilizer};
 /// use lyapunov_stabilizers::SlopeBound;
 /// let mut bound = SlopeBound::of_damping(0.5, 1e-3)?; // μ = 2 b / T = 1 kN/m
 /// bound.stabilize(&Drive::starting(1e-3, 0.0, 0.1), 0.0);
 /// let pressed = Drive::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
 /// let effort: f64 = bound.stabilize(&pressed, 5.0).effort; // 50 kN/m
-/// assert!((effort - 0.1).abs() < 1e-12);
+/// assert_abs_diff_eq!(effort, 0.1, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -33,13 +33,14 @@ pub struct Store<T> {
 /// tanks guarantee and what not. `sum` tells `E − floor`, and the damping told is 0.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{Store, Tank};
 /// let store = Store { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
 /// let mut tank = Tank::new(PortEnergy, store)?;
 /// let outwards = Drive::new(1e-3, 0.0, -0.1, 0.0, 0.0);
 /// let effort: f64 = tank.stabilize(&outwards, 4.0).effort; // 0.4 W asked, 0.1 mJ over 1 ms to give
-/// assert!((effort - 1.0).abs() < 1e-12);
+/// assert_abs_diff_eq!(effort, 1.0, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

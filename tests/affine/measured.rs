@@ -1,5 +1,6 @@
 //! Drives from what is measured of a plant, against those of the plant itself.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
     AffinePlant, DampingLimit, Lolc, Measured, Plant, RungeKutta4, Scalar, Stabilizer,
     UprightEnergy, WithState, decrease_of,
@@ -53,8 +54,8 @@ fn after_a_state_that_is_not_finite_the_next_spans_the_gap() {
     let bad = port.tell(Vector2::new(f64::NAN, 1.0), none);
     assert!(!bad.finite());
     let good = port.tell(Vector2::new(0.12, 1.0), none);
-    assert!(good.finite() && (good.period - 0.02).abs() < 1e-15);
-    assert!((good.displacement.input[0] - 0.02).abs() < 1e-15);
-    assert!((good.displacement.state[0] - 0.02).abs() < 1e-15);
+    assert!(good.finite() && abs_diff_eq!(good.period, 0.02, epsilon = 1e-15));
+    assert_abs_diff_eq!(good.displacement.input[0], 0.02, epsilon = 1e-15);
+    assert_abs_diff_eq!(good.displacement.state[0], 0.02, epsilon = 1e-15);
     assert_eq!(port.tell(Vector2::new(0.13, 1.0), none).period.lane(0), 0.01);
 }

@@ -1,5 +1,6 @@
 //! The models against closed forms, published numbers and what mechanics keeps.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
     AffinePlant, ArmEnergy, ControlAffine, LegEnergy, Limb, LyapunovFunction, MotorEnergy, Plant,
     QuadraticForm, RungeKutta4, TwoLinkArm, UprightEnergy, VanDerPol, WithState,
@@ -32,9 +33,9 @@ fn van_der_pol_goes_to_the_published_limit_cycle() {
                 }
             }
         }
-        assert!((amplitude - 2.00862).abs() < 1e-4, "{amplitude}");
+        assert!(abs_diff_eq!(amplitude, 2.00862, epsilon = 1e-4), "{amplitude}");
         let period = crossings[1] - crossings[0];
-        assert!((period - 6.66329).abs() < 1e-4, "{period}");
+        assert!(abs_diff_eq!(period, 6.66329, epsilon = 1e-4), "{period}");
     }
 }
 
@@ -51,7 +52,7 @@ fn the_pendulum_falls_as_its_linearisation_does() {
         plant.advance(WithState::of_input(Vector1::new(0.0)));
     }
     let exact = lean * (GRAVITY / 0.4_f64).sqrt().cosh();
-    assert!((plant.state()[0] / exact - 1.0).abs() < 1e-8);
+    assert_abs_diff_eq!(plant.state()[0] / exact, 1.0, epsilon = 1e-8);
 }
 
 /// Held over a tick, `x⁺ = x + T u` and `q⁺ = q − k (T x + T² u / 2)` with `u = q / m`: a map whose determinant is
@@ -101,8 +102,8 @@ fn the_motor_runs_at_the_speed_of_its_data_sheet_and_its_loop_at_rouths_limit() 
     let (state, _) = turned(0.0, 6.0, Vector3::zeros(), 200_000);
     let speed = 0.05 * 6.0 / (1e-5 + 0.0025);
     assert!(
-        (state[1] / speed - 1.0).abs() < 1e-9
-            && (state[2] * 0.05 / (1e-5 * speed) - 1.0).abs() < 1e-6
+        abs_diff_eq!(state[1] / speed, 1.0, epsilon = 1e-9)
+            && abs_diff_eq!(state[2] * 0.05 / (1e-5 * speed), 1.0, epsilon = 1e-6)
     );
     let critical: f64 = motor().critical_gain();
     let start = Vector3::new(1.0, 0.0, 0.0);
@@ -139,7 +140,7 @@ fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_what_mechanics_keeps(
     for _ in 0..1000 {
         let state = draw.vector(3.0);
         let (exact, _) = points(state, parts);
-        assert!((energy.value(state) - (exact - lowest)).abs() < 1e-12);
+        assert_abs_diff_eq!(energy.value(state), exact - lowest, epsilon = 1e-12);
     }
     let start = Vector4::new(2.0, -1.0, 0.5, 3.0);
     let none = WithState::of_input(Vector2::zeros());
@@ -149,7 +150,7 @@ fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_what_mechanics_keeps(
         plant.advance(none);
     }
     let (before, now) = (points(start, parts).0, points(plant.state(), parts).0);
-    assert!((now - before).abs() < 1e-6, "{now} is not {before}");
+    assert!(abs_diff_eq!(now, before, epsilon = 1e-6), "{now} is not {before}");
     assert!((plant.state() - start).norm() > 0.1);
 
     let level = hanging.horizontal();
@@ -161,8 +162,11 @@ fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_what_mechanics_keeps(
     }
     let (_, turning) = points(start, parts);
     let (_, now) = points(plant.state(), parts);
-    assert!((now - turning).abs() < 1e-7, "the moment about the shoulder: {now} is not {turning}");
-    assert!((energy.value(plant.state()) - energy.value(start)).abs() < 1e-7);
+    assert!(
+        abs_diff_eq!(now, turning, epsilon = 1e-7),
+        "the moment about the shoulder: {now} is not {turning}"
+    );
+    assert_abs_diff_eq!(energy.value(plant.state()), energy.value(start), epsilon = 1e-7);
 }
 
 /// A stiff arm of rods is one rod: `M₁₁` of the stretched arm is that of the rod about its end.
@@ -173,7 +177,7 @@ fn two_like_rods_in_line_are_one_rod() {
     let energy = ArmEnergy::new(arm.horizontal(), [0.0; 2]).expect("an energy");
     let rate = Vector4::new(0.3, 0.0, 1.0, 0.0);
     let whole: f64 = 2.0 * 1.0 / 3.0; // kg·m²: m l² / 3
-    assert!((energy.value(rate) - 0.5 * whole).abs() < 1e-15);
+    assert_abs_diff_eq!(energy.value(rate), 0.5 * whole, epsilon = 1e-15);
     // The least inertia against the least of the quadratic form over all directions and postures.
     let least = (0..200)
         .flat_map(|elbow| (0..2000).map(move |way| (elbow, way)))
@@ -182,7 +186,11 @@ fn two_like_rods_in_line_are_one_rod() {
             2.0 * energy.value(Vector4::new(0.0, elbow, way.cos(), way.sin()))
         })
         .fold(f64::INFINITY, f64::min);
-    assert!((arm.least_inertia() / least - 1.0).abs() < 1e-4, "{} {least}", arm.least_inertia());
+    assert!(
+        abs_diff_eq!(arm.least_inertia() / least, 1.0, epsilon = 1e-4),
+        "{} {least}",
+        arm.least_inertia()
+    );
 }
 
 #[test]
@@ -195,7 +203,7 @@ fn the_leg_stands_where_it_is_held_and_its_foot_is_where_geometry_has_it() {
     for _ in 0..1000 {
         let state: Vector4<f64> = draw.vector(1.0);
         let exact = foot(0.3 + state[0], -0.6 + state[1]) - foot(0.3, -0.6);
-        assert!((leg.depth(state) - exact).abs() < 1e-14);
+        assert_abs_diff_eq!(leg.depth(state), exact, epsilon = 1e-14);
     }
 }
 
@@ -213,7 +221,7 @@ fn the_ground_under_the_leg_only_burns() {
         let rate = energy.gradient(state).dot(&leg.rate(state, input));
         let braked = -damping * (state[2] * state[2] + state[3] * state[3]);
         if leg.depth(state) < 0.0 {
-            assert!((rate - braked).abs() < 1e-10, "{rate} is not {braked}");
+            assert!(abs_diff_eq!(rate, braked, epsilon = 1e-10), "{rate} is not {braked}");
         } else {
             standing += 1;
             assert!(rate < braked + 1e-9, "{rate} is above {braked}");
@@ -242,8 +250,8 @@ fn along_its_spring_and_damper_the_motors_function_falls_by_hand() {
         let wanted = -(0.05 * angle + 0.004 * rate) / 0.05;
         let state = Vector3::new(angle, rate, wanted);
         let rate_of_v = energy.gradient(state).dot(&motor().drift(state));
-        assert!((rate_of_v + (1e-5 + 0.004) * rate * rate).abs() < 1e-9);
+        assert_abs_diff_eq!(rate_of_v, -(1e-5 + 0.004) * rate * rate, epsilon = 1e-9);
         let flow = motor().flow(&energy, state + Vector3::new(0.0, 0.0, 0.7));
-        assert!((flow[0] - 0.7).abs() < 1e-12, "the flow is the current astray");
+        assert!(abs_diff_eq!(flow[0], 0.7, epsilon = 1e-12), "the flow is the current astray");
     }
 }

@@ -1,5 +1,6 @@
 //! Without drift the port is that of the passivity observer.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
     AffinePlant, Body, ControlAffine, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate,
     Plant, Popc, PortEnergy, QuadraticForm, RungeKutta4, Stabilizer, WithState, decrease_of,
@@ -88,9 +89,9 @@ fn a_free_mass_is_the_body_that_moves_exactly() {
         let effort = 3.0 * draw.next();
         let drive = plant.advance(WithState::of_input(Vector1::new(effort)));
         let exact = body.advance(effort);
-        assert!((drive.position.input[0] - exact.position).abs() < 1e-12);
-        assert!((drive.velocity.input[0] - exact.velocity).abs() < 1e-12);
-        assert!((drive.work.input[0] - exact.work).abs() < 1e-14);
+        assert_abs_diff_eq!(drive.position.input[0], exact.position, epsilon = 1e-12);
+        assert_abs_diff_eq!(drive.velocity.input[0], exact.velocity, epsilon = 1e-12);
+        assert_abs_diff_eq!(drive.work.input[0], exact.work, epsilon = 1e-14);
     }
 }
 
@@ -105,7 +106,7 @@ fn what_v_loses_is_the_work_of_the_input_where_there_is_no_drift() {
     for _ in 0..5000 {
         let drive = plant.advance(WithState::of_input(Vector1::new(3.0 * draw.next())));
         let (told, worked) = (candidate.decrease(&drive), PortEnergy.decrease(&drive));
-        assert!((told - worked).abs() < 1e-15, "{told:e} is not {worked:e}");
+        assert!(abs_diff_eq!(told, worked, epsilon = 1e-15), "{told:e} is not {worked:e}");
     }
 }
 

@@ -1,9 +1,10 @@
 //! What the drives tell against fine integrations written here.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::laws::{self, Samples};
 use lyapunov::{
     AffinePlant, ArmEnergy, ControlAffine, Decay, Drive, LyapunovCandidate, LyapunovFunction,
-    Plant, PortEnergy, RungeKutta4, UprightEnergy, WithState, decrease_of,
+    Plant, PortEnergy, RungeKutta4, UprightEnergy, WithFlow, WithState, decrease_of,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector4};
 
@@ -44,15 +45,21 @@ fn flow_work_and_drift_of_a_pendulum_are_those_of_a_fine_integration() {
         let torque = -8.0 * at[0] - 0.3 * at[1] + draw.next();
         let (truth, swept, drifted) = fine([at[0], at[1]], torque, 0.01);
         let drive = plant.advance(WithState::of_input(Vector1::new(-torque)));
-        assert!((drive.position.state[0] - truth[0]).abs() < 1e-8);
-        assert!((drive.position.state[1] - truth[1]).abs() < 1e-7);
-        assert!((drive.velocity.input[0] - truth[1]).abs() < 1e-7, "the flow is the rate");
-        assert!((drive.displacement.input[0] - swept).abs() < 1e-8);
+        assert_abs_diff_eq!(drive.position.state[0], truth[0], epsilon = 1e-8);
+        assert_abs_diff_eq!(drive.position.state[1], truth[1], epsilon = 1e-7);
+        assert!(
+            abs_diff_eq!(drive.velocity.input[0], truth[1], epsilon = 1e-7),
+            "the flow is the rate"
+        );
+        assert_abs_diff_eq!(drive.displacement.input[0], swept, epsilon = 1e-8);
         let worked = PortEnergy.decrease(&drive);
-        assert!((worked + torque * swept).abs() < 1e-7);
+        assert_abs_diff_eq!(worked, -torque * swept, epsilon = 1e-7);
         // V̇ = L_f V + y u, over the tick.
         let lost = candidate.decrease(&drive);
-        assert!((lost - (worked - drifted)).abs() < 1e-7, "{lost} is not {worked} - {drifted}");
+        assert!(
+            abs_diff_eq!(lost, worked - drifted, epsilon = 1e-7),
+            "{lost} is not {worked} - {drifted}"
+        );
     }
 }
 
@@ -69,7 +76,7 @@ fn the_rate_of_v_gains_what_the_damper_takes() {
         let rate_of_v = |input| energy.gradient(state).dot(&arm.rate(state, input));
         let alpha = 1.0 + draw.next();
         let gained = rate_of_v(input - flow * alpha) - rate_of_v(input);
-        assert!((gained + alpha * flow.norm_squared()).abs() < 1e-9);
+        assert_abs_diff_eq!(gained, -alpha * flow.norm_squared(), epsilon = 1e-9);
     }
 }
 
@@ -98,7 +105,7 @@ fn decreases_telescope_and_decay_is_a_debit() {
     for drive in &drives {
         by_hand -= 3.0 * energy.value(drive.position.state) * 0.01;
     }
-    assert!((told - by_hand).abs() < 1e-12 && told < 0.0);
+    assert!(abs_diff_eq!(told, by_hand, epsilon = 1e-12) && told < 0.0);
 }
 
 /// A candidate by rates keeps the law within its quadrature's error, and not within a tenth of it.
@@ -143,12 +150,8 @@ fn affine_plants_keep_the_laws_of_a_plant_and_the_integrator_its_own() {
     let plant = AffinePlant::new(arm(), springs, RungeKutta4, 1e-3, 2).expect("a plant");
     laws::plant(&plant, small::<4, 2>()).expect("the arm");
 
-    let view = lyapunov::FirstOrder { plant: pendulum(), function: energy };
-    let still = WithState { input: Vector1::new(0.0), state: Vector2::zeros() };
-    let from = lyapunov::State {
-        position: still,
-        velocity: WithState { input: Vector1::new(0.0), state: Vector2::new(0.4, -1.0) },
-    };
-    let push = WithState::of_input(Vector1::new(0.7));
-    laws::integrator(&RungeKutta4, &view, [(from, push)], 0.2, 4).expect("of order 4");
+    let dynamics = WithFlow { plant: pendulum(), function: energy };
+    let from = WithState { input: Vector1::new(0.0), state: Vector2::new(0.4, -1.0) };
+    let push = Vector1::new(0.7);
+    laws::integrator(&RungeKutta4, &dynamics, [(from, push)], 0.2, 4).expect("of order 4");
 }

@@ -2,6 +2,7 @@
 //!
 //! The hand is a spring of 1 kN/m. The device moves exactly as it is told, one tick late, which is a loop that gains energy.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Adapt, DampingLimit, Drive, Load, OnePort, Popc, PortEnergy, Refine, Stabilizer};
 
 use crate::support::PERIOD;
@@ -60,7 +61,11 @@ fn run(mut port: impl OnePort<f64>) -> f64 {
         crossed += load.work;
         // What crosses the port is what the spring loses: ∫ f v dt under a held flow, exactly.
         let lost = start - hand.energy();
-        assert!((crossed - lost).abs() <= 1e-12 * (start + hand.energy()) * f64::from(tick + 1));
+        assert_abs_diff_eq!(
+            crossed,
+            lost,
+            epsilon = 1e-12 * (start + hand.energy()) * f64::from(tick + 1)
+        );
         most = most.max(hand.energy() / start);
         if most > 1e6 {
             break;
@@ -100,8 +105,8 @@ fn a_load_is_a_drive_read_the_other_way() {
     let load = Load::new(PERIOD, 0.3, -2.0, -2.0 * PERIOD, 0.1);
     let action = popc.stabilize(&Drive::from(load), 0.5);
     // A debt of 0.2 mJ is burnt by β f² T: β = 2e-4 / (4 · 1e-3) = 0.05 m/(N·s).
-    assert!((action.alpha - 0.05).abs() < 1e-12);
-    assert!((action.effort - (0.5 - 0.05 * 2.0)).abs() < 1e-12);
+    assert_abs_diff_eq!(action.alpha, 0.05, epsilon = 1e-12);
+    assert_abs_diff_eq!(action.effort, 0.5 - 0.05 * 2.0, epsilon = 1e-12);
 }
 
 /// `1 − β k T`: half of `1 / (k T)` halves the force on every tick, twice of it turns it round for ever.
@@ -115,6 +120,6 @@ fn the_limit_is_that_of_a_held_spring() {
         }
         hand.position.abs() / START
     };
-    assert!((after(0.5) - 0.5f64.powi(50)).abs() < 1e-20);
-    assert!((after(2.0) - 1.0).abs() < 1e-9 && after(2.1) > 100.0);
+    assert_abs_diff_eq!(after(0.5), 0.5f64.powi(50), epsilon = 1e-20);
+    assert!(abs_diff_eq!(after(2.0), 1.0, epsilon = 1e-9) && after(2.1) > 100.0);
 }

@@ -1,5 +1,6 @@
 //! As much is burnt, where it is wanted.
 
+use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF32x4;
 use lyapunov::{
     Aimed, Along, DampingLimit, Drive, Inertia, Metric, Popc, PortEnergy, Scalar, Stabilizer,
@@ -30,16 +31,16 @@ fn along_a_direction_and_by_weights() {
         let action = one.stabilize(&drive, effort);
         let correction = action.effort - effort;
         assert!(correction.cross(&direction).norm() < 1e-12);
-        assert!((burnt(correction) + action.shortfall - 1e-6).abs() < 1e-15);
+        assert_abs_diff_eq!(burnt(correction) + action.shortfall, 1e-6, epsilon = 1e-15);
         let told = action.alpha * velocity.norm_squared() * PERIOD;
-        assert!((burnt(correction) - told).abs() < 1e-15);
+        assert_abs_diff_eq!(burnt(correction), told, epsilon = 1e-15);
 
         let mut other = Aimed::new(popc(), Weights::new(weights).expect("weights"), limit());
         let action = other.stabilize(&drive, effort);
         let correction = action.effort - effort;
         let ratio = correction.x / velocity.x;
         assert!((correction - velocity.component_mul(&weights) * ratio).norm() < 1e-12);
-        assert!((burnt(correction) + action.shortfall - 1e-6).abs() < 1e-15);
+        assert_abs_diff_eq!(burnt(correction) + action.shortfall, 1e-6, epsilon = 1e-15);
     }
 }
 
@@ -80,7 +81,7 @@ fn coupled_axes_are_slowed_in_proportion() {
                 assert!((slower - velocity * share).norm() < 1e-6 * velocity.norm(), "{scale:e}");
                 assert!(share <= cap * (1.0 + 1e-6));
                 let burnt = action.effort.dot(&velocity) * PERIOD;
-                assert!((burnt + action.shortfall - debt).abs() <= 1e-9 * debt);
+                assert_abs_diff_eq!(burnt + action.shortfall, debt, epsilon = 1e-9 * debt);
                 assert_eq!(action.shortfall <= 1e-9 * debt, paid);
             }
         }
@@ -132,7 +133,7 @@ fn what_cannot_be_burnt_is_told() {
     assert_eq!((action.effort, action.alpha, action.shortfall), (Vector3::zeros(), 0.0, 1e-6));
     let action = aimed.stabilize(&drive(Vector3::new(0.1, 0.1, 1e-3), 0.0), Vector3::zeros());
     assert!((action.effort - Vector3::new(0.0, 0.0, 1e-2)).norm() < 1e-15);
-    assert!((action.shortfall - (1e-6 - 10.0 * 1e-6 * PERIOD)).abs() < 1e-18);
+    assert_abs_diff_eq!(action.shortfall, 1e-6 - 10.0 * 1e-6 * PERIOD, epsilon = 1e-18);
 }
 
 #[test]

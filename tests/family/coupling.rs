@@ -1,5 +1,6 @@
 //! A coupling is as passive as it would be alone, whatever stands behind it.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::WideF64x4;
 use lyapunov::{
     Body, Coupled, Coupling, DampingLimit, Drive, OnePort, Plant, Popc, PortEnergy, Refine, Scalar,
@@ -22,7 +23,7 @@ fn wall() -> Wall<f64> {
 fn a_wall_ten_times_too_stiff() {
     let limit = 2.0 * HELD.damping / PERIOD;
     assert!(STIFF >= 10.0 * limit * (1.0 - 1e-12));
-    assert!((COUPLING.device_damping(PERIOD) - HELD.damping).abs() < 1e-12);
+    assert_abs_diff_eq!(COUPLING.device_damping(PERIOD), HELD.damping, epsilon = 1e-12);
     let (alone, _) = swing(HELD, Spring::new(STIFF).expect("a spring"), 20_000);
     assert!(alone > 1.0, "{alone} m");
     let spring = Spring::new(STIFF).expect("a spring");
@@ -50,9 +51,13 @@ fn at_rest_it_is_the_series_of_both() {
             drive = body.advance(port.respond(&drive));
         }
         let rest = 0.01 * HELD.stiffness / (HELD.stiffness + series);
-        assert!((drive.position - rest).abs() < 1e-12, "{} m for {rest} m", drive.position);
-        assert!((drive.acted - series * rest).abs() < 1e-9);
-        assert!((port.deflection() - drive.acted / COUPLING.stiffness).abs() < 1e-12);
+        assert!(
+            abs_diff_eq!(drive.position, rest, epsilon = 1e-12),
+            "{} m for {rest} m",
+            drive.position
+        );
+        assert_abs_diff_eq!(drive.acted, series * rest, epsilon = 1e-9);
+        assert_abs_diff_eq!(port.deflection(), drive.acted / COUPLING.stiffness, epsilon = 1e-12);
     }
 }
 
@@ -123,7 +128,7 @@ fn free_motion_feels_the_drag() {
         let position = -1.0 + moved * f64::from(tick);
         force = port.respond(&Drive::new(PERIOD, position, 0.1, moved, force));
     }
-    assert!((force - COUPLING.drag * 0.1).abs() < 1e-9, "{force} N");
+    assert!(abs_diff_eq!(force, COUPLING.drag * 0.1, epsilon = 1e-9), "{force} N");
 }
 
 /// A stabilizer behind it sees the proxy's port, and is told of.
@@ -142,7 +147,7 @@ fn what_stands_behind_is_told_the_truth() {
         let now = position - port.deflection();
         work = f64::min(work, 1e-3) + answer * (now - proxy);
         (proxy, answer) = (now, port.action().effort);
-        assert!((port.action().sum - work).abs() < 1e-12);
+        assert_abs_diff_eq!(port.action().sum, work, epsilon = 1e-12);
     }
 }
 

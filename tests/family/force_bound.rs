@@ -1,5 +1,6 @@
 //! The bound keeps the account, and no larger one would.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Drive, ForceBound, Refine, Stabilizer};
 use nalgebra::Vector3;
 
@@ -59,11 +60,15 @@ fn the_bound_is_the_closed_form() {
         let bound = ForceBound::new(DAMPING).and_then(|it| it.budgeted(energy));
         let action = bound.expect("a bound").stabilize(&Drive::starting(PERIOD, 0.0, 0.0), -1e6);
         let closed = (4.0 * DAMPING * energy / PERIOD).sqrt();
-        assert!((action.effort + closed).abs() <= 1e-13 * closed, "{}", action.effort);
+        assert!(
+            abs_diff_eq!(action.effort, -closed, epsilon = 1e-13 * closed),
+            "{}",
+            action.effort
+        );
         let single = ForceBound::new(DAMPING as f32).and_then(|it| it.budgeted(energy as f32));
         let action =
             single.expect("a bound").stabilize(&Drive::<f32>::starting(1e-3, 0.0, 0.0), -1e6_f32);
-        assert!((f64::from(action.effort) + closed).abs() <= 1e-5 * closed);
+        assert_abs_diff_eq!(f64::from(action.effort), -closed, epsilon = 1e-5 * closed);
     }
 }
 
@@ -109,5 +114,5 @@ fn with_a_bounded_credit() {
     }
     let force = bound.stabilize(&free, 1e6).effort;
     let energy = 1e-4 + DAMPING * 0.5 * 0.5 * PERIOD;
-    assert!((force - (4.0 * DAMPING * energy / PERIOD).sqrt()).abs() < 1e-9);
+    assert_abs_diff_eq!(force, (4.0 * DAMPING * energy / PERIOD).sqrt(), epsilon = 1e-9);
 }

@@ -1,5 +1,6 @@
 //! What was pressed in comes out place by place, and no more.
 
+use approx::abs_diff_eq;
 use lyapunov::{Drive, Impedance, OnePort, PathMemory, Stabilizer, Wall};
 
 use crate::support::{Dice, HELD, PERIOD, swing};
@@ -26,7 +27,10 @@ fn a_held_spring_gives_what_it_took_cell_by_cell() {
             41 => 0.1 * (at - 1.0) - 0.1,
             _ => 0.1 * (at - 1.0),
         };
-        assert!((force - expected.max(0.0)).abs() < 1e-9, "{force} N for {expected} on {tick}");
+        assert!(
+            abs_diff_eq!(force, expected.max(0.0), epsilon = 1e-9),
+            "{force} N for {expected} on {tick}"
+        );
         let inwards = if tick < 40 { CELL } else { -CELL };
         energy += force * inwards;
         debts += i32::from(port.action().shortfall > 1e-12);

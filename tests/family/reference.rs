@@ -1,5 +1,6 @@
 //! Energy that follows a reference, on a held spring that is pressed and let go at a steady speed.
 
+use approx::abs_diff_eq;
 use lyapunov::{Drive, Popc, PortEnergy, ReferenceFollowing, Stabilizer, Storage};
 
 use crate::support::{PERIOD, limit, popc};
@@ -40,7 +41,7 @@ fn corrections_are_half_a_tick_of_spring() {
             tick if tick <= TICKS => half,
             _ => -half * turned,
         };
-        assert!((correction - expected).abs() < 1e-9, "{correction} on tick {tick}");
+        assert!(abs_diff_eq!(*correction, expected, epsilon = 1e-9), "{correction} on tick {tick}");
     }
 }
 

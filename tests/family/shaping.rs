@@ -1,5 +1,6 @@
 //! How a correction comes, at a port that is moved steadily and on which nothing but the correction acts.
 
+use approx::relative_eq;
 use lyapunov::{Drive, Refine, Signal, Stabilizer};
 use nalgebra::Vector3;
 
@@ -20,15 +21,19 @@ fn payments(mut stabilizer: impl Stabilizer<f64>, debt: f64) -> Vec<f64> {
         .collect()
 }
 
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() < 1e-12 * b.abs().max(1e-6)
-}
-
 #[test]
 fn a_debt_is_paid_in_equal_parts() {
     let paid = payments(popc().spread_over(8).expect("ticks"), 4e-5);
     for (tick, paid) in paid.into_iter().enumerate() {
-        assert!(close(paid, if tick < 8 { 5e-6 } else { 0.0 }), "{paid:e} on tick {tick}");
+        assert!(
+            relative_eq!(
+                paid,
+                if tick < 8 { 5e-6 } else { 0.0 },
+                epsilon = 1e-18,
+                max_relative = 1e-12
+            ),
+            "{paid:e} on tick {tick}"
+        );
     }
 }
 
@@ -37,7 +42,10 @@ fn a_debt_is_paid_in_equal_parts() {
 fn a_correction_rises() {
     let paid = payments(popc().rising_over(4).expect("ticks"), 1e-5);
     for (paid, share) in paid.into_iter().zip([1.0 / 4.0, 3.0 / 8.0, 9.0 / 32.0, 3.0 / 32.0, 0.0]) {
-        assert!(close(paid, 1e-5 * share), "{paid:e}");
+        assert!(
+            relative_eq!(paid, 1e-5 * share, epsilon = 1e-18, max_relative = 1e-12),
+            "{paid:e}"
+        );
     }
 }
 
@@ -46,7 +54,10 @@ fn a_correction_rises() {
 fn a_correction_grows_no_faster_than_its_rate() {
     let paid = payments(popc().rate_limited(100.0).expect("a rate"), 4e-5);
     for (paid, newtons) in paid.into_iter().zip([0.1, 0.2, 0.1, 0.0]) {
-        assert!(close(paid, newtons * SPEED * PERIOD), "{paid:e}");
+        assert!(
+            relative_eq!(paid, newtons * SPEED * PERIOD, epsilon = 1e-18, max_relative = 1e-12),
+            "{paid:e}"
+        );
     }
 }
 
@@ -79,10 +90,20 @@ fn below_the_threshold_a_debt_waits() {
     for tick in 1..=3 {
         let action = popc.stabilize(&still(0.049), 1.0);
         assert_eq!((action.effort, action.alpha), (1.0, 0.0));
-        assert!(close(action.shortfall, 1e-5 * f64::from(tick)));
+        assert!(relative_eq!(
+            action.shortfall,
+            1e-5 * f64::from(tick),
+            epsilon = 1e-18,
+            max_relative = 1e-12
+        ));
     }
     let action = popc.stabilize(&still(-0.05), 1.0);
     assert!(action.effort < 1.0 && action.shortfall == 0.0);
-    assert!(close((action.effort - 1.0) * -0.05 * PERIOD, 4e-5));
+    assert!(relative_eq!(
+        (action.effort - 1.0) * -0.05 * PERIOD,
+        4e-5,
+        epsilon = 1e-18,
+        max_relative = 1e-12
+    ));
     assert!(Signal::finite(action.sum));
 }

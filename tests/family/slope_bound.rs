@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Drive, OnePort, Popc, Scalar, SlopeBound, Spring, Stabilizer, Wall};
 use nalgebra::Vector3;
 
@@ -76,7 +77,7 @@ fn a_stiffer_wall_is_a_spring_of_the_slope() {
         (0..=200).map(|tick| 1e-5 * f64::from(if tick <= 100 { tick } else { 200 - tick }));
     let ticks: Vec<_> = depths.map(|depth| (depth, 50_000.0 * depth)).collect();
     for ((depth, _), force) in ticks.iter().zip(run(bound(), &ticks)) {
-        assert!((force - SLOPE * depth).abs() < 1e-9, "{force} N at {depth} m");
+        assert!(abs_diff_eq!(force, SLOPE * depth, epsilon = 1e-9), "{force} N at {depth} m");
     }
 }
 
@@ -89,7 +90,10 @@ fn a_wall_ten_times_too_stiff() {
     // It starts where the spring rests; the hand pulls it away from there, by 1 mm of 200 N/m in 1200 N/m.
     let (most, late) = swing(HELD, spring().stabilized(bound()), 20_000);
     let rest = 1e-3 * SLOPE / (SLOPE + HELD.stiffness);
-    assert!(most <= 1e-3 && (late - rest).abs() < 1e-9, "{most} m, then {late} m for {rest} m");
+    assert!(
+        most <= 1e-3 && abs_diff_eq!(late, rest, epsilon = 1e-9),
+        "{most} m, then {late} m for {rest} m"
+    );
     let wall = Wall::new(10.0 * SLOPE, 0.0).expect("a wall").at(-2e-3);
     let (most, late) = swing(HELD, wall.stabilized(bound()), 20_000);
     let stored = (10.0 * SLOPE / HELD.stiffness).sqrt() * 3e-3;
@@ -161,7 +165,7 @@ fn a_weight_creeps_in() {
     assert!(run(bound(), &ticks).iter().all(|force| *force == 0.0));
     let creeping = bound().creeping(20.0).expect("a rate");
     for (tick, force) in run(creeping, &ticks).into_iter().enumerate() {
-        assert!((force - (0.02 * tick as f64).min(1.0)).abs() < 1e-12);
+        assert_abs_diff_eq!(force, (0.02 * tick as f64).min(1.0), epsilon = 1e-12);
     }
 }
 

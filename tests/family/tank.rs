@@ -1,5 +1,6 @@
 //! A tank gives what is in it, and not faster than it may.
 
+use approx::assert_abs_diff_eq;
 use lyapunov::{Drive, PortEnergy, Stabilizer, Store, Tank};
 
 use crate::support::{Dice, PERIOD};
@@ -21,9 +22,9 @@ fn follows_its_recursion() {
         let most = (available / PERIOD).min(STORE.power);
         let asked = -wanted * velocity;
         let allowed = if asked > most { wanted * most / asked } else { wanted };
-        assert!((action.effort - allowed).abs() <= 1e-9 * wanted.abs());
-        assert!((action.sum - (energy - STORE.floor)).abs() < 1e-12);
-        assert!((action.shortfall - (STORE.floor - energy).max(0.0)).abs() < 1e-12);
+        assert_abs_diff_eq!(action.effort, allowed, epsilon = 1e-9 * wanted.abs());
+        assert_abs_diff_eq!(action.sum, energy - STORE.floor, epsilon = 1e-12);
+        assert_abs_diff_eq!(action.shortfall, (STORE.floor - energy).max(0.0), epsilon = 1e-12);
         acted = action.effort;
     }
 }

@@ -1,5 +1,6 @@
 //! Waves come back as what they were, and store what is under way.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Channel, ConstantDelay, Scalar, WaveTransform};
 use nalgebra::Vector3;
 
@@ -45,7 +46,7 @@ fn power_is_the_difference_of_the_waves() {
         let (v, f): (Vector3<f64>, Vector3<f64>) = (dice.signal(2.0), dice.signal(3.0));
         let (there, back) = wave.encode(v, f);
         let power = (there.norm_squared() - back.norm_squared()) / 2.0;
-        assert!((power - f.dot(&v)).abs() < 1e-13);
+        assert_abs_diff_eq!(power, f.dot(&v), epsilon = 1e-13);
         let (effort, sent) = wave.effort(v, back);
         assert!((effort - f).norm() < 1e-13 && (sent - there).norm() < 1e-13);
         let (flow, sent) = wave.flow(f, there);
@@ -75,7 +76,10 @@ fn a_constant_delay_stores_what_is_under_way() {
             let squares: f64 = sent[from..].iter().map(|(u, w)| u * u + w * w).sum();
             let waiting = squares + returning * returning;
             let under_way = waiting * PERIOD / 2.0;
-            assert!((stored - under_way).abs() < 1e-11, "{stored:e} of {under_way:e} J");
+            assert!(
+                abs_diff_eq!(stored, under_way, epsilon = 1e-11),
+                "{stored:e} of {under_way:e} J"
+            );
         }
     }
 }
@@ -86,5 +90,8 @@ fn a_matched_end_sends_nothing_back() {
     let (there, _) = wave.encode(0.4, 1.0);
     // F = b v with v = (√(2b) u − F) / b: F = √(b / 2) u.
     let (flow, back) = wave.flow((2.5_f64 / 2.0).sqrt() * there, there);
-    assert!(back.abs() < 1e-15 && (flow * 2.5 - (2.5_f64 / 2.0).sqrt() * there).abs() < 1e-15);
+    assert!(
+        back.abs() < 1e-15
+            && abs_diff_eq!(flow * 2.5, (2.5_f64 / 2.0).sqrt() * there, epsilon = 1e-15)
+    );
 }

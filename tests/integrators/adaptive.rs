@@ -2,9 +2,10 @@
 
 use core::cell::Cell;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, Dynamics, EmbeddedPair, Exact,
-    Impedance, Integrator, Oscillator, Plant, Requirement, State,
+    Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, Impedance,
+    Integrator, Mechanics, Oscillator, Plant, Requirement, State,
 };
 use nalgebra::Vector2;
 
@@ -13,7 +14,7 @@ use crate::{hand, moved, pair};
 /// A pendulum and what it costs: its acceleration, counted.
 struct Counted<'a>(&'a Cell<u32>);
 
-impl Dynamics<f64> for Counted<'_> {
+impl Mechanics<f64> for Counted<'_> {
     type Coordinates = f64;
 
     fn acceleration(&self, angle: f64, rate: f64, effort: f64) -> f64 {
@@ -77,8 +78,8 @@ fn the_length_of_steps_comes_back_after_a_stir() {
     // Steps that were short for a stiff motion grow again, and the end is as good as from long ones.
     let after = integrator.step(&dynamics, from, 0.0, 0.1);
     let exact = Exact::new().step(&dynamics, from, 0.0, 0.1);
-    assert!((after.position - exact.position).abs() < 1e-7);
-    assert!((after.velocity - exact.velocity).abs() < 1e-7);
+    assert_abs_diff_eq!(after.position, exact.position, epsilon = 1e-7);
+    assert_abs_diff_eq!(after.velocity, exact.velocity, epsilon = 1e-7);
 }
 
 fn ends<P: EmbeddedPair<f64, Oscillator<f64>> + Copy>(pair: P) {
@@ -102,7 +103,7 @@ fn ends<P: EmbeddedPair<f64, Oscillator<f64>> + Copy>(pair: P) {
     // And it goes on from what is sound, as if nothing had been.
     let gain = integrator.step(&dynamics, sound, 0.0, 0.1);
     let exact = Exact::new().step(&dynamics, sound, 0.0, 0.1);
-    assert!((gain.position - exact.position).abs() < 1e-7, "{gain:?} {exact:?}");
+    assert!(abs_diff_eq!(gain.position, exact.position, epsilon = 1e-7), "{gain:?} {exact:?}");
     let nothing = at(0.0, 0.0);
     assert_eq!(integrator.step(&dynamics, sound, 1.0, 0.0), nothing);
 }
@@ -159,6 +160,6 @@ fn axes_and_masses_move_together() {
         let (one, other) = (plant.advance(effort), exact.advance(effort));
         assert!((one.position - other.position).norm() < 1e-8);
         let (one, other) = (two.advance(0.3), exactly.advance(0.3));
-        assert!((one.position - other.position).abs() < 1e-8);
+        assert_abs_diff_eq!(one.position, other.position, epsilon = 1e-8);
     }
 }

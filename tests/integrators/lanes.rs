@@ -3,9 +3,9 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Adaptive, Coordinates, CoupledOscillators, DampedMass, DormandPrince5, DormandPrince8,
-    Dynamics, Exact, Impedance, ImplicitMidpoint, Integrator, Oscillator, Plant, RungeKutta4,
-    Scalar, SemiImplicitEuler, Stepped, TwoMass,
+    Adaptive, Coordinates, CoupledOscillators, DampedMass, DormandPrince5, DormandPrince8, Exact,
+    Impedance, ImplicitMidpoint, Integrator, Mechanics, Oscillator, Plant, RungeKutta4,
+    RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Stepped, TwoMass,
 };
 
 use crate::{hand, moved, pair};
@@ -17,8 +17,8 @@ fn lane_by_lane<T, L, D, S, I, J>(
 ) where
     T: Scalar,
     L: Scalar,
-    D: Dynamics<T, Coordinates: Coordinates<T>>,
-    S: Dynamics<L, Coordinates: Coordinates<L>>,
+    D: Mechanics<T, Coordinates: Coordinates<T>>,
+    S: Mechanics<L, Coordinates: Coordinates<L>>,
     I: Integrator<T, D>,
     J: Integrator<L, S>,
 {
@@ -59,7 +59,7 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
             );
         )+};
     }
-    with!(1e-3: SemiImplicitEuler, ImplicitMidpoint, RungeKutta4, Exact::new());
+    with!(1e-3: SemiImplicitEuler, ImplicitMidpoint, RungeKutta4, RungeKuttaNystrom4, Exact::new());
     with!(1e-3: DormandPrince5, DormandPrince8);
     // Over which lanes take steps of their own, and some more of them than others.
     let tolerance = 1e-5;

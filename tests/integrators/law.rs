@@ -3,8 +3,8 @@
 use lyapunov::lanes::{AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    CoupledOscillators, Dynamics, Exact, Impedance, ImplicitMidpoint, Integrator, Oscillator,
-    RungeKutta4, Scalar, SemiImplicitEuler, Signal, State,
+    CoupledOscillators, Exact, Impedance, ImplicitMidpoint, Integrator, Mechanics, Oscillator,
+    RungeKutta4, RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Signal, State,
 };
 use nalgebra::SVector;
 
@@ -13,7 +13,7 @@ use crate::{hand, moved, pair};
 fn keeps_the_laws<V, D, I>(integrator: I, dynamics: D, order: u32)
 where
     V: Signal,
-    D: Dynamics<V>,
+    D: Mechanics<V>,
     I: Integrator<V, D> + Clone,
 {
     let samples = Samples::<D::Coordinates>::new(V::Scalar::of(1e-3)).step_by(40);
@@ -32,6 +32,8 @@ fn all_keep_the_laws<V: Signal>() {
     keeps_the_laws::<V, _, _>(SemiImplicitEuler, two(), 1);
     keeps_the_laws::<V, _, _>(ImplicitMidpoint, one(), 2);
     keeps_the_laws::<V, _, _>(ImplicitMidpoint, two(), 2);
+    keeps_the_laws::<V, _, _>(RungeKuttaNystrom4, one(), 4);
+    keeps_the_laws::<V, _, _>(RungeKuttaNystrom4, two(), 4);
     keeps_the_laws::<V, _, _>(RungeKutta4, one(), 4);
     keeps_the_laws::<V, _, _>(RungeKutta4, two(), 4);
     keeps_the_laws::<V, _, _>(Exact::new(), one(), 100);
@@ -39,7 +41,8 @@ fn all_keep_the_laws<V: Signal>() {
     let period = V::Scalar::of(1e-3);
     let samples = Samples::<V>::new(period);
     laws::plant(&moved::<V, _, _>(one(), ImplicitMidpoint, period, 4), samples).expect("one mass");
-    laws::plant(&moved::<V, _, _>(two(), RungeKutta4, period, 4), samples).expect("two masses");
+    laws::plant(&moved::<V, _, _>(two(), RungeKuttaNystrom4, period, 4), samples)
+        .expect("two masses");
 }
 
 #[test]
@@ -74,7 +77,7 @@ impl<T: Scalar> Integrator<T, Oscillator<T>> for Broken {
         effort: T,
         interval: T,
     ) -> State<T> {
-        let gain = RungeKutta4.step(dynamics, from, effort, interval);
+        let gain = RungeKuttaNystrom4.step(dynamics, from, effort, interval);
         let drift = T::of(1e-12);
         match self {
             Self::OfOrderOne => State {
@@ -84,7 +87,7 @@ impl<T: Scalar> Integrator<T, Oscillator<T>> for Broken {
             Self::Undamped => {
                 let parts = Impedance { damping: T::of(0.0), ..hand() };
                 let dynamics = Oscillator::new(parts).expect("parts");
-                RungeKutta4.step(&dynamics, from, effort, interval)
+                RungeKuttaNystrom4.step(&dynamics, from, effort, interval)
             }
             Self::Drifting => State { position: gain.position + drift, ..gain },
             Self::Following => State { velocity: T::of(gain.velocity.lane(0)), ..gain },

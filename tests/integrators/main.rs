@@ -3,6 +3,7 @@
 mod adaptive;
 mod energy;
 mod exact;
+mod first_order;
 mod lanes;
 mod law;
 mod located;
@@ -10,7 +11,7 @@ mod orders;
 mod plant;
 
 use lyapunov::{
-    Coordinates, DampedMass, Dynamics, Impedance, Integrator, Link, Scalar, Signal, Stepped,
+    Coordinates, DampedMass, Impedance, Integrator, Link, Mechanics, Scalar, Signal, Stepped,
     TwoMass,
 };
 
@@ -32,7 +33,7 @@ fn pair<T: Scalar>() -> TwoMass<T> {
 fn moved<V, D, I>(dynamics: D, integrator: I, period: V::Scalar, steps: u32) -> Stepped<V, D, I>
 where
     V: Signal,
-    D: Dynamics<V, Coordinates: Coordinates<V>>,
+    D: Mechanics<V, Coordinates: Coordinates<V>>,
     I: Integrator<V, D>,
 {
     Stepped::new(dynamics, integrator, period, steps).expect("a plant")

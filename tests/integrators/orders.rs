@@ -1,8 +1,10 @@
 //! The order of each method, by regression against closed forms.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
     CoupledOscillators, DormandPrince5, DormandPrince8, Exact, Impedance, ImplicitMidpoint,
-    Integrator, Linked, Oscillator, Plant, RungeKutta4, SemiImplicitEuler, State,
+    Integrator, Linked, Oscillator, Plant, RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler,
+    State,
 };
 
 use crate::{U, hand, moved, pair};
@@ -74,19 +76,23 @@ fn order_of_two(
 fn errors_fall_with_the_step_as_the_order_says() {
     let fine = [512, 1024, 2048, 4096];
     let coarse = [64, 128, 256, 512];
-    let near =
-        |slope: f64, order: f64| assert!((slope - order).abs() < 0.1, "{slope}, not {order}");
-    near(order_of_one(SemiImplicitEuler, fine), 1.0);
-    near(order_of_one(ImplicitMidpoint, coarse), 2.0);
-    near(order_of_one(RungeKutta4, coarse), 4.0);
-    near(order_of_two(SemiImplicitEuler, fine), 1.0);
-    near(order_of_two(ImplicitMidpoint, coarse), 2.0);
-    near(order_of_two(RungeKutta4, coarse), 4.0);
-    near(order_of_one(DormandPrince5, [32, 64, 128, 256]), 5.0);
-    near(order_of_two(DormandPrince5, [64, 128, 256, 512]), 5.0);
-    // So few steps that rounding stays out, and so many that the next order does.
-    near(order_of_one(DormandPrince8, [10, 12, 14, 16]), 8.0);
-    near(order_of_two(DormandPrince8, [16, 20, 24, 28]), 8.0);
+    for (slope, order) in [
+        (order_of_one(SemiImplicitEuler, fine), 1.0),
+        (order_of_one(ImplicitMidpoint, coarse), 2.0),
+        (order_of_one(RungeKutta4, coarse), 4.0),
+        (order_of_one(RungeKuttaNystrom4, coarse), 4.0),
+        (order_of_two(SemiImplicitEuler, fine), 1.0),
+        (order_of_two(ImplicitMidpoint, coarse), 2.0),
+        (order_of_two(RungeKutta4, coarse), 4.0),
+        (order_of_two(RungeKuttaNystrom4, coarse), 4.0),
+        (order_of_one(DormandPrince5, [32, 64, 128, 256]), 5.0),
+        (order_of_two(DormandPrince5, [64, 128, 256, 512]), 5.0),
+        // So few steps that rounding stays out, and so many that the next order does.
+        (order_of_one(DormandPrince8, [10, 12, 14, 16]), 8.0),
+        (order_of_two(DormandPrince8, [16, 20, 24, 28]), 8.0),
+    ] {
+        assert_abs_diff_eq!(slope, order, epsilon = 0.1);
+    }
 }
 
 #[test]
@@ -99,8 +105,8 @@ fn the_exact_motion_is_the_closed_form_to_rounding_in_any_number_of_steps() {
             let [x, v] = damped(hand(), START, FORCE, PERIOD * f64::from(n));
             // A few roundings of each step, of terms as large as the state: 0.03 m and 0.3 m/s.
             let roundings = 16.0 * U * f64::from(n) * f64::from(steps + 3);
-            assert!((drive.position - x).abs() < 0.03 * roundings, "{steps} {n}");
-            assert!((drive.velocity - v).abs() < 0.3 * roundings, "{steps} {n}");
+            assert!(abs_diff_eq!(drive.position, x, epsilon = 0.03 * roundings), "{steps} {n}");
+            assert!(abs_diff_eq!(drive.velocity, v, epsilon = 0.3 * roundings), "{steps} {n}");
         }
     }
 }

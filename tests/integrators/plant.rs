@@ -2,7 +2,7 @@
 
 use lyapunov::{
     Assembled, Coordinates, CoupledOscillators, DampedMass, Impedance, ImplicitMidpoint, Joined,
-    Link, Oscillator, Plant, Requirement, RungeKutta4, Signal, Stepped, Tethered, TwoMass,
+    Link, Oscillator, Plant, Requirement, RungeKuttaNystrom4, Signal, Stepped, Tethered, TwoMass,
 };
 
 use crate::{hand, moved, pair};
@@ -25,7 +25,8 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!((error.parameter, error.requirement), ("link.stiffness", Requirement::Positive));
 
     let dynamics = Oscillator::new(hand::<f32>()).expect("parts");
-    let stepped = |period, steps| Stepped::<f32, _, _>::new(dynamics, RungeKutta4, period, steps);
+    let stepped =
+        |period, steps| Stepped::<f32, _, _>::new(dynamics, RungeKuttaNystrom4, period, steps);
     let refused = |period: f32, steps| {
         let error = stepped(period, steps).expect_err("no plant");
         (error.parameter, error.requirement)

@@ -1,5 +1,6 @@
 //! The adaptive window is the longest that a line fits, found by trying every line against every sample.
 
+use approx::abs_diff_eq;
 use proptest::array::uniform16;
 use proptest::collection::vec;
 use proptest::prelude::any;
@@ -87,7 +88,7 @@ mod check {
                     // The rounding of two positions of up to 1001 counts.
                     let slack = 4.0 * 1001.0 * V::Scalar::unit() * resolution.f64() / period.f64();
                     prop_assert!(
-                        (found - expected).abs() <= slack,
+                        abs_diff_eq!(found, expected, epsilon = slack),
                         "call {n}, axis {axis}: {found:e} for {expected:e}, a window of {i}"
                     );
                 }

@@ -1,5 +1,6 @@
 //! What acts on a port does what it says, and nothing at its neutral value.
 
+use approx::abs_diff_eq;
 use proptest::array::{uniform4, uniform16};
 use proptest::collection::vec;
 use proptest::prelude::any;
@@ -110,7 +111,7 @@ mod check {
         let exact: f64 = terms.iter().sum();
         let size: f64 = terms.iter().map(|term| term.abs()).sum();
         let bound = 2.0 * terms.len() as f64 * T::unit() * size;
-        prop_assert!((sum.f64() - exact).abs() <= bound, "{sum:?} is not {exact:e}");
+        prop_assert!(abs_diff_eq!(sum.f64(), exact, epsilon = bound), "{sum:?} is not {exact:e}");
         Ok(())
     }
 
@@ -238,7 +239,7 @@ mod check {
                 if asked {
                     // Both have been told the same work by then.
                     let (a, b) = (outside.action().sum.f64(), inside.action().sum.f64());
-                    prop_assert!((a - b).abs() <= 200.0 * V::Scalar::unit() * a.abs());
+                    prop_assert!(abs_diff_eq!(a, b, epsilon = 200.0 * V::Scalar::unit() * a.abs()));
                 }
             }
             Ok(())

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use nalgebra::Vector3;
 use proptest::array::uniform8;
 use proptest::prelude::any;
@@ -97,7 +98,10 @@ fn a_ramp_goes_there_and_no_further() {
                 false => from + (to - from).signum() * way,
             };
             let found = at(&ramp, tick);
-            prop_assert!((found - naive).abs() <= 4.0 * f64::EPSILON, "{found} is not {naive}");
+            prop_assert!(
+                abs_diff_eq!(found, naive, epsilon = 4.0 * f64::EPSILON),
+                "{found} is not {naive}"
+            );
             prop_assert!(from.min(to) <= found && found <= from.max(to), "{found}");
         }
         prop_assert!(speed == 0.0 || at(&ramp, u64::MAX) == to);
@@ -119,7 +123,10 @@ fn a_sine_is_as_good_late_as_early() {
             let found = at(&sine, tick);
             // Both angles are up to π, each with two or three roundings.
             let bound = 2e-15 * amplitude.abs() + 2e-17;
-            prop_assert!((found - exact).abs() <= bound, "{found} is not {exact} at {tick}");
+            prop_assert!(
+                abs_diff_eq!(found, exact, epsilon = bound),
+                "{found} is not {exact} at {tick}"
+            );
         }
         Ok(())
     });
@@ -129,7 +136,7 @@ fn a_sine_is_as_good_late_as_early() {
         let tick = bits[2] % 100;
         let angle = 2.0 * PI * frequency * (tick as f64 / rate);
         let bound = 1e-15 + 4.0 * f64::EPSILON * angle;
-        prop_assert!((at(&sine, tick) - angle.sin()).abs() <= bound);
+        prop_assert!(abs_diff_eq!(at(&sine, tick), angle.sin(), epsilon = bound));
         Ok(())
     });
 }
@@ -155,14 +162,17 @@ fn samples_are_joined_by_lines() {
                 Some(((t0, a), Some(&(t1, b)))) => (a * (t1 - t) + b * (t - t0)) / (t1 - t0),
             };
             let found = at(&samples, tick);
-            prop_assert!((found - naive).abs() <= 1e-14 * 8.0, "{found} is not {naive}");
+            prop_assert!(
+                abs_diff_eq!(found, naive, epsilon = 1e-14 * 8.0),
+                "{found} is not {naive}"
+            );
         }
         Ok(())
     });
     let jump = Samples::new([(0.1, 1.0), (0.3, 3.0), (0.3, -1.0), (0.5, -1.0)], 10.0).expect("one");
     let values: Vec<f64> = (0..7).map(|tick| at(&jump, tick)).collect();
     assert_eq!(values[..2], [1.0, 1.0]);
-    assert!((values[2] - 2.0).abs() < 1e-15);
+    assert_abs_diff_eq!(values[2], 2.0, epsilon = 1e-15);
     assert_eq!(values[3..], [-1.0; 4]);
     assert_eq!(at(&Samples::new(vec![(5.0, 7.0)], 10.0).expect("one row"), 3), 7.0);
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use approx::assert_abs_diff_eq;
 use lyapunov::{
     Adapt, Body, DampingLimit, Drive, Impedance, OnePort, ParameterError, Plant, Signal,
 };
@@ -65,7 +66,7 @@ fn the_limit_is_a_quarter_of_what_grows() -> Result<(), ParameterError> {
     for ticks in 0..=5_u32 {
         let share = half.delayed(ticks).most() * PERIOD / MASS;
         let grows = 2.0 * (PI / (4.0 * (f64::from(ticks) + 1.0))).tan();
-        assert!((share - grows / 4.0).abs() < 1e-15);
+        assert_abs_diff_eq!(share, grows / 4.0, epsilon = 1e-15);
         assert!(growth(share, ticks as usize, true) < 1e-3);
     }
     // A limit that is none stays finite; none at all stays none.

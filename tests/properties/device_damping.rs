@@ -3,6 +3,7 @@
 //! With the backward difference `v = Δx / T` the credit of a tick is `b Δx² / T`, and by the inequality of Cauchy and
 //! Schwarz `b ∫ v² dt` is at least that.
 
+use approx::abs_diff_eq;
 use proptest::array::uniform16;
 use proptest::prelude::any;
 use proptest::prop_assert;
@@ -103,7 +104,10 @@ mod check {
                 * V::Scalar::unit()
                 * burnt
                 * (1.0 + damping.f64() * period.f64() / mass.f64());
-            prop_assert!((credited.f64() - burnt).abs() <= bound, "{credited:?} of {burnt:e}");
+            prop_assert!(
+                abs_diff_eq!(credited.f64(), burnt, epsilon = bound),
+                "{credited:?} of {burnt:e}"
+            );
             Ok(())
         });
     }

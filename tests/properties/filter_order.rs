@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use approx::abs_diff_eq;
 use lyapunov::{Adapt, Drive, OnePort, Spring};
 
 use crate::support::Spy;
@@ -44,14 +45,16 @@ fn a_filter_of_counts_sees_steps() {
 
     // A filter outside of the encoder takes the true motion, which has come to 1 cm/s.
     let (least, most) = range(motion.asked[400..].iter().map(|drive| drive.velocity));
-    assert!((least - SPEED).abs() < 1e-12 && (most - SPEED).abs() < 1e-12);
+    assert!(
+        abs_diff_eq!(least, SPEED, epsilon = 1e-12) && abs_diff_eq!(most, SPEED, epsilon = 1e-12)
+    );
 
     // One inside takes a count every ten ticks, ten times the speed for one tick. With p = 4 / 5 left per tick the
     // velocity peaks at 10 v (1 − p) / (1 − p^10) and has fallen by p^9 before the next count.
     let (least, most) = range(counts.asked[400..].iter().map(|drive| drive.velocity));
     let peak = 10.0 * SPEED * 0.2 / (1.0 - 0.8f64.powi(10));
-    assert!((most - peak).abs() < 1e-12, "{most} for {peak}");
-    assert!((least - peak * 0.8f64.powi(9)).abs() < 1e-12, "{least}");
+    assert!(abs_diff_eq!(most, peak, epsilon = 1e-12), "{most} for {peak}");
+    assert!(abs_diff_eq!(least, peak * 0.8f64.powi(9), epsilon = 1e-12), "{least}");
     // In numbers: 1 cm/s told as 0.3 to 2.2 cm/s.
     assert!((0.0030..0.0031).contains(&least) && (0.0224..0.0225).contains(&most));
 }

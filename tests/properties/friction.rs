@@ -1,5 +1,6 @@
 //! Dry friction against closed forms, quadrature and numbers of 30 digits.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use proptest::array::uniform8;
 use proptest::prelude::any;
 use proptest::prop_assert;
@@ -77,13 +78,16 @@ fn a_block_stops_when_and_where_it_must() {
         let found = transitions(&mut plant, towards * applied, ticks);
         prop_assert!(found.len() == 1 && found[0].1 == Stick, "{found:?}");
         let (instant, _) = found[0];
-        prop_assert!((instant - stop).abs() < 1e-12, "at {instant} instead of {stop}");
+        prop_assert!(
+            abs_diff_eq!(instant, stop, epsilon = 1e-12),
+            "at {instant} instead of {stop}"
+        );
         let drive = plant.advance(towards * applied);
         prop_assert!(drive.velocity == 0.0 && drive.displacement == 0.0);
         let off = (drive.position - towards * distance).abs();
         prop_assert!(off < 1e-11 * distance, "{} instead of {distance}", drive.position);
         let burnt = force * distance;
-        prop_assert!((plant.heat() - burnt).abs() < 1e-11 * burnt);
+        prop_assert!(abs_diff_eq!(plant.heat(), burnt, epsilon = 1e-11 * burnt));
         Ok(())
     });
 }
@@ -117,7 +121,11 @@ fn an_oscillation_loses_two_f_over_k_on_each_swing() {
             let turn = (swings - back) as f64;
             let last = back == 0;
             prop_assert!(what == if last { Stick } else { Reverse }, "{found:?}");
-            prop_assert!((instant - turn * half).abs() < 1e-12, "{instant} not {}", turn * half);
+            prop_assert!(
+                abs_diff_eq!(instant, turn * half, epsilon = 1e-12),
+                "{instant} not {}",
+                turn * half
+            );
         }
         let drive = plant.advance(0.0);
         let end = if swings.is_multiple_of(2) { share } else { -share } * shift;
@@ -125,7 +133,7 @@ fn an_oscillation_loses_two_f_over_k_on_each_swing() {
         prop_assert!(off < 1e-13 * (rest.abs() + start), "{off:e} at {swings}");
         prop_assert!(drive.velocity == 0.0 && drive.displacement == 0.0);
         let path = (0..swings).map(|n| 2.0 * (start - (2 * n + 1) as f64 * shift)).sum::<f64>();
-        prop_assert!((plant.heat() / (force * path) - 1.0).abs() < 1e-11);
+        prop_assert!(abs_diff_eq!(plant.heat() / (force * path), 1.0, epsilon = 1e-11));
         Ok(())
     });
 }
@@ -158,9 +166,9 @@ fn stribeck_friction_stops_a_block_by_quadrature() {
         let off = (found[0].0 - stop).abs();
         prop_assert!(off < 1e-12 * stop.max(1.0), "{off:e} of {stop}");
         let drive = plant.advance(0.0);
-        prop_assert!((drive.position / -distance - 1.0).abs() < 1e-12);
+        prop_assert!(abs_diff_eq!(drive.position / -distance, 1.0, epsilon = 1e-12));
         let kinetic = 0.5 * mass * start * start;
-        prop_assert!((plant.heat() / kinetic - 1.0).abs() < 1e-12);
+        prop_assert!(abs_diff_eq!(plant.heat() / kinetic, 1.0, epsilon = 1e-12));
         Ok(())
     });
 }
@@ -241,11 +249,14 @@ fn stribeck_friction_agrees_with_30_digits() {
         let found = transitions(&mut plant, 0.0, ticks);
         assert!(found.len() == 3, "{found:?}");
         for ((instant, what), (exact, kind)) in found.into_iter().zip(events) {
-            assert!(what == kind && (instant - exact).abs() < 1e-12, "{instant} not {exact}");
+            assert!(
+                what == kind && abs_diff_eq!(instant, exact, epsilon = 1e-12),
+                "{instant} not {exact}"
+            );
         }
         let (drive, heat) = (plant.start(), 0.149_029_305_591_873_48);
         let off = (drive.position + 0.014_810_254_963_371_123).abs();
         assert!(off < 1e-15 && drive.velocity == 0.0, "{off:e}");
-        assert!((plant.heat() / heat - 1.0).abs() < 1e-13);
+        assert_abs_diff_eq!(plant.heat() / heat, 1.0, epsilon = 1e-13);
     }
 }

@@ -1,5 +1,6 @@
 //! Dry friction where it is nothing, where numbers are bad, and on lanes.
 
+use approx::assert_abs_diff_eq;
 use proptest::array::uniform8;
 use proptest::prelude::any;
 use proptest::prop_assert;
@@ -195,9 +196,9 @@ fn intervals_may_vary() {
         }
     }
     let drive = split.start();
-    assert!((drive.position - one.position).abs() < 1e-16);
-    assert!((drive.velocity - one.velocity).abs() < 1e-14);
-    assert!((split.heat() / whole.heat() - 1.0).abs() < 1e-13);
+    assert_abs_diff_eq!(drive.position, one.position, epsilon = 1e-16);
+    assert_abs_diff_eq!(drive.velocity, one.velocity, epsilon = 1e-14);
+    assert_abs_diff_eq!(split.heat() / whole.heat(), 1.0, epsilon = 1e-13);
     assert!(split.reshape(parts, f64::NAN).is_err() && split.reshape(parts, -1.0).is_err());
 }
 

@@ -1,5 +1,6 @@
 //! Dry friction on a device that hangs on a moving operator: slip instants inside of a period.
 
+use approx::abs_diff_eq;
 use proptest::array::uniform8;
 use proptest::prelude::any;
 use proptest::prop_assert;
@@ -70,12 +71,25 @@ fn reference(
     }
     let last = &events[events.len() - found.len()..];
     for (&(instant, what), &(exact, kind)) in found.iter().zip(last) {
-        assert!(what == kind && (instant - exact).abs() < 1e-12, "{instant} instead of {exact}");
+        assert!(
+            what == kind && abs_diff_eq!(instant, exact, epsilon = 1e-12),
+            "{instant} instead of {exact}"
+        );
     }
     let drive = plant.start();
-    assert!((drive.position - end[2]).abs() < 1e-14, "{} not {}", drive.position, end[2]);
-    assert!((drive.velocity - end[3]).abs() < 1e-12, "{} not {}", drive.velocity, end[3]);
-    assert!((plant.heat() / heat - 1.0).abs() < 1e-12, "{} not {heat}", plant.heat());
+    assert!(
+        abs_diff_eq!(drive.position, end[2], epsilon = 1e-14),
+        "{} not {}",
+        drive.position,
+        end[2]
+    );
+    assert!(
+        abs_diff_eq!(drive.velocity, end[3], epsilon = 1e-12),
+        "{} not {}",
+        drive.velocity,
+        end[3]
+    );
+    assert!(abs_diff_eq!(plant.heat() / heat, 1.0, epsilon = 1e-12), "{} not {heat}", plant.heat());
 }
 
 #[test]

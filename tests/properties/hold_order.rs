@@ -1,5 +1,6 @@
 //! Hold then stabilize against stabilize then hold: how much leaks before the sum is looked at.
 
+use approx::abs_diff_eq;
 use lyapunov::{
     Adapt, Body, DampingLimit, Drive, Impedance, Lolc, OnePort, Plant, PortEnergy, Wall,
 };
@@ -35,6 +36,9 @@ fn a_stabilizer_outside_of_the_hold_lets_less_leak() {
     let found =
         [leaked(outside.differenced()), leaked(inside.differenced()), leaked(alone.differenced())];
     for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() < 1e-9 * expected, "{found:e} for {expected:e}");
+        assert!(
+            abs_diff_eq!(found, expected, epsilon = 1e-9 * expected),
+            "{found:e} for {expected:e}"
+        );
     }
 }

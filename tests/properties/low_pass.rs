@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use approx::abs_diff_eq;
 use proptest::array::uniform16;
 use proptest::collection::vec;
 use proptest::prelude::any;
@@ -102,7 +103,10 @@ fn steady_motion_is_approached() {
         .map(|n| Drive::new(period, f64::from(n) * 1e-3, 9.0, if n == 0 { 5.0 } else { 1e-3 }, 0.0))
         .collect();
     for (n, told) in told(1.0 / (TAU * period), &drives).iter().enumerate() {
-        assert!((told.velocity - (1.0 - 0.5f64.powi(n as i32))).abs() < 1e-14, "call {n}");
+        assert!(
+            abs_diff_eq!(told.velocity, 1.0 - 0.5f64.powi(n as i32), epsilon = 1e-14),
+            "call {n}"
+        );
     }
 }
 
@@ -120,7 +124,10 @@ fn gain_is_that_of_a_first_order_lag() {
         let settled = told[100_000..].iter().map(|drive| drive.velocity);
         let gain = settled.fold(0.0, f64::max);
         let expected = 1.0 / (1.0f64 + ratio * ratio).sqrt();
-        assert!((gain / expected - 1.0).abs() < 0.02, "{gain} at {ratio} times the cutoff");
+        assert!(
+            abs_diff_eq!(gain / expected, 1.0, epsilon = 0.02),
+            "{gain} at {ratio} times the cutoff"
+        );
     }
 }
 

@@ -1,5 +1,6 @@
 //! Noise moves positions and what follows from them, by as much as is asked, and nothing else.
 
+use approx::abs_diff_eq;
 use proptest::array::uniform16;
 use proptest::collection::vec;
 use proptest::prelude::any;
@@ -151,7 +152,10 @@ fn noise_comes_before_the_counts() {
     assert!(counts.iter().all(|count| [0.0, 1.0].contains(count)));
     // One sixth of the normal distribution lies above one deviation: 0.158655.
     let above = counts.iter().sum::<f64>() / 1e4;
-    assert!((above - 0.158_655).abs() < 4.0 * (0.158_655f64 * 0.841_345 / 1e4).sqrt(), "{above}");
+    assert!(
+        abs_diff_eq!(above, 0.158_655, epsilon = 4.0 * (0.158_655f64 * 0.841_345 / 1e4).sqrt()),
+        "{above}"
+    );
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! A sum for each axis: what it tells, and that every axis does what it would do alone.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::{AutoF32x8, AutoF64x4};
 use lyapunov::laws::{self, Samples};
 use lyapunov::{DampingLimit, Drive, Lolc, Mask, PerAxis, PortEnergy, Scalar, Signal, Stabilizer};
@@ -80,12 +81,14 @@ fn one_sum_is_silent_where_a_sum_for_each_acts() {
         Drive::new(1e-3, axes(0.0, 0.0), axes(0.1, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
     let effort = axes(0.5, 0.5);
     let one = popc::<f64>(0.5).stabilize(&drive, effort);
-    assert!((one.sum - 1e-4).abs() < 1e-18 && one.alpha == 0.0 && one.effort == effort);
+    assert!(
+        abs_diff_eq!(one.sum, 1e-4, epsilon = 1e-18) && one.alpha == 0.0 && one.effort == effort
+    );
     let each = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&drive, effort);
-    assert!((each.sum + 9e-4).abs() < 1e-18);
+    assert_abs_diff_eq!(each.sum, -9e-4, epsilon = 1e-18);
     // Half of m / T is 100 N·s/m; 0.9 mJ would take 90 at 0.1 m/s.
-    assert!(each.effort.x == 0.5 && (each.effort.y - 9.5).abs() < 1e-9);
-    assert!((each.alpha - 45.0).abs() < 1e-9 && each.shortfall == 0.0);
+    assert!(each.effort.x == 0.5 && abs_diff_eq!(each.effort.y, 9.5, epsilon = 1e-9));
+    assert!(abs_diff_eq!(each.alpha, 45.0, epsilon = 1e-9) && each.shortfall == 0.0);
 }
 
 #[test]
@@ -95,6 +98,6 @@ fn a_bad_axis_does_not_stop_the_others() {
         Drive::new(1e-3, axes(0.0, 0.0), axes(f64::NAN, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
     let action = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&drive, axes(0.5, 0.5));
     assert!(!action.accepted.all());
-    assert!(action.effort.x == 0.0 && (action.effort.y - 9.5).abs() < 1e-9);
+    assert!(action.effort.x == 0.0 && abs_diff_eq!(action.effort.y, 9.5, epsilon = 1e-9));
     assert!(action.alpha.is_finite() && action.sum.is_finite());
 }

@@ -1,5 +1,6 @@
 //! What moves a body beside its port: motion, grip, jitter and pushes.
 
+use approx::abs_diff_eq;
 use nalgebra::Vector2;
 use proptest::array::uniform16;
 use proptest::prelude::any;
@@ -286,10 +287,10 @@ fn a_jittered_body_moves_for_the_true_interval() {
             let drive = plant.advance(1.5);
             prop_assert!(drive.period == 1.0 / RATE);
             prop_assert!(drive.work == 1.5 * drive.displacement);
-            prop_assert!((drive.position - next.position).abs() <= 1e-15);
-            prop_assert!((drive.velocity - next.velocity).abs() <= 1e-13);
+            prop_assert!(abs_diff_eq!(drive.position, next.position, epsilon = 1e-15));
+            prop_assert!(abs_diff_eq!(drive.velocity, next.velocity, epsilon = 1e-13));
             let moved = next.position - state.position;
-            prop_assert!((drive.displacement - moved).abs() <= 1e-15);
+            prop_assert!(abs_diff_eq!(drive.displacement, moved, epsilon = 1e-15));
             state = next;
         }
         Ok(())

@@ -1,5 +1,6 @@
 //! Exact motion against a Taylor series in double-double and against closed forms.
 
+use approx::abs_diff_eq;
 use nalgebra::SMatrix;
 use proptest::array::uniform16;
 use proptest::prelude::any;
@@ -213,13 +214,19 @@ fn held_input_of_what_is_known() {
         let angle = log_between(bits[0], 1e-9, 3.0);
         let turned = held_input(SMatrix::<f64, 2, 2>::new(0.0, -angle, angle, 0.0));
         let half = (angle / 2.0).sin();
-        prop_assert!(
-            (turned[(0, 0)] + 2.0 * half * half).abs() <= 4e-15 * angle.sinh().max(angle * angle)
-        );
-        prop_assert!((turned[(1, 0)] - angle.sin()).abs() <= 4e-15 * angle.sinh());
+        prop_assert!(abs_diff_eq!(
+            turned[(0, 0)],
+            -2.0 * half * half,
+            epsilon = 4e-15 * angle.sinh().max(angle * angle)
+        ));
+        prop_assert!(abs_diff_eq!(turned[(1, 0)], angle.sin(), epsilon = 4e-15 * angle.sinh()));
         let growth: f64 = ordinary(bits[1], 3.0);
         let grown = held_input(SMatrix::<f64, 1, 1>::new(growth));
-        prop_assert!((grown[(0, 0)] - growth.exp_m1()).abs() <= 1e-14 * growth.abs().exp_m1());
+        prop_assert!(abs_diff_eq!(
+            grown[(0, 0)],
+            growth.exp_m1(),
+            epsilon = 1e-14 * growth.abs().exp_m1()
+        ));
         let sheared = held_input(SMatrix::<f64, 2, 2>::new(0.0, growth, 0.0, 0.0));
         prop_assert!(sheared == SMatrix::<f64, 2, 2>::new(0.0, growth, 0.0, 0.0));
         Ok(())

@@ -1,5 +1,6 @@
 //! The ledger against the recursion of the tick contract in straight code, carried in double-double.
 
+use approx::abs_diff_eq;
 use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
@@ -25,7 +26,10 @@ fn follows<V: Port>(
         let accepted = tick.accepted.unwrap_or(action.accepted);
         prop_assert!(action.accepted == accepted, "accepted {} {tick:?}", action.accepted);
         let (sum, alpha) = (action.sum.f64(), action.alpha.f64());
-        prop_assert!((sum - tick.sum).abs() <= tick.error, "sum {sum} is not {tick:?}");
+        prop_assert!(
+            abs_diff_eq!(sum, tick.sum, epsilon = tick.error),
+            "sum {sum} is not {tick:?}"
+        );
         let short = (action.shortfall.f64() - tick.shortfall).abs();
         if !accepted {
             ledger.rejected();

@@ -1,7 +1,7 @@
 //! This library: plants and ports composed by type.
 
 use lyapunov::{
-    Body, Impedance, OnePort, Oscillator, ParameterError, Plant, RungeKutta4, Stepped, Wall,
+    Body, Impedance, OnePort, Oscillator, ParameterError, Plant, RungeKuttaNystrom4, Stepped, Wall,
 };
 
 use crate::scene::{
@@ -32,5 +32,5 @@ pub(crate) fn exact(positions: &mut Positions) -> Result<(), ParameterError> {
 #[inline(never)]
 pub(crate) fn runge_kutta_4(positions: &mut Positions, steps: u32) -> Result<(), ParameterError> {
     let hand = Oscillator::new(HAND)?;
-    rollout(positions, Stepped::new(hand, RungeKutta4, PERIOD, steps)?.starting(START, 0.0))
+    rollout(positions, Stepped::new(hand, RungeKuttaNystrom4, PERIOD, steps)?.starting(START, 0.0))
 }

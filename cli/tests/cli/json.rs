@@ -1,5 +1,6 @@
 //! `run --json` and `run --quiet`.
 
+use approx::abs_diff_eq;
 use serde_json::Value;
 
 use crate::cli::place::{Place, SCENE};
@@ -19,7 +20,10 @@ fn columns(csv: &str) -> Vec<Vec<f64>> {
 #[track_caller]
 fn near(json: &Value, expected: f64) {
     let found = json.as_f64().unwrap();
-    assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{found} against {expected}");
+    assert!(
+        abs_diff_eq!(found, expected, epsilon = 1e-9 * expected.abs()),
+        "{found} against {expected}"
+    );
 }
 
 fn most(numbers: &[f64], of: fn(f64) -> f64) -> f64 {

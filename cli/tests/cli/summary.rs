@@ -1,5 +1,6 @@
 //! What the summary says of the shipped scenes and of those with more in them.
 
+use approx::abs_diff_eq;
 use std::fs;
 use std::path::Path;
 
@@ -149,6 +150,10 @@ fn forces_and_energy_in_space_are_those_of_all_axes() {
         let line = said.out.lines().find(|line| line.trim_start().starts_with(label)).unwrap();
         line[15..].split(' ').next().unwrap().parse::<f64>().unwrap()
     };
-    assert!((told("energy") - 1e3 * energy).abs() < 1e-3 * 1e3 * energy, "{}", said.out);
-    assert!((told("peak force") - peak).abs() < 1e-3 * peak, "{}", said.out);
+    assert!(
+        abs_diff_eq!(told("energy"), 1e3 * energy, epsilon = 1e-3 * 1e3 * energy),
+        "{}",
+        said.out
+    );
+    assert!(abs_diff_eq!(told("peak force"), peak, epsilon = 1e-3 * peak), "{}", said.out);
 }

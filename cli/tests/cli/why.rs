@@ -1,5 +1,6 @@
 //! `bound`, `explain`, and the two lines of `run`.
 
+use approx::assert_abs_diff_eq;
 use serde_json::Value;
 
 use crate::cli::place::Place;
@@ -31,8 +32,8 @@ fn the_limits_are_told_in_words_and_as_json() {
     let said = place.run(["bound", "wall.toml", "--json"]);
     said.ended(0, &[]);
     let told: Value = serde_json::from_str(&said.out).unwrap();
-    assert!((told["passive_max_stiffness"].as_f64().unwrap() - 6000.0).abs() < 1e-6);
-    assert!((told["gil_max_stiffness"].as_f64().unwrap() - 7000.0).abs() < 1e-6);
+    assert_abs_diff_eq!(told["passive_max_stiffness"].as_f64().unwrap(), 6000.0, epsilon = 1e-6);
+    assert_abs_diff_eq!(told["gil_max_stiffness"].as_f64().unwrap(), 7000.0, epsilon = 1e-6);
     assert!(told["spectral_radius"].as_f64().unwrap() > 1.0);
     assert_eq!(told["friction_quantization_max_stiffness"], Value::Null);
     for key in LIMITS {
@@ -54,7 +55,11 @@ fn a_remedy_put_into_the_file_ends_what_run_calls_divergence() {
     let told: Value =
         serde_json::from_str(&place.run(["explain", "wall.toml", "--json"]).out).unwrap();
     assert_eq!(told["bounded"], false);
-    assert!((told["groups"]["kt_over_b"].as_f64().unwrap() - 40000.0 * 0.001 / 3.0).abs() < 1e-9);
+    assert_abs_diff_eq!(
+        told["groups"]["kt_over_b"].as_f64().unwrap(),
+        40000.0 * 0.001 / 3.0,
+        epsilon = 1e-9
+    );
     let set: Vec<_> = told["remedies"].as_array().unwrap().iter().map(|it| &it["set"]).collect();
     assert!(set.len() >= 2);
     let softer = set.iter().find_map(|set| set["environment.spring.stiffness"].as_f64()).unwrap();

@@ -2,6 +2,7 @@
 
 use crate::contract::row::Row;
 use crate::contract::scene::{Kind, SOFT, STIFF, Scene, Work};
+use approx::abs_diff_eq;
 
 type Run = fn(&Scene) -> Vec<Row>;
 
@@ -42,7 +43,10 @@ fn settled_from(rows: &[Row], within: f64) -> f64 {
 }
 
 fn near(what: &str, got: f64, want: f64, tolerance: f64) {
-    assert!((got - want).abs() <= tolerance, "{what}: {got} is not {want} +- {tolerance}");
+    assert!(
+        abs_diff_eq!(got, want, epsilon = tolerance),
+        "{what}: {got} is not {want} +- {tolerance}"
+    );
 }
 
 fn peaks_at_the_soft_wall(run: Run) {

@@ -128,6 +128,8 @@ fn impulse_response(friction: Double, spring: Double, period: Double) -> (Double
 /// The textbook solution in f64: coarser than the series, but nothing is shared with it.
 #[cfg(test)]
 mod tests {
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
+
     use super::Motion;
 
     fn textbook(mass: f64, damping: f64, stiffness: f64, t: f64) -> (f64, f64, f64) {
@@ -172,7 +174,7 @@ mod tests {
                 let spring = stiffness / mass;
                 let near = |got: f64, want: f64, terms: f64| {
                     assert!(
-                        (got - want).abs() <= 8.0 * f64::EPSILON * terms,
+                        abs_diff_eq!(got, want, epsilon = 8.0 * f64::EPSILON * terms),
                         "{got:e} is not {want:e} for {mass} {damping} {stiffness} {period}"
                     );
                 };
@@ -207,7 +209,7 @@ mod tests {
         let spring = 50.0 / 0.3 * period * period;
         let map = Motion::new(0.3, 0.0, 50.0, period);
         let want = spring * (1.0 - spring / 12.0);
-        assert!((map.pull - want).abs() <= 4.0 * f64::EPSILON * want);
+        assert_abs_diff_eq!(map.pull, want, epsilon = 4.0 * f64::EPSILON * want);
     }
 
     #[test]
@@ -223,6 +225,6 @@ mod tests {
         let start = (-0.004, 0.3);
         let (y, v) = step(&whole, start, 2.5);
         let (y2, v2) = step(&half, step(&half, start, 2.5), 2.5);
-        assert!((y - y2).abs() < 1e-17 && (v - v2).abs() < 1e-15);
+        assert!(abs_diff_eq!(y, y2, epsilon = 1e-17) && abs_diff_eq!(v, v2, epsilon = 1e-15));
     }
 }

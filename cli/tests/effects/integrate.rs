@@ -1,5 +1,7 @@
 //! Gragg's modified midpoint rule, extrapolated (Bulirsch and Stoer): one step of order 14.
 
+use approx::abs_diff_eq;
+
 const STAGES: usize = 7;
 
 /// What `state` gains over `step` s under `rate`.
@@ -51,5 +53,5 @@ fn a_swing_returns() {
         let gained = gain(state, std::f64::consts::TAU / 40.0, |[x, v]| [v, -x]);
         state = [state[0] + gained[0], state[1] + gained[1]];
     }
-    assert!((state[0] - 1.0).abs() < 1e-13 && state[1].abs() < 1e-13, "{state:?}");
+    assert!(abs_diff_eq!(state[0], 1.0, epsilon = 1e-13) && state[1].abs() < 1e-13, "{state:?}");
 }

@@ -4,6 +4,7 @@ use crate::effects::compare::follows;
 use crate::effects::reference::Row;
 use crate::effects::run::rows;
 use crate::effects::scene::{Dropout, Environment, Filter, Friction, Kind, Motion, Scene};
+use approx::abs_diff_eq;
 
 /// The paper's loop at its soft wall, chaotic under its stabilizer.
 fn chaotic() -> Scene {
@@ -58,7 +59,7 @@ fn noise_is_what_it_says() {
         ("share within two", share(2.0), 0.954_500, 0.3),
         ("product with the next", next, 0.0, 1.0),
     ] {
-        assert!((got - want).abs() < spread * error, "{what}: {got} is not {want}");
+        assert!(abs_diff_eq!(got, want, epsilon = spread * error), "{what}: {got} is not {want}");
     }
 }
 
@@ -77,6 +78,6 @@ fn dropout_loses_its_share() {
         let lost = answers.windows(2).filter(lost).count() as f64;
         let (count, share) = ((answers.len() - 1) as f64, 0.3);
         let deviation = (count * share * (1.0 - share)).sqrt();
-        assert!((lost - share * count).abs() < 4.0 * deviation, "{lost} of {count}");
+        assert!(abs_diff_eq!(lost, share * count, epsilon = 4.0 * deviation), "{lost} of {count}");
     }
 }

@@ -1,5 +1,6 @@
 //! Random logs: jitter, gaps, bad rows of every kind, units, and every candidate.
 
+use approx::abs_diff_eq;
 use lyapunov_lab::observe::{Candidate, Observed, Settings, observe};
 use proptest::prelude::*;
 
@@ -175,7 +176,10 @@ impl Log {
 
 /// Values that agree within rounding of sums of this size.
 fn near(name: &str, found: f64, expected: f64, size: f64) -> Result<(), TestCaseError> {
-    prop_assert!((found - expected).abs() <= 1e-11 * size, "{name}: {found} is not {expected}");
+    prop_assert!(
+        abs_diff_eq!(found, expected, epsilon = 1e-11 * size),
+        "{name}: {found} is not {expected}"
+    );
     Ok(())
 }
 

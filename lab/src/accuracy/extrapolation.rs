@@ -1,6 +1,6 @@
 //! A second way to follow a smooth motion to as many digits as its scalar has.
 
-use lyapunov::{Dynamics, Integrator, Mask, Scalar, Signal, State};
+use lyapunov::{Dynamics, Integrator, Mask, Scalar, Signal};
 
 /// Columns at most: the error of the last is of order `2 COLUMNS` in the step.
 const COLUMNS: usize = 14;
@@ -14,34 +14,19 @@ const ROUNDINGS: f64 = 64.0;
 /// The midpoint rule in 2, 4, 6, … steps, extrapolated to none (Gragg 1965; Bulirsch and Stoer 1966; Hairer, Nørsett and
 /// Wanner, Solving Ordinary Differential Equations I, 1993, II.9).
 ///
-/// It asks the dynamics for accelerations only and every coefficient is a ratio of whole numbers, so nothing in it is
+/// It asks the dynamics for rates only and every coefficient is a ratio of whole numbers, so nothing in it is
 /// shared with the matrix exponential.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extrapolation;
 
-impl<V: Signal, D: Dynamics<V>> Integrator<V, D> for Extrapolation {
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
-        let rates = |at: State<D::Coordinates>| State {
-            position: at.velocity,
-            velocity: dynamics.acceleration(at.position, at.velocity, effort),
-        };
-        gain(&rates, from, interval, HALVINGS)
+impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for Extrapolation {
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+        gain(&|at| dynamics.rate(at, input), from, interval, HALVINGS)
     }
 }
 
 /// What `from` gains over `interval`, in halves where one step does not settle.
-fn gain<Q: Signal>(
-    rates: &impl Fn(State<Q>) -> State<Q>,
-    from: State<Q>,
-    interval: Q::Scalar,
-    halvings: u32,
-) -> State<Q> {
+fn gain<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar, halvings: u32) -> Q {
     let (gained, settled) = extrapolated(rates, from, interval);
     if settled || halvings == 0 {
         return gained;
@@ -52,15 +37,11 @@ fn gain<Q: Signal>(
 }
 
 /// What `from` gains by the first column that no longer differs from the one before, and whether one did so.
-fn extrapolated<Q: Signal>(
-    rates: &impl Fn(State<Q>) -> State<Q>,
-    from: State<Q>,
-    interval: Q::Scalar,
-) -> (State<Q>, bool) {
-    let mut row: Vec<State<Q>> = Vec::with_capacity(COLUMNS);
+fn extrapolated<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar) -> (Q, bool) {
+    let mut row: Vec<Q> = Vec::with_capacity(COLUMNS);
     for index in 0..COLUMNS {
         let mut above = midpoint(rates, from, interval, 2 * (index as u32 + 1));
-        let mut last = zero();
+        let mut last = Q::zero();
         for (column, before) in row.iter_mut().enumerate() {
             // 1 / ((n_j / n_(j-k))² - 1), from whole numbers.
             let (whole, part) = (index + 1, index - column);
@@ -72,48 +53,34 @@ fn extrapolated<Q: Signal>(
             above = next;
         }
         let change = combined(above, last, -one::<Q>());
-        let settled = index > 0
-            && is_small(change.position, from.position, above.position)
-            && is_small(change.velocity, from.velocity, above.velocity);
+        let settled = index > 0 && is_small(change, from, above);
         if settled {
             return (above, true);
         }
         row.push(above);
     }
-    (row.pop().unwrap_or_else(zero), false)
+    (row.pop().unwrap_or_else(Q::zero), false)
 }
 
 /// What `from` gains by the midpoint rule in `steps` steps, an even number, begun and ended by Euler's.
-fn midpoint<Q: Signal>(
-    rates: &impl Fn(State<Q>) -> State<Q>,
-    from: State<Q>,
-    interval: Q::Scalar,
-    steps: u32,
-) -> State<Q> {
+fn midpoint<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar, steps: u32) -> Q {
     let step = interval / Q::Scalar::of(f64::from(steps));
-    let mut before = zero();
+    let mut before = Q::zero();
     let mut gained = combined(before, rates(from), step);
     for _ in 1..steps {
         let next = combined(before, rates(from + gained), step + step);
         (before, gained) = (gained, next);
     }
     let beyond = combined(before, rates(from + gained), step);
-    combined(zero(), gained + beyond, Q::Scalar::of(0.5))
+    combined(Q::zero(), gained + beyond, Q::Scalar::of(0.5))
 }
 
 fn one<Q: Signal>() -> Q::Scalar {
     Q::Scalar::of(1.0)
 }
 
-fn zero<Q: Signal>() -> State<Q> {
-    State { position: Q::zero(), velocity: Q::zero() }
-}
-
-fn combined<Q: Signal>(base: State<Q>, change: State<Q>, share: Q::Scalar) -> State<Q> {
-    State {
-        position: base.position + change.position.scale(share),
-        velocity: base.velocity + change.velocity.scale(share),
-    }
+fn combined<Q: Signal>(base: Q, change: Q, share: Q::Scalar) -> Q {
+    base + change.scale(share)
 }
 
 /// Whether `change` is no more than rounding on every axis; NaN changes nothing any more.

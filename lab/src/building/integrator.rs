@@ -1,8 +1,8 @@
 //! An integrator that is chosen at run time.
 
 use lyapunov::{
-    Adaptive, DormandPrince5, DormandPrince8, Dynamics, ImplicitDynamics, ImplicitMidpoint,
-    Integrator, ParameterError, RungeKutta4, Scalar, SemiImplicitEuler, Signal, State,
+    Adaptive, DormandPrince5, DormandPrince8, ImplicitMechanics, ImplicitMidpoint, Integrator,
+    ParameterError, RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Signal, State,
 };
 
 use super::environment::of;
@@ -15,7 +15,7 @@ use crate::scene;
 pub(super) enum AnyIntegrator<T> {
     SemiImplicitEuler,
     ImplicitMidpoint,
-    RungeKutta4,
+    RungeKuttaNystrom4,
     Adaptive5(Adaptive<DormandPrince5, T>),
     Adaptive8(Adaptive<DormandPrince8, T>),
 }
@@ -31,7 +31,7 @@ impl<T: Scalar> AnyIntegrator<T> {
             scene::Integrator::Exact => None,
             scene::Integrator::SemiImplicitEuler { .. } => Some(Self::SemiImplicitEuler),
             scene::Integrator::ImplicitMidpoint { .. } => Some(Self::ImplicitMidpoint),
-            scene::Integrator::Rk4 { .. } => Some(Self::RungeKutta4),
+            scene::Integrator::Rk4 { .. } => Some(Self::RungeKuttaNystrom4),
             scene::Integrator::Dopri5 { tolerance } => {
                 Some(Self::Adaptive5(Adaptive::new(DormandPrince5, of(tolerance))?))
             }
@@ -46,19 +46,19 @@ impl<T: Scalar> AnyIntegrator<T> {
 impl<V, D> Integrator<V, D> for AnyIntegrator<V::Scalar>
 where
     V: Signal,
-    D: ImplicitDynamics<V>,
+    D: ImplicitMechanics<V>,
 {
     fn step(
         &mut self,
         dynamics: &D,
-        from: State<<D as Dynamics<V>>::Coordinates>,
+        from: State<D::Coordinates>,
         effort: V,
         interval: V::Scalar,
-    ) -> State<<D as Dynamics<V>>::Coordinates> {
+    ) -> State<D::Coordinates> {
         match self {
             Self::SemiImplicitEuler => SemiImplicitEuler.step(dynamics, from, effort, interval),
             Self::ImplicitMidpoint => ImplicitMidpoint.step(dynamics, from, effort, interval),
-            Self::RungeKutta4 => RungeKutta4.step(dynamics, from, effort, interval),
+            Self::RungeKuttaNystrom4 => RungeKuttaNystrom4.step(dynamics, from, effort, interval),
             Self::Adaptive5(pair) => pair.step(dynamics, from, effort, interval),
             Self::Adaptive8(pair) => pair.step(dynamics, from, effort, interval),
         }

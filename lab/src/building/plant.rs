@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use lyapunov::{
-    Body, Constant, Coordinates, CoupledOscillators, DampedMass, Drive, Dynamics, FirstAxis,
-    Friction, Impedance, Integrator, Link, Linked, Located, Oscillator, ParameterError, Perturb,
+    Body, Constant, Coordinates, CoupledOscillators, DampedMass, Drive, FirstAxis, Friction,
+    Impedance, Integrator, Link, Linked, Located, Mechanics, Oscillator, ParameterError, Perturb,
     Plant, Pulse, Ramp, Random, RubbingOscillator, Samples, Scalar, Signal, Sine, Source, Step,
     Stepped, Stribeck, Tethered, TwoMass,
 };
@@ -199,7 +199,7 @@ fn moved<V, D, I>(
 ) -> Result<Stepped<V, D, I>, ParameterError>
 where
     V: Space,
-    D: Dynamics<V, Coordinates: Coordinates<V>>,
+    D: Mechanics<V, Coordinates: Coordinates<V>>,
     I: Integrator<V, D>,
 {
     let start = (V::at(&scene.initial.position), V::at(&scene.initial.velocity));

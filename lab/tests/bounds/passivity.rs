@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Drive, OnePort};
 use lyapunov_lab::bounds::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene};
@@ -167,7 +168,7 @@ fn closed_forms() {
         limits.passive.unwrap()
     };
     let near = |found: f64, expected: f64| {
-        assert!((found / expected - 1.0).abs() < 1e-13, "{found} {expected}");
+        assert!(abs_diff_eq!(found / expected, 1.0, epsilon = 1e-13), "{found} {expected}");
     };
     // b > K T / 2 + B, the sum of the damper's magnitude and the spring's hold (Colgate and Schenkel).
     near(with("environment.wall.stiffness = 1"), 6000.0);
@@ -177,7 +178,7 @@ fn closed_forms() {
     // The period of the environment for T, without a damper.
     near(with("environment_rate = 100\nenvironment.wall.stiffness = 1"), 600.0);
     let late = "environment_rate = 100\neffects.delay.ticks = 4\nenvironment.wall.stiffness = 1";
-    assert!((with(late) * with_delay(10, 4, 1e-3) / 3.0 - 1.0).abs() < 1e-7);
+    assert_abs_diff_eq!(with(late) * with_delay(10, 4, 1e-3) / 3.0, 1.0, epsilon = 1e-7);
     assert_eq!(with("environment.wall = { stiffness = 1, damping = 3.1 }"), 0.0);
     assert_eq!(
         with("velocity = \"exact\"\nenvironment.wall = { stiffness = 1, damping = 0.1 }"),
@@ -211,6 +212,9 @@ fn what_is_needed_at_the_limit_is_what_is_there() {
     for _ in 0..300 {
         let Some(scene) = within(&random(&mut chance, TWO_RATES), 1.0) else { continue };
         let part = LinearPart::of(&scene).unwrap();
-        assert!((part.passive_damping() / part.device.damping - 1.0).abs() < 1e-9, "{scene:?}");
+        assert!(
+            abs_diff_eq!(part.passive_damping() / part.device.damping, 1.0, epsilon = 1e-9),
+            "{scene:?}"
+        );
     }
 }

@@ -3,6 +3,7 @@
 // As the script prints them.
 #![allow(clippy::excessive_precision)]
 
+use approx::abs_diff_eq;
 use lyapunov_lab::bounds::Limits;
 
 use crate::bounds::systems::scene;
@@ -94,10 +95,10 @@ fn the_exact_limit_has_all_its_digits() {
         };
         let limits = Limits::of(&scene(&format!("duration = 1\n{text}")));
         let found = limits.exact.unwrap();
-        assert!((found / most - 1.0).abs() < 1e-14, "{found:e} {most:e}\n{text}");
+        assert!(abs_diff_eq!(found / most, 1.0, epsilon = 1e-14), "{found:e} {most:e}\n{text}");
         let found = 1.0 - limits.spectral_radius.unwrap();
         // What 1 − radius keeps of its digits in f64, and not more than 10 of them.
         let digits = 1e-10_f64.max(2.0 * f64::EPSILON / decay);
-        assert!((found / decay - 1.0).abs() < digits, "{found:e} {decay:e}\n{text}");
+        assert!(abs_diff_eq!(found / decay, 1.0, epsilon = digits), "{found:e} {decay:e}\n{text}");
     }
 }

@@ -1,5 +1,6 @@
 //! Gil's rule, the limit of friction and encoder, and what does not apply.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Drive, OnePort};
 use lyapunov_lab::bounds::Limits;
 use lyapunov_lab::{Assembly, Scene};
@@ -29,7 +30,7 @@ fn the_rule_is_what_the_exact_limit_tends_to() {
         );
         let limits = Limits::of(&scene(&text));
         let share = limits.gil.unwrap() / limits.exact.unwrap();
-        assert!((share - 1.0).abs() < 0.02, "{share}\n{text}");
+        assert!(abs_diff_eq!(share, 1.0, epsilon = 0.02), "{share}\n{text}");
     }
 }
 
@@ -68,7 +69,7 @@ fn friction_pays_for_half_a_step_and_damping_for_the_hold() {
         let most = Limits::of(&scene(&rubbing(device, coulomb, resolution, 1.0)));
         let most = most.friction_quantization.unwrap();
         let exact = (2.0 * device * 1000.0).min(2.0 * coulomb / resolution);
-        assert!((most / exact - 1.0).abs() < 1e-14);
+        assert_abs_diff_eq!(most / exact, 1.0, epsilon = 1e-14);
         // Inside, no random motion over a few steps gets energy out.
         let text = rubbing(device, coulomb, resolution, 0.99 * most);
         let size = resolution * chance.decades(0.1, 30.0);

@@ -1,5 +1,6 @@
 //! Two models written out by hand: nothing of the library but the file.
 
+use approx::abs_diff_eq;
 use lyapunov_lab::models::{Contestant, Model, Plant, Score};
 
 use crate::models::shipped::{compared, curve, model};
@@ -84,7 +85,10 @@ impl Hand {
             assert_eq!(told.len(), found.values.len(), "{name}");
             for (tick, (told, hand)) in told.iter().zip(&found.values).enumerate() {
                 let size = hand.max(found.values[0]);
-                assert!((told - hand).abs() <= 1e-9 * size, "{name} at {tick}: {told}, {hand}");
+                assert!(
+                    abs_diff_eq!(told, hand, epsilon = 1e-9 * size),
+                    "{name} at {tick}: {told}, {hand}"
+                );
             }
             found.equals(score);
         }
@@ -105,7 +109,7 @@ impl Found {
         ] {
             let told = told.unwrap();
             assert!(
-                (told - hand).abs() <= 1e-9 * size,
+                abs_diff_eq!(told, hand, epsilon = 1e-9 * size),
                 "{what} of {}: {told}, {hand}",
                 score.stabilizer
             );
@@ -113,7 +117,7 @@ impl Found {
         assert_eq!(score.bounded, largest <= 4.0 * self.values[0], "{}", score.stabilizer);
         let share = 100.0 * self.active as f64 / self.values.len() as f64;
         // A debt at the edge of rounding may be one here and none there.
-        assert!((score.active - share).abs() < 0.1, "{}: {share}", score.stabilizer);
+        assert!(abs_diff_eq!(score.active, share, epsilon = 0.1), "{}: {share}", score.stabilizer);
     }
 }
 

@@ -4,6 +4,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use approx::abs_diff_eq;
 use lyapunov_lab::models::{Comparison, Contestant, Model, schema_text};
 use lyapunov_lab::scene::Positive;
 use lyapunov_lab::subjects::Compared;
@@ -99,7 +100,10 @@ fn single_precision_comes_to_the_same() {
         for (one, other) in single.scores().zip(double.scores()).skip(2) {
             assert!(one.bounded, "{name} {}", one.stabilizer);
             let (one, other) = (one.largest.unwrap(), other.largest.unwrap());
-            assert!((one / other - 1.0).abs() < 1e-3, "{name}: {one} against {other}");
+            assert!(
+                abs_diff_eq!(one / other, 1.0, epsilon = 1e-3),
+                "{name}: {one} against {other}"
+            );
         }
     }
 }

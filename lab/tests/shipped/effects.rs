@@ -2,9 +2,10 @@
 
 use std::f64::consts::SQRT_2;
 
+use approx::assert_abs_diff_eq;
 use lyapunov_lab::{Rollout, Summary};
 
-use crate::shipped::rows::{absorbed, between, edited, least, most, near, rows, rows_of, scene, width};
+use crate::shipped::rows::{absorbed, between, edited, least, most, rows, rows_of, scene, width};
 
 #[test]
 fn hold_stands_still_for_ten_ticks_and_the_damping_does_not() {
@@ -23,14 +24,14 @@ fn dropout_loses_three_in_ten_and_gives_energy() {
     let contact: Vec<_> =
         rows.windows(2).filter(|pair| pair[0].x > 0.0021 && pair[1].x > 0.0021).collect();
     let lost = contact.iter().filter(|pair| pair[0].f_env == pair[1].f_env).count();
-    near(lost as f64 / contact.len() as f64, 0.3, 0.04);
-    near(absorbed(&rows), -2.4e-3, 0.05e-3);
+    assert_abs_diff_eq!(lost as f64 / contact.len() as f64, 0.3, epsilon = 0.04);
+    assert_abs_diff_eq!(absorbed(&rows), -2.4e-3, epsilon = 0.05e-3);
 }
 
 #[test]
 fn delay_makes_a_wall_that_settles_swing() {
     let scene = scene("delay");
-    near(most(&rows_of(&scene), |row| row.x.abs()), 0.033, 0.0005);
+    assert_abs_diff_eq!(most(&rows_of(&scene), |row| row.x.abs()), 0.033, epsilon = 0.0005);
     let prompt = edited(&scene, |draft| draft.effects.delay = None);
     let summary = Summary::of(&prompt, Rollout::<f64>::of(&prompt).unwrap());
     assert!(summary.settled.is_some_and(|time| time < 1.0), "{summary}");
@@ -52,11 +53,11 @@ fn filter_cutoff_makes_a_count_2_4_millimetres_per_second() {
     let late = |rows: &[_]| most(between(rows, 1.0, 2.0), |row| row.v.abs());
     let turn = 2.0 * std::f64::consts::PI * 50.0 * 1e-3;
     let jump = turn / (1.0 + turn) * 1e-5 / 1e-3;
-    near(jump, 2.4e-3, 0.05e-3);
+    assert_abs_diff_eq!(jump, 2.4e-3, epsilon = 0.05e-3);
     let filtered = late(&rows_of(&scene));
     assert!(filtered <= jump && filtered > 0.5 * jump, "{filtered}");
     let raw = edited(&scene, |draft| draft.effects.filter = None);
-    near(late(&rows_of(&raw)), 0.01, 1e-9);
+    assert_abs_diff_eq!(late(&rows_of(&raw)), 0.01, epsilon = 1e-9);
 }
 
 #[test]
@@ -65,7 +66,7 @@ fn filter_window_is_fine_when_slow_and_prompt_when_fast() {
     let slow = most(between(&rows, 1.0, 2.0), |row| row.v.abs());
     assert!(slow > 0.0 && slow < 0.7e-3, "{slow}");
     let true_peak = rows.windows(2).map(|pair| (pair[1].x - pair[0].x) * 1e3).fold(0.0, f64::max);
-    near(most(&rows, |row| row.v), true_peak, 0.05 * true_peak);
+    assert_abs_diff_eq!(most(&rows, |row| row.v), true_peak, epsilon = 0.05 * true_peak);
 }
 
 #[test]
@@ -81,7 +82,7 @@ fn noise_is_1_4_millimetres_per_second() {
     let rows = rows("noise");
     let late = between(&rows, 1.0, 2.0);
     let mean = late.iter().map(|row| row.v * row.v).sum::<f64>() / late.len() as f64;
-    near(mean.sqrt(), SQRT_2 * 1e-6 / 1e-3, 0.1e-3);
+    assert_abs_diff_eq!(mean.sqrt(), SQRT_2 * 1e-6 / 1e-3, epsilon = 0.1e-3);
     assert!(width(late, |row| row.x) < 2e-6);
 }
 
@@ -96,7 +97,7 @@ fn jitter_errs_where_the_motion_is_fast() {
     let fastest = most(&rows[500..], |row| row.v.abs());
     let (fast, turning) = (change(|v| v > 0.3), change(|v| v < 0.1));
     // The change from tick to tick has the errors of two intervals; where the motion turns it is acceleration.
-    near(fast / SQRT_2 / fastest, 0.05, 0.01);
+    assert_abs_diff_eq!(fast / SQRT_2 / fastest, 0.05, epsilon = 0.01);
     assert!(turning < fast / 3.0, "{turning} for {fast}");
 }
 
@@ -108,7 +109,7 @@ fn friction_sticks_to_1_newton_and_slips_seven_times() {
     for three in rows.windows(3) {
         let [before, at, after] = three else { continue };
         if before.x == at.x && after.x != at.x {
-            near(200.0 * (rest(at.t) - at.x), 1.0, 0.01);
+            assert_abs_diff_eq!(200.0 * (rest(at.t) - at.x), 1.0, epsilon = 0.01);
             slips += 1;
         }
     }
@@ -117,15 +118,23 @@ fn friction_sticks_to_1_newton_and_slips_seven_times() {
 
 #[test]
 fn load_rests_where_three_forces_balance() {
-    near(rows("load").last().unwrap().x, (2000.0 * 0.002 + 2.0) / 2200.0, 1e-8);
-    near(2.73e-3, (2000.0 * 0.002 + 2.0) / 2200.0, 0.005e-3);
+    assert_abs_diff_eq!(
+        rows("load").last().unwrap().x,
+        (2000.0 * 0.002 + 2.0) / 2200.0,
+        epsilon = 1e-8
+    );
+    assert_abs_diff_eq!(2.73e-3, (2000.0 * 0.002 + 2.0) / 2200.0, epsilon = 0.005e-3);
 }
 
 #[test]
 fn pulse_goes_2_9_millimetres_deeper_and_off_the_wall() {
     let rows = rows("pulse");
     let (rest, after) = (between(&rows, 0.9, 1.0), between(&rows, 1.0, 2.0));
-    near(most(after, |row| row.x) - most(rest, |row| row.x), 2.9e-3, 0.05e-3);
+    assert_abs_diff_eq!(
+        most(after, |row| row.x) - most(rest, |row| row.x),
+        2.9e-3,
+        epsilon = 0.05e-3
+    );
     assert!(least(rest, |row| row.x) > 0.0025 && least(after, |row| row.x) < 0.002);
     assert!(width(between(&rows, 1.8, 2.0), |row| row.x) < 0.05e-3);
 }

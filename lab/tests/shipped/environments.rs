@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
+use approx::assert_abs_diff_eq;
 use lyapunov_lab::scene::{Draft, Environment, Finite};
 
-use crate::shipped::rows::{between, edited, least, most, near, rows, rows_of, scene, ticks_in_space};
+use crate::shipped::rows::{between, edited, least, most, rows, rows_of, scene, ticks_in_space};
 
 #[test]
 fn spring_that_pushes_away_leaves_50_newton_per_metre() {
-    near(rows("spring").last().unwrap().x, 4.0 * 0.002, 0.01e-3);
+    assert_abs_diff_eq!(rows("spring").last().unwrap().x, 4.0 * 0.002, epsilon = 0.01e-3);
 }
 
 #[test]
@@ -21,8 +22,8 @@ fn mass_spring_damper_swings_with_both_masses() {
         .collect();
     let turns = falls.len() - 1;
     let period = (falls[turns] - falls[0]) / turns as f64;
-    near(period, 2.0 * PI * (0.4_f64 / 250.0).sqrt(), 0.5e-3);
-    near(0.218, 2.0 * PI * (0.3_f64 / 250.0).sqrt(), 0.5e-3);
+    assert_abs_diff_eq!(period, 2.0 * PI * (0.4_f64 / 250.0).sqrt(), epsilon = 0.5e-3);
+    assert_abs_diff_eq!(0.218, 2.0 * PI * (0.3_f64 / 250.0).sqrt(), epsilon = 0.5e-3);
 }
 
 #[test]
@@ -34,7 +35,7 @@ fn layered_wall_is_forty_times_as_stiff_below() {
         p => 1.5 + 20_000.0 * (p - 0.003),
     };
     for row in rows.iter().filter(|row| row.x > 0.002) {
-        near(row.f_env, (spring(row.x) + 20.0 * row.v).max(0.0), 1e-9);
+        assert_abs_diff_eq!(row.f_env, (spring(row.x) + 20.0 * row.v).max(0.0), epsilon = 1e-9);
     }
     let bone = between(&rows, 2.9, 3.0);
     assert!(bone[0].x > 0.0053 && bone[0].f_env > 8.0);
@@ -45,7 +46,7 @@ fn layered_wall_is_forty_times_as_stiff_below() {
 fn hunt_crossley_takes_a_share_that_falls_with_speed() {
     let scene = scene("hunt-crossley");
     let back = -rows_of(&scene).last().unwrap().v;
-    near(back, 0.179, 0.5e-3);
+    assert_abs_diff_eq!(back, 0.179, epsilon = 0.5e-3);
     // From the law with v dv = -F dp / m: g(v) = v / d - ln(1 + d v) / d^2 is the same before and after.
     let g = |v: f64| v - v.ln_1p();
     let (mut low, mut high) = (0.0, 0.2);
@@ -54,7 +55,7 @@ fn hunt_crossley_takes_a_share_that_falls_with_speed() {
         if g(-middle) < g(0.2) { low = middle } else { high = middle }
     }
     // The force is a sampled one, which gives a little back.
-    near(back, low, 0.02 * low);
+    assert_abs_diff_eq!(back, low, epsilon = 0.02 * low);
     let slower = |draft: &mut Draft| draft.initial.velocity = Finite::new(0.1).unwrap().into();
     let slower = -rows_of(&edited(&scene, slower)).last().unwrap().v;
     assert!(slower / 0.1 > back / 0.2 + 0.02, "{slower}");
@@ -64,7 +65,7 @@ fn hunt_crossley_takes_a_share_that_falls_with_speed() {
 fn moving_wall_works_on_the_hand() {
     let rows = rows("moving-wall");
     let observer = |t: f64| between(&rows, t, t + 1e-9)[0].observer;
-    near(observer(3.0) - observer(2.0), -2.6e-3, 0.05e-3);
+    assert_abs_diff_eq!(observer(3.0) - observer(2.0), -2.6e-3, epsilon = 0.05e-3);
     assert!(rows.iter().all(|row| row.alpha == 0.0));
 }
 
@@ -84,7 +85,7 @@ fn varying_spring_swings_itself_up() {
 fn plane_pushes_square_to_itself_and_lets_slide() {
     let ticks = ticks_in_space::<2>("plane");
     for tick in &ticks {
-        near(tick.environment.y, 2.0 * tick.environment.x, 1e-12);
+        assert_abs_diff_eq!(tick.environment.y, 2.0 * tick.environment.x, epsilon = 1e-12);
     }
     let late = ticks.iter().filter(|tick| tick.time > 1.0);
     let (least, most) = late
@@ -103,7 +104,7 @@ fn sphere_is_slid_over() {
     let places = ticks_in_space::<3>("sphere").into_iter().map(|tick| tick.truth.position);
     let places: Vec<_> = places.collect();
     let nearest = places.iter().map(|place| place.norm()).fold(f64::INFINITY, f64::min);
-    near(nearest, 18.8e-3, 0.1e-3);
+    assert_abs_diff_eq!(nearest, 18.8e-3, epsilon = 0.1e-3);
     let crossings = places.windows(2).filter(|pair| pair[0].x * pair[1].x <= 0.0);
     let over: Vec<f64> = crossings.map(|pair| pair[1].z).collect();
     assert!(over.len() >= 3 && over[1..].iter().all(|z| *z > 0.019), "{over:?}");
@@ -112,7 +113,7 @@ fn sphere_is_slid_over() {
 #[test]
 fn box_pushes_with_one_face() {
     for tick in ticks_in_space::<2>("box").iter().filter(|tick| tick.time > 1.0) {
-        near(tick.environment.x.abs(), 1.9, 0.1);
+        assert_abs_diff_eq!(tick.environment.x.abs(), 1.9, epsilon = 0.1);
         assert_eq!(tick.environment.y, 0.0);
     }
 }

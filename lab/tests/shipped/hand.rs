@@ -1,8 +1,9 @@
 //! What the comments of the scenes about the operator say.
 
+use approx::assert_abs_diff_eq;
 use lyapunov_lab::{Rollout, Row};
 
-use crate::shipped::rows::{between, least, most, near, rows, scene, width};
+use crate::shipped::rows::{between, least, most, rows, scene, width};
 
 /// Where a hand of 200 N/m at `rest` and a wall of 2 kN/m from 2 mm on balance.
 fn pressed(rest: f64) -> f64 {
@@ -18,29 +19,29 @@ fn link_buzzes_at_the_device_and_not_at_the_hand() {
         let most = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         most - places.iter().copied().fold(f64::INFINITY, f64::min)
     };
-    near(width(&device) / width(&hand), 7.0, 1.0);
+    assert_abs_diff_eq!(width(&device) / width(&hand), 7.0, epsilon = 1.0);
 }
 
 #[test]
 fn motion_step_bounces_four_times_and_rests() {
     let rows = rows("motion-step");
     assert!(between(&rows, 0.0, 0.499).iter().all(|row| row.x == 0.0));
-    near(most(&rows, |row| row.f_env), 5.6, 0.05);
+    assert_abs_diff_eq!(most(&rows, |row| row.f_env), 5.6, epsilon = 0.05);
     let first = rows.iter().position(|row| row.x > 0.002).unwrap();
     let left = rows[first..].windows(2).filter(|pair| pair[0].x > 0.002 && pair[1].x <= 0.002);
     assert_eq!(left.count(), 4);
-    near(rows.last().unwrap().x, 2.5e-3, 0.01e-3);
+    assert_abs_diff_eq!(rows.last().unwrap().x, 2.5e-3, epsilon = 0.01e-3);
 }
 
 #[test]
 fn motion_ramp_draws_the_line_of_the_wall() {
     let rows = rows("motion-ramp");
     let last = rows.last().unwrap();
-    near(last.f_env, 3.3, 0.05);
+    assert_abs_diff_eq!(last.f_env, 3.3, epsilon = 0.05);
     for row in between(&rows, 1.5, 3.0) {
-        near(row.f_env - 2000.0 * (row.x - 0.002), 0.0, 0.1);
+        assert_abs_diff_eq!(row.f_env - 2000.0 * (row.x - 0.002), 0.0, epsilon = 0.1);
     }
-    near(last.x, pressed(0.02), 1e-7);
+    assert_abs_diff_eq!(last.x, pressed(0.02), epsilon = 1e-7);
 }
 
 #[test]
@@ -52,16 +53,18 @@ fn motion_sine_pushes_twice_a_second() {
         .map(|pair| pair[1].t)
         .collect();
     assert_eq!(begins.len(), 6, "{begins:?}");
-    begins[1..].windows(2).for_each(|pair| near(pair[1] - pair[0], 0.5, 0.01));
-    near(most(&rows, |row| row.f_env), 10.0, 0.5);
+    begins[1..]
+        .windows(2)
+        .for_each(|pair| assert_abs_diff_eq!(pair[1] - pair[0], 0.5, epsilon = 0.01));
+    assert_abs_diff_eq!(most(&rows, |row| row.f_env), 10.0, epsilon = 0.5);
 }
 
 #[test]
 fn motion_file_presses_waits_presses_deeper_and_lets_go() {
     let rows = rows("motion-file");
     let at = |t: f64| between(&rows, t, t + 1e-9)[0].x;
-    near(at(1.5), pressed(0.006), 1e-6);
-    near(at(2.5), pressed(0.014), 1e-6);
+    assert_abs_diff_eq!(at(1.5), pressed(0.006), epsilon = 1e-6);
+    assert_abs_diff_eq!(at(2.5), pressed(0.014), epsilon = 1e-6);
     assert!(at(3.9) < 0.0);
 }
 

@@ -61,8 +61,3 @@ pub(crate) fn width(rows: &[Row], number: impl Fn(&Row) -> f64) -> f64 {
 pub(crate) fn absorbed(rows: &[Row]) -> f64 {
     rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).sum()
 }
-
-#[track_caller]
-pub(crate) fn near(value: f64, expected: f64, error: f64) {
-    assert!((value - expected).abs() <= error, "{value}, not {expected} within {error}");
-}

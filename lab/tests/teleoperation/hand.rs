@@ -1,5 +1,6 @@
 //! The shipped files written out by hand: nothing of the library but its random numbers.
 
+use approx::abs_diff_eq;
 use lyapunov::{Random, Source};
 use lyapunov_lab::teleoperation::{Contestant, Score, Teleoperator};
 
@@ -231,7 +232,11 @@ impl Found {
         {
             let share = 100.0 * count as f64 / self.master.len() as f64;
             // A correction at the edge may count here and not there.
-            assert!((told - share).abs() < 0.1, "{}: {told}, {share}", score.stabilizer);
+            assert!(
+                abs_diff_eq!(told, share, epsilon = 0.1),
+                "{}: {told}, {share}",
+                score.stabilizer
+            );
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Where waves come to rest, in closed form.
 
 use crate::teleoperation::shipped::{compared, parsed, scores, text};
+use approx::abs_diff_eq;
 
 /// At rest hand, link, coordination and wall are springs in a row. The link's is that of a line: a wave there and back takes
 /// `2 d + 1` ticks, during which `b` carries the force, so it yields by `(2 d + 1) T / (2 b)` metres to the newton.
@@ -16,7 +17,10 @@ fn waves_rest_where_springs_in_a_row_do() {
         let force = 0.005 / (hand + line + coordination + wall);
         let is = |name: &str, told: Option<f64>, expected: f64| {
             let told = told.unwrap();
-            assert!((told - expected).abs() < 2e-3, "{name} at {delay}: {told} mm, not {expected}");
+            assert!(
+                abs_diff_eq!(told, expected, epsilon = 2e-3),
+                "{name} at {delay}: {told} mm, not {expected}"
+            );
         };
         is("drift", waves.drift, -1e3 * force * line);
         is("error", waves.error_end, 1e3 * force * (line + coordination));

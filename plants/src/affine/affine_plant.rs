@@ -1,12 +1,12 @@
 //! A control-affine plant behind its port.
 
 use lyapunov_core::{
-    Drive, Integrator, LyapunovFunction, ParameterError, Plant, Requirement, Scalar, State,
+    Drive, Integrator, LyapunovFunction, ParameterError, Plant, Requirement, Scalar,
 };
 use nalgebra::SVector;
 use num_traits::Zero;
 
-use crate::{ControlAffine, FirstOrder, WithState};
+use crate::{ControlAffine, WithFlow, WithState};
 
 /// A [`ControlAffine`] plant, seen from the port at which its input feeds a [`LyapunovFunction`].
 ///
@@ -38,7 +38,7 @@ use crate::{ControlAffine, FirstOrder, WithState};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct AffinePlant<P, F, I, T, const N: usize, const M: usize> {
-    dynamics: FirstOrder<P, F>,
+    dynamics: WithFlow<P, F, N>,
     integrator: I,
     period: T,
     interval: T,
@@ -51,7 +51,7 @@ where
     T: Scalar,
     P: ControlAffine<T, N, M>,
     F: LyapunovFunction<SVector<T, N>>,
-    I: Integrator<WithState<T, N, M>, FirstOrder<P, F>>,
+    I: Integrator<SVector<T, M>, WithFlow<P, F, N>>,
 {
     /// `plant` at rest, moved by `period` s at a time in `steps` steps.
     ///
@@ -67,7 +67,7 @@ where
         let period = Requirement::Positive.check("period", period)?;
         Requirement::AtLeast(1.0).check("steps", f64::from(steps))?;
         let interval = period / T::of(f64::from(steps));
-        let dynamics = FirstOrder { plant, function };
+        let dynamics = WithFlow { plant, function };
         Ok(Self { dynamics, integrator, period, interval, steps, at: WithState::zero() })
     }
 
@@ -90,7 +90,7 @@ where
 
     #[inline]
     fn flow(&self) -> WithState<T, N, M> {
-        let FirstOrder { plant, function } = &self.dynamics;
+        let WithFlow { plant, function } = &self.dynamics;
         WithState::of_input(plant.flow(function, self.at.state))
     }
 }
@@ -101,7 +101,7 @@ where
     T: Scalar,
     P: ControlAffine<T, N, M>,
     F: LyapunovFunction<SVector<T, N>>,
-    I: Integrator<WithState<T, N, M>, FirstOrder<P, F>>,
+    I: Integrator<SVector<T, M>, WithFlow<P, F, N>>,
 {
     #[inline]
     fn start(&self) -> Drive<WithState<T, N, M>> {
@@ -112,9 +112,8 @@ where
     fn advance(&mut self, effort: WithState<T, N, M>) -> Drive<WithState<T, N, M>> {
         let before = self.at;
         for _ in 0..self.steps {
-            let from = State { position: WithState::zero(), velocity: self.at };
-            let gain = self.integrator.step(&self.dynamics, from, effort, self.interval);
-            self.at = self.at + gain.velocity;
+            let (at, input) = (self.at, effort.input);
+            self.at = at + self.integrator.step(&self.dynamics, at, input, self.interval);
         }
         Drive::new(self.period, self.at, self.flow(), self.at - before, effort)
     }

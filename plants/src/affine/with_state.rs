@@ -8,8 +8,9 @@ use num_traits::Zero;
 
 /// `M` inputs, and beside them the `N` states, which travel with them but are pushed by nothing.
 ///
-/// It makes the port of a control-affine plant a port like any other, to be held, delayed, saturated, guarded and
-/// stabilized, while controllers and candidates see the whole state:
+/// Controllers and candidates are given a drive and nothing else, and they need the whole state, so it travels in the
+/// drive. That makes the port of a control-affine plant a port like any other, to be held, delayed, saturated, guarded
+/// and stabilized:
 ///
 /// | of a drive or effort | `input` | `state` |
 /// |---|---|---|
@@ -19,7 +20,8 @@ use num_traits::Zero;
 /// | effort, `acted` | `e = −u` | 0 |
 /// | `work` | `eᵢ ∫ yᵢ dt` | 0 |
 ///
-/// As the state has no velocity, a damper `α` acts on the inputs alone and `v²` is `y²`. So velocities must not be
+/// The state has neither velocity nor effort: they are 0 in every drive of an [`AffinePlant`](crate::AffinePlant) or of
+/// [`Measured`](crate::Measured). A damper `α` acts on the inputs alone, therefore, and `v²` is `y²`. Velocities must not be
 /// taken from displacements here ([`differenced`](crate::Adapt::differenced) and its kin): the flow is computed from
 /// the state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! Two masses.
 
-use lyapunov_core::{Dynamics, ParameterError, Requirement, Scalar, Signal, State};
+use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, Signal, State};
 
 use crate::bodies::two_mass_increments;
-use crate::{Assembled, ImplicitDynamics, Joined, LinearDynamics, TwoMass};
+use crate::{Assembled, ImplicitMechanics, Joined, LinearDynamics, TwoMass};
 
 /// An operator and a device joined by a link, the operator on a spring that rests at the origin, in the coordinates
 /// `x_d` and `s = x_o − x_d`, alike on each axis:
@@ -60,7 +60,7 @@ impl<T: Scalar> Assembled for CoupledOscillators<T> {
     }
 }
 
-impl<V: Signal> Dynamics<V> for CoupledOscillators<V::Scalar> {
+impl<V: Signal> Mechanics<V> for CoupledOscillators<V::Scalar> {
     type Coordinates = Joined<V>;
 
     #[inline]
@@ -72,7 +72,7 @@ impl<V: Signal> Dynamics<V> for CoupledOscillators<V::Scalar> {
     }
 }
 
-impl<V: Signal> ImplicitDynamics<V> for CoupledOscillators<V::Scalar> {
+impl<V: Signal> ImplicitMechanics<V> for CoupledOscillators<V::Scalar> {
     /// As if each mass `m` were heavier, by `α k + β b` of its own spring and damper, and the mass reduced of the two,
     /// on which the stretch hangs, heavier still by the link's. Only sums of what is not negative are divided by.
     #[inline]

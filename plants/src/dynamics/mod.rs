@@ -3,7 +3,7 @@
 mod assembled;
 mod coordinates;
 mod coupled_oscillators;
-mod implicit_dynamics;
+mod implicit_mechanics;
 mod joined;
 mod linear_dynamics;
 mod oscillator;
@@ -14,7 +14,7 @@ mod walled_oscillator;
 pub use assembled::Assembled;
 pub use coordinates::Coordinates;
 pub use coupled_oscillators::CoupledOscillators;
-pub use implicit_dynamics::ImplicitDynamics;
+pub use implicit_mechanics::ImplicitMechanics;
 pub use joined::Joined;
 pub use linear_dynamics::LinearDynamics;
 pub use oscillator::Oscillator;

@@ -1,9 +1,9 @@
 //! One mass.
 
-use lyapunov_core::{Dynamics, ParameterError, Requirement, Scalar, Signal, State};
+use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, Signal, State};
 
 use crate::bodies::impedance_increments;
-use crate::{Assembled, Impedance, ImplicitDynamics, LinearDynamics};
+use crate::{Assembled, Impedance, ImplicitMechanics, LinearDynamics};
 
 /// A mass with a damper and a spring that rests at the origin: `ẍ = −(k x + b ẋ + f) / m`, alike on each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ impl<T: Scalar> Assembled for Oscillator<T> {
     }
 }
 
-impl<V: Signal> Dynamics<V> for Oscillator<V::Scalar> {
+impl<V: Signal> Mechanics<V> for Oscillator<V::Scalar> {
     type Coordinates = V;
 
     #[inline]
@@ -88,7 +88,7 @@ impl<V: Signal> Dynamics<V> for Oscillator<V::Scalar> {
     }
 }
 
-impl<V: Signal> ImplicitDynamics<V> for Oscillator<V::Scalar> {
+impl<V: Signal> ImplicitMechanics<V> for Oscillator<V::Scalar> {
     /// As if the mass were `m + α k + β b`.
     #[inline]
     fn implicit_acceleration(

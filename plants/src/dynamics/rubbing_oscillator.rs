@@ -1,8 +1,8 @@
 //! One mass under dry friction.
 
-use lyapunov_core::{Dynamics, ParameterError, Scalar, State};
+use lyapunov_core::{Mechanics, ParameterError, Scalar, State};
 
-use crate::{Assembled, Impedance, ImplicitDynamics, Oscillator, Stribeck, Switching};
+use crate::{Assembled, Impedance, ImplicitMechanics, Oscillator, Stribeck, Switching};
 
 /// Newton's iterations for the friction at the end of an implicit step.
 const ITERATIONS: usize = 8;
@@ -61,7 +61,7 @@ impl<T: Scalar> Assembled for RubbingOscillator<T> {
     }
 }
 
-impl<T: Scalar> Dynamics<T> for RubbingOscillator<T> {
+impl<T: Scalar> Mechanics<T> for RubbingOscillator<T> {
     type Coordinates = T;
 
     #[inline]
@@ -78,7 +78,7 @@ impl<T: Scalar> Rubbing<T> {
     }
 }
 
-impl<T: Scalar> Dynamics<T> for Rubbing<T> {
+impl<T: Scalar> Mechanics<T> for Rubbing<T> {
     type Coordinates = T;
 
     /// Friction is even in the velocity, and so is what of it lies beyond the end of sliding.
@@ -89,7 +89,7 @@ impl<T: Scalar> Dynamics<T> for Rubbing<T> {
     }
 }
 
-impl<T: Scalar> ImplicitDynamics<T> for Rubbing<T> {
+impl<T: Scalar> ImplicitMechanics<T> for Rubbing<T> {
     /// By a fixed count of Newton's iterations for `a`, the friction being that of `v + β a`; at once without
     /// Stribeck's fall.
     fn implicit_acceleration(&self, position: T, velocity: T, effort: T, alpha: T, beta: T) -> T {

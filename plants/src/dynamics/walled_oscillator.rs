@@ -1,8 +1,8 @@
 //! One mass before a spring that it is not fixed to.
 
-use lyapunov_core::{Dynamics, ParameterError, Requirement, Scalar, State};
+use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, State};
 
-use crate::{Impedance, ImplicitDynamics, LinearDynamics, Oscillator, Switching};
+use crate::{Impedance, ImplicitMechanics, LinearDynamics, Oscillator, Switching};
 
 /// An [`Oscillator`] and a one-sided elastic wall: `m ẍ = −k x − b ẋ − f − max(0, k_w (x − surface))`.
 ///
@@ -48,7 +48,7 @@ impl<T: Scalar> WalledOscillator<T> {
     }
 }
 
-impl<T: Scalar> Dynamics<T> for WalledOscillator<T> {
+impl<T: Scalar> Mechanics<T> for WalledOscillator<T> {
     type Coordinates = T;
 
     #[inline]
@@ -57,7 +57,7 @@ impl<T: Scalar> Dynamics<T> for WalledOscillator<T> {
     }
 }
 
-impl<T: Scalar> Dynamics<T> for Walled<T> {
+impl<T: Scalar> Mechanics<T> for Walled<T> {
     type Coordinates = T;
 
     #[inline]
@@ -66,7 +66,7 @@ impl<T: Scalar> Dynamics<T> for Walled<T> {
     }
 }
 
-impl<T: Scalar> ImplicitDynamics<T> for Walled<T> {
+impl<T: Scalar> ImplicitMechanics<T> for Walled<T> {
     #[inline]
     fn implicit_acceleration(&self, position: T, velocity: T, effort: T, alpha: T, beta: T) -> T {
         let effort = effort + self.preload;

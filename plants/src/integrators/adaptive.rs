@@ -1,8 +1,6 @@
 //! Steps by tolerance.
 
-use lyapunov_core::{
-    Dynamics, Integrator, Mask, ParameterError, Requirement, Scalar, Signal, State,
-};
+use lyapunov_core::{Dynamics, Integrator, Mask, ParameterError, Requirement, Scalar, Signal};
 
 use crate::EmbeddedPair;
 
@@ -13,7 +11,7 @@ const ATTEMPTS: u32 = 100_000;
 const ROUNDINGS: f64 = 8.0;
 
 /// A method that covers an interval in steps of its own choice: as long as it can, and so short that what each is
-/// estimated to err by is at most `tolerance + tolerance |y|` in every position and velocity `y`, in m and m/s.
+/// estimated to err by is at most `tolerance + tolerance |y|` in every axis `y` of the state, in its own unit.
 ///
 /// `|y|` is the larger magnitude of start and end of the step, positions counted from the rest. The error over many
 /// steps is theirs together, grown or damped by the motion: the tolerance is no bound for it.
@@ -47,23 +45,15 @@ impl<P, T: Scalar> Adaptive<P, T> {
 
     /// How large `error` of a step from `from` is against what is allowed; not finite where the error is not.
     #[inline]
-    fn size<Q>(&self, from: State<Q>, gain: State<Q>, error: State<Q>) -> T
-    where
-        Q: Signal<Scalar = T>,
-    {
+    fn size<X: Signal<Scalar = T>>(&self, from: X, gain: X, error: X) -> T {
         let (mut worst, mut poison) = (T::zero(), T::zero());
-        let mut look = |before: Q, gain: Q, error: Q| {
-            let after = before + gain;
-            let larger = before.zip(after, |one, other| one.magnitude().larger(other.magnitude()));
-            error.zip(larger, |error, size| {
-                let ratio = error.magnitude() / (self.tolerance + self.tolerance * size);
-                worst = ratio.larger(worst);
-                poison += ratio * T::zero();
-                ratio
-            });
-        };
-        look(from.position, gain.position, error.position);
-        look(from.velocity, gain.velocity, error.velocity);
+        let larger = |one: T, other: T| one.magnitude().larger(other.magnitude());
+        error.zip(from.zip(from + gain, larger), |error, size| {
+            let ratio = error.magnitude() / (self.tolerance + self.tolerance * size);
+            worst = ratio.larger(worst);
+            poison += ratio * T::zero();
+            ratio
+        });
         worst + poison
     }
 }
@@ -85,24 +75,17 @@ fn growth<T: Scalar>(error: T, power: u32) -> T {
     })
 }
 
-impl<V, D, P> Integrator<V, D> for Adaptive<P, V::Scalar>
+impl<U, D, P> Integrator<U, D> for Adaptive<P, U::Scalar>
 where
-    V: Signal,
-    D: Dynamics<V>,
-    P: EmbeddedPair<V, D>,
+    U: Signal,
+    D: Dynamics<U>,
+    P: EmbeddedPair<U, D>,
 {
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
-        let choose = <V::Scalar as Signal>::choose;
-        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        let nothing = all(zero);
-        let sound =
-            from.position.finite() & from.velocity.finite() & effort.finite() & interval.finite();
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+        let choose = <U::Scalar as Signal>::choose;
+        let (zero, one) = (U::Scalar::of(0.0), U::Scalar::of(1.0));
+        let nothing = D::State::splat(zero);
+        let sound = from.finite() & input.finite() & interval.finite();
         let (mut gained, mut passed) = (nothing, zero);
         for _ in 0..ATTEMPTS {
             let left = interval - passed;
@@ -111,14 +94,13 @@ where
                 break;
             }
             // A step that all but reaches the end goes there.
-            let last = !(self.step * V::Scalar::of(1.1)).below(left);
+            let last = !(self.step * U::Scalar::of(1.1)).below(left);
             let step = choose(open, choose(last, left, self.step), zero);
             let at = from + gained;
             let size = |gain, error| self.size(at, gain, error);
-            let (gain, error) = self.pair.attempt(dynamics, at, effort, step, size);
-            let accepted =
-                open & error.below(one) & gain.position.finite() & gain.velocity.finite();
-            gained = gained + chosen(accepted, gain, nothing);
+            let (gain, error) = self.pair.attempt(dynamics, at, input, step, size);
+            let accepted = open & error.below(one) & gain.finite();
+            gained = gained + Signal::choose(accepted, gain, nothing);
             passed = choose(accepted, choose(last, interval, passed + step), passed);
             let next = step * growth(error, P::ESTIMATE);
             // The end of the interval cuts steps short and says nothing of the next ones.
@@ -127,19 +109,7 @@ where
         }
         let complete = sound & !passed.below(interval);
         // What has been given up says nothing of the next interval either.
-        self.step = choose(complete, self.step, V::Scalar::largest());
-        chosen(complete, gained, all(V::Scalar::of(f64::NAN)))
-    }
-}
-
-fn all<Q: Signal>(value: Q::Scalar) -> State<Q> {
-    State { position: Q::splat(value), velocity: Q::splat(value) }
-}
-
-#[inline]
-fn chosen<Q: Signal>(mask: <Q::Scalar as Scalar>::Mask, yes: State<Q>, no: State<Q>) -> State<Q> {
-    State {
-        position: Q::choose(mask, yes.position, no.position),
-        velocity: Q::choose(mask, yes.velocity, no.velocity),
+        self.step = choose(complete, self.step, U::Scalar::largest());
+        Signal::choose(complete, gained, D::State::splat(U::Scalar::of(f64::NAN)))
     }
 }

@@ -1,6 +1,6 @@
 //! Order 5, with an estimate of order 4.
 
-use lyapunov_core::{Dynamics, Integrator, Signal, State};
+use lyapunov_core::{Dynamics, Integrator, Signal};
 
 use super::embedded_pair::{Row, stages, summed};
 use crate::EmbeddedPair;
@@ -46,31 +46,25 @@ const ERROR: Row = &[
     (6, -1.0 / 40.0),
 ];
 
-impl<V: Signal, D: Dynamics<V>> Integrator<V, D> for DormandPrince5 {
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
-        let stages: [_; 6] = stages(dynamics, from, effort, interval, &ROWS);
+impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for DormandPrince5 {
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+        let stages: [_; 6] = stages(dynamics, from, input, interval, &ROWS);
         summed(&stages, GAIN, interval)
     }
 }
 
-impl<V: Signal, D: Dynamics<V>> EmbeddedPair<V, D> for DormandPrince5 {
+impl<U: Signal, D: Dynamics<U>> EmbeddedPair<U, D> for DormandPrince5 {
     const ESTIMATE: u32 = 5;
 
     fn attempt(
         &self,
         dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-        size: impl Fn(State<D::Coordinates>, State<D::Coordinates>) -> V::Scalar,
-    ) -> (State<D::Coordinates>, V::Scalar) {
-        let stages: [_; 7] = stages(dynamics, from, effort, interval, &ROWS);
+        from: D::State,
+        input: U,
+        interval: U::Scalar,
+        size: impl Fn(D::State, D::State) -> U::Scalar,
+    ) -> (D::State, U::Scalar) {
+        let stages: [_; 7] = stages(dynamics, from, input, interval, &ROWS);
         let gain = summed(&stages, GAIN, interval);
         (gain, size(gain, summed(&stages, ERROR, interval)))
     }

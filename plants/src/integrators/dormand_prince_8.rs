@@ -1,6 +1,6 @@
 //! Order 8, with estimates of orders 5 and 3.
 
-use lyapunov_core::{Dynamics, Integrator, Scalar, Signal, State};
+use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 
 use super::embedded_pair::{Row, stages, summed};
 use crate::EmbeddedPair;
@@ -102,38 +102,32 @@ const THIRD: Row = &[
     (11, 0.02265179219836082),
 ];
 
-impl<V: Signal, D: Dynamics<V>> Integrator<V, D> for DormandPrince8 {
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
-        let stages: [_; 12] = stages(dynamics, from, effort, interval, &ROWS);
+impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for DormandPrince8 {
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+        let stages: [_; 12] = stages(dynamics, from, input, interval, &ROWS);
         summed(&stages, GAIN, interval)
     }
 }
 
-impl<V: Signal, D: Dynamics<V>> EmbeddedPair<V, D> for DormandPrince8 {
+impl<U: Signal, D: Dynamics<U>> EmbeddedPair<U, D> for DormandPrince8 {
     const ESTIMATE: u32 = 8;
 
     /// With `e₅` and `e₃` the sizes of the two errors the estimate is `e₅² / √(e₅² + e₃² / 100)`, of order 8.
     fn attempt(
         &self,
         dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-        size: impl Fn(State<D::Coordinates>, State<D::Coordinates>) -> V::Scalar,
-    ) -> (State<D::Coordinates>, V::Scalar) {
-        let stages: [_; 12] = stages(dynamics, from, effort, interval, &ROWS);
+        from: D::State,
+        input: U,
+        interval: U::Scalar,
+        size: impl Fn(D::State, D::State) -> U::Scalar,
+    ) -> (D::State, U::Scalar) {
+        let stages: [_; 12] = stages(dynamics, from, input, interval, &ROWS);
         let gain = summed(&stages, GAIN, interval);
         let fifth = size(gain, summed(&stages, FIFTH, interval));
         let third = size(gain, summed(&stages, THIRD, interval));
         // Without an error of order 5 there is no quotient, and none is needed.
-        let least = V::Scalar::tiny();
-        let norm = (fifth * fifth + third * third * V::Scalar::of(0.01)).sqrt() + least;
+        let least = U::Scalar::tiny();
+        let norm = (fifth * fifth + third * third * U::Scalar::of(0.01)).sqrt() + least;
         (gain, fifth * (fifth / norm))
     }
 }

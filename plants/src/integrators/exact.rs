@@ -1,42 +1,36 @@
-//! The exact solution of linear motion.
+//! The exact solution of linear equations.
 
-use lyapunov_core::{Integrator, Signal, State};
+use lyapunov_core::{Integrator, Signal};
 
 use crate::LinearDynamics;
 
-/// The exact motion of [linear dynamics](LinearDynamics) under a held effort, to rounding: the increments of the matrix
+/// The exact solution of [linear dynamics](LinearDynamics) under a held input, to rounding: the increments of the matrix
 /// exponential ([`held_input`](crate::held_input)).
 ///
 /// They are worked out where dynamics or interval are not those of the step before, and kept. That takes some
 /// thousands of operations; a step that finds them kept takes as many multiplications as they have entries.
 /// [`Body`](crate::Body) and [`Linked`](crate::Linked) have theirs from construction on.
 #[derive(Clone, Copy, Debug)]
-pub struct Exact<V: Signal, D: LinearDynamics<V>> {
-    kept: Option<(D, V::Scalar, D::Increments)>,
+pub struct Exact<U: Signal, D: LinearDynamics<U>> {
+    kept: Option<(D, U::Scalar, D::Increments)>,
 }
 
-impl<V: Signal, D: LinearDynamics<V>> Exact<V, D> {
-    /// Exact motion.
+impl<U: Signal, D: LinearDynamics<U>> Exact<U, D> {
+    /// The exact solution.
     pub const fn new() -> Self {
         Self { kept: None }
     }
 }
 
-impl<V: Signal, D: LinearDynamics<V>> Default for Exact<V, D> {
+impl<U: Signal, D: LinearDynamics<U>> Default for Exact<U, D> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<V: Signal, D: LinearDynamics<V> + Copy + PartialEq> Integrator<V, D> for Exact<V, D> {
+impl<U: Signal, D: LinearDynamics<U> + Copy + PartialEq> Integrator<U, D> for Exact<U, D> {
     #[inline]
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
         let increments = match &self.kept {
             Some((of, over, kept)) if of == dynamics && *over == interval => *kept,
             _ => {
@@ -45,6 +39,6 @@ impl<V: Signal, D: LinearDynamics<V> + Copy + PartialEq> Integrator<V, D> for Ex
                 new
             }
         };
-        D::gain(&increments, from, effort)
+        D::gain(&increments, from, input)
     }
 }

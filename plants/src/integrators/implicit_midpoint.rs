@@ -1,8 +1,8 @@
 //! Order 2, symplectic, stable at any step.
 
-use lyapunov_core::{Dynamics, Integrator, Scalar, Signal, State};
+use lyapunov_core::{Integrator, Scalar, Signal, State};
 
-use crate::ImplicitDynamics;
+use crate::ImplicitMechanics;
 
 /// The implicit midpoint rule: over the step the acceleration is the one in the middle of it.
 ///
@@ -19,21 +19,20 @@ use crate::ImplicitDynamics;
 ///
 /// In rounding it errs by about `h ω` units in the last place where `h ω` is above 1.
 ///
-/// The equation for `a` is the dynamics' to solve ([`ImplicitDynamics`]). Those that ship are linear and solve it in
+/// The equation for `a` is the dynamics' to solve ([`ImplicitMechanics`]). Those that ship are linear and solve it in
 /// closed form: fixed-point iteration would converge only while `h ω < 2`, where the rule is not needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 
-impl<V: Signal, D: ImplicitDynamics<V>> Integrator<V, D> for ImplicitMidpoint {
+impl<V: Signal, D: ImplicitMechanics<V>> Integrator<V, D> for ImplicitMidpoint {
     #[inline]
     fn step(
         &mut self,
         dynamics: &D,
-        from: State<<D as Dynamics<V>>::Coordinates>,
+        State { position, velocity }: State<D::Coordinates>,
         effort: V,
         interval: V::Scalar,
-    ) -> State<<D as Dynamics<V>>::Coordinates> {
-        let State { position, velocity } = from;
+    ) -> State<D::Coordinates> {
         let half = interval * V::Scalar::of(0.5);
         let drifted = position + velocity.scale(half);
         let acceleration =

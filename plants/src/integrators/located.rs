@@ -1,6 +1,6 @@
 //! Steps that end where the equation of motion switches.
 
-use lyapunov_core::{Integrator, Mask, Scalar, Signal, State};
+use lyapunov_core::{Integrator, Mask, Scalar, Signal};
 
 use crate::Switching;
 
@@ -68,21 +68,17 @@ impl<I> Located<I> {
 struct Piece<'a, T: Scalar, D: Switching<T>> {
     dynamics: &'a D,
     phase: D::Phase,
-    state: State<D::Coordinates>,
-    effort: T,
+    state: D::State,
+    input: T,
 }
 
 impl<T: Scalar, D: Switching<T>> Piece<'_, T, D> {
-    fn reserve(&self, state: State<D::Coordinates>) -> T {
+    fn reserve(&self, state: D::State) -> T {
         self.dynamics.reserve(&self.phase, state)
     }
 
-    fn gain(
-        &self,
-        integrator: &mut impl Integrator<T, D::Phase>,
-        interval: T,
-    ) -> State<D::Coordinates> {
-        integrator.step(&self.phase, self.state, self.effort, interval)
+    fn gain(&self, integrator: &mut impl Integrator<T, D::Phase>, interval: T) -> D::State {
+        integrator.step(&self.phase, self.state, self.input, interval)
     }
 }
 
@@ -92,20 +88,12 @@ where
     D: Switching<T>,
     I: Integrator<T, D::Phase> + Copy,
 {
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: T,
-        interval: T,
-    ) -> State<D::Coordinates> {
+    fn step(&mut self, dynamics: &D, from: D::State, input: T, interval: T) -> D::State {
         let zero = T::of(0.0);
-        let nothing =
-            State { position: D::Coordinates::splat(zero), velocity: D::Coordinates::splat(zero) };
-        let (mut gained, mut left) = (nothing, interval);
-        let mut phase = dynamics.phase(from, effort);
+        let (mut gained, mut left) = (D::State::splat(zero), interval);
+        let mut phase = dynamics.phase(from, input);
         for _ in 0..PIECES {
-            let piece = Piece { dynamics, phase, state: from + gained, effort };
+            let piece = Piece { dynamics, phase, state: from + gained, input };
             let mut probe = self.integrator;
             let whole = piece.gain(&mut probe, left);
             let end = piece.reserve(piece.state + whole);
@@ -118,13 +106,11 @@ where
             let gain = piece.gain(&mut self.integrator, passed);
             gained = gained + gain;
             left -= passed;
-            let (next, exactly) = dynamics.switched(&phase, from + gained, effort);
+            let (next, exactly) = dynamics.switched(&phase, from + gained, input);
             phase = D::chosen(over, next, phase);
-            let ended = gained + exactly;
-            gained.position = Signal::choose(over, ended.position, gained.position);
-            gained.velocity = Signal::choose(over, ended.velocity, gained.velocity);
+            gained = Signal::choose(over, gained + exactly, gained);
         }
-        let piece = Piece { dynamics, phase, state: from + gained, effort };
+        let piece = Piece { dynamics, phase, state: from + gained, input };
         gained + piece.gain(&mut self.integrator, left)
     }
 }

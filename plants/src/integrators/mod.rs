@@ -1,4 +1,4 @@
-//! One-step methods for equations of motion.
+//! One-step methods.
 
 mod adaptive;
 mod dormand_prince_5;
@@ -8,6 +8,7 @@ mod exact;
 mod implicit_midpoint;
 mod located;
 mod runge_kutta_4;
+mod runge_kutta_nystrom_4;
 mod semi_implicit_euler;
 
 pub use adaptive::Adaptive;
@@ -18,4 +19,5 @@ pub use exact::Exact;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use located::Located;
 pub use runge_kutta_4::RungeKutta4;
+pub use runge_kutta_nystrom_4::RungeKuttaNystrom4;
 pub use semi_implicit_euler::SemiImplicitEuler;

@@ -1,50 +1,32 @@
 //! Order 4.
 
-use lyapunov_core::{Dynamics, Integrator, Scalar, Signal, State};
+use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 
-/// The classical Runge-Kutta method (Kutta 1901), for `ẍ = a(x, ẋ, f)`:
+/// The classical Runge-Kutta method (Kutta 1901), for `ẋ = f(x, u)`:
 ///
 /// ```text
-/// a₁ = a(x, v)                     v₂ = v + h/2 a₁
-/// a₂ = a(x + h/2 v, v₂)            v₃ = v + h/2 a₂
-/// a₃ = a(x + h/2 v₂, v₃)           v₄ = v + h a₃
-/// a₄ = a(x + h v₃, v₄)
-/// x' = x + h v + h²/6 (a₁ + a₂ + a₃)
-/// v' = v + h/6 (a₁ + 2 a₂ + 2 a₃ + a₄)
+/// k₁ = f(x)                k₂ = f(x + h/2 k₁)
+/// k₃ = f(x + h/2 k₂)       k₄ = f(x + h k₃)
+/// x' = x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
 /// ```
 ///
-/// Of order 4, four evaluations. It keeps nothing exactly: without damping the energy falls, in proportion to
-/// `(h ω)⁶ / 72` per step, and beyond `h ω = 2 √2` it grows (Hairer, Nørsett and Wanner, Solving Ordinary Differential
-/// Equations I, 1993, II.1; Hairer and Wanner, part II, 1996, IV.2).
+/// Of order 4, four evaluations (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.1). For
+/// equations of motion [`RungeKuttaNystrom4`](crate::RungeKuttaNystrom4) is the same method in fewer operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RungeKutta4;
 
-impl<V: Signal, D: Dynamics<V>> Integrator<V, D> for RungeKutta4 {
+impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for RungeKutta4 {
     #[inline]
-    fn step(
-        &mut self,
-        dynamics: &D,
-        from: State<D::Coordinates>,
-        effort: V,
-        interval: V::Scalar,
-    ) -> State<D::Coordinates> {
-        let State { position, velocity } = from;
-        let half = interval * V::Scalar::of(0.5);
-        let sixth = interval * V::Scalar::of(1.0 / 6.0);
-        let at = |position, velocity| dynamics.acceleration(position, velocity, effort);
+    fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State {
+        let half = interval * U::Scalar::of(0.5);
+        let sixth = interval * U::Scalar::of(1.0 / 6.0);
 
-        let first = at(position, velocity);
-        let second_velocity = velocity + first.scale(half);
-        let second = at(position + velocity.scale(half), second_velocity);
-        let third_velocity = velocity + second.scale(half);
-        let third = at(position + second_velocity.scale(half), third_velocity);
-        let fourth_velocity = velocity + third.scale(interval);
-        let fourth = at(position + third_velocity.scale(interval), fourth_velocity);
+        let first = dynamics.rate(from, input);
+        let second = dynamics.rate(from + first.scale(half), input);
+        let third = dynamics.rate(from + second.scale(half), input);
+        let fourth = dynamics.rate(from + third.scale(interval), input);
 
         let inner = second + third;
-        State {
-            position: (velocity + (first + inner).scale(sixth)).scale(interval),
-            velocity: (first + inner + inner + fourth).scale(sixth),
-        }
+        (first + inner + inner + fourth).scale(sixth)
     }
 }

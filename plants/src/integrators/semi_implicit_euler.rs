@@ -1,6 +1,6 @@
 //! Order 1, symplectic.
 
-use lyapunov_core::{Dynamics, Integrator, Signal, State};
+use lyapunov_core::{Integrator, Mechanics, Signal, State};
 
 /// The semi-implicit, or symplectic, Euler method: `v' = v + h a(x, v, f)`, then `x' = x + h v'`.
 ///
@@ -11,7 +11,7 @@ use lyapunov_core::{Dynamics, Integrator, Signal, State};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SemiImplicitEuler;
 
-impl<V: Signal, D: Dynamics<V>> Integrator<V, D> for SemiImplicitEuler {
+impl<V: Signal, D: Mechanics<V>> Integrator<V, D> for SemiImplicitEuler {
     #[inline]
     fn step(
         &mut self,

@@ -10,6 +10,7 @@ use crate::Account;
 /// controller acts. An infinite bound changes no bit.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
@@ -18,7 +19,7 @@ use crate::Account;
 /// let given = Drive::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // 0.2 mJ
 /// bounded.stabilize(&absorbed, 2.0);
 /// let sum: f64 = bounded.stabilize(&given, 2.0).sum;
-/// assert!((sum + 1e-4).abs() < 1e-12);
+/// assert_abs_diff_eq!(sum, -1e-4, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -11,6 +11,7 @@ use crate::Account;
 /// Debts stay. A position that is not a number counts as outside.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Beyond, Drive, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
@@ -19,7 +20,7 @@ use crate::Account;
 /// let inside = Drive::new(1e-3, 0.001, 0.1, 1e-4, 2.0);
 /// let sums: [f64; 3] = [outside, inside, inside].map(|drive| popc.stabilize(&drive, 2.0).sum);
 /// for (sum, joules) in sums.into_iter().zip([1e-3, 2e-4, 4e-4]) {
-///     assert!((sum - joules).abs() < 1e-12); // the first in contact is of its own tick only
+///     assert_abs_diff_eq!(sum, joules, epsilon = 1e-12); // the first in contact is of its own tick only
 /// }
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

@@ -20,7 +20,7 @@ use super::Metric;
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia<T: Scalar, const N: usize> {
+pub struct Inertia<T, const N: usize> {
     share: SMatrix<T, N, N>,
     norm: T,
 }

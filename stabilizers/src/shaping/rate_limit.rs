@@ -12,6 +12,7 @@ use super::{correction, portion};
 /// What is held back is told as shortfall. An infinite rate changes no bit.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
@@ -19,7 +20,7 @@ use super::{correction, portion};
 /// let drive = Drive::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
 /// for most in [0.5, 1.0, 1.5] {
 ///     let effort: f64 = popc.stabilize(&drive, 0.0).effort;
-///     assert!((effort - most).abs() < 1e-12);
+///     assert_abs_diff_eq!(effort, most, epsilon = 1e-12);
 /// }
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

@@ -14,6 +14,7 @@ use super::portion;
 /// what is lacking is a part of the next debt.
 ///
 /// ```
+/// use approx::abs_diff_eq;
 /// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
@@ -21,7 +22,7 @@ use super::portion;
 /// let action = popc.stabilize(&Drive::new(1e-3, 0.0, 0.1, 1e-4, -2.0), 0.0); // a debt of 0.2 mJ
 /// let burnt: f64 = action.alpha * 0.1 * 0.1 * 1e-3;
 /// let left: f64 = action.shortfall;
-/// assert!((burnt - 0.5e-4).abs() < 1e-15 && (left - 1.5e-4).abs() < 1e-15);
+/// assert!(abs_diff_eq!(burnt, 0.5e-4, epsilon = 1e-15) && abs_diff_eq!(left, 1.5e-4, epsilon = 1e-15));
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use approx::abs_diff_eq;
 use lyapunov::{
     Contact, Cuboid, Drive, HuntCrossley, LayeredWall, OnePort, Plane, Signal, Solid, Sphere,
     Spring, VaryingSpring,
@@ -29,9 +30,15 @@ fn a_layered_wall_stores_the_area_under_its_force() {
             let (soft, hard) = (depth.min(0.02), f64::max(0.0, depth - 0.02));
             let stored = 0.5 * k1 * soft * soft + k1 * soft * hard + 0.5 * k2 * hard * hard;
             let found = work(&mut wall, 0.0, to, 40_000);
-            assert!((found - stored).abs() <= 1e-6 * (1e-3 + stored), "{found} for {stored}");
+            assert!(
+                abs_diff_eq!(found, stored, epsilon = 1e-6 * (1e-3 + stored)),
+                "{found} for {stored}"
+            );
             let back = work(&mut wall, to, 0.0, 25_000);
-            assert!((found + back).abs() <= 1e-6 * (1e-3 + stored), "{back} of {found}");
+            assert!(
+                abs_diff_eq!(found, -back, epsilon = 1e-6 * (1e-3 + stored)),
+                "{back} of {found}"
+            );
         }
     }
 }
@@ -43,7 +50,7 @@ fn a_hunt_crossley_contact_stores_what_its_power_law_says() {
         let mut contact = HuntCrossley::new(2000.0, exponent, 0.0).expect("a contact").at(-0.1);
         let stored = 2000.0 * f64::powf(0.05, exponent + 1.0) / (exponent + 1.0);
         let found = work(&mut contact, -0.15, -0.05, 40_000);
-        assert!((found - stored).abs() <= 2e-6 * stored, "{found} for {stored}");
+        assert!(abs_diff_eq!(found, stored, epsilon = 2e-6 * stored), "{found} for {stored}");
     }
 }
 
@@ -72,9 +79,15 @@ fn a_hunt_crossley_contact_restores_what_was_published() {
         let (into, out) = (damping * speed, damping * -now[1]);
         let taken = into - into.ln_1p();
         let given = -out - (-out).ln_1p();
-        assert!((taken - given).abs() <= 1e-6 * taken, "{taken} in, {given} out at {speed} m/s");
+        assert!(
+            abs_diff_eq!(taken, given, epsilon = 1e-6 * taken),
+            "{taken} in, {given} out at {speed} m/s"
+        );
         let restitution = out / into;
-        assert!((restitution - (1.0 - 2.0 / 3.0 * into)).abs() <= into * into, "{restitution}");
+        assert!(
+            abs_diff_eq!(restitution, 1.0 - 2.0 / 3.0 * into, epsilon = into * into),
+            "{restitution}"
+        );
     }
 }
 
@@ -94,7 +107,10 @@ fn a_varying_spring_is_active() {
             .map(|call| at(&mut spring, place(call)) * (place(call + 0.5) - place(call - 0.5)))
             .sum();
         let exact = FRAC_PI_2 * amplitude * size * size * f64::cos(2.0 * shift);
-        assert!((taken - exact).abs() <= 1e-7 * amplitude * size * size, "{taken} for {exact}");
+        assert!(
+            abs_diff_eq!(taken, exact, epsilon = 1e-7 * amplitude * size * size),
+            "{taken} for {exact}"
+        );
     }
 }
 

@@ -1,5 +1,6 @@
 //! Force and credit, against the laws in straight `f64`.
 
+use approx::assert_abs_diff_eq;
 use nalgebra::Vector2;
 use proptest::array::{uniform2, uniform16};
 use proptest::collection::vec;
@@ -120,7 +121,7 @@ fn mass_spring_damper_on_several_axes() {
             assert!(same(effort[axis], port.respond(&alone)));
         }
         let burnt: f64 = velocity.iter().map(|v| 3.0 * v * v * 1e-3).sum();
-        assert!((credit.decrease(&drive) - burnt).abs() <= 1e-15 * burnt);
+        assert_abs_diff_eq!(credit.decrease(&drive), burnt, epsilon = 1e-15 * burnt);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Solids push out what enters them, by the nearest point of their surface.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use nalgebra::{SVector, Vector2, Vector3};
 use proptest::array::uniform16;
 use proptest::prelude::any;
@@ -126,12 +127,15 @@ fn follows<T: Real, S: Solid<SVector<T, N>> + Copy, const N: usize>(
         let off = slack * (k + 4.0 * b) + turned * (k * depth.abs() + 8.0 * b);
         for axis in 0..N {
             let exact = -push * normal[axis];
-            prop_assert!((effort[axis] - exact).abs() <= off, "{effort:?}, {axis}: {exact:e}");
+            prop_assert!(
+                abs_diff_eq!(effort[axis], exact, epsilon = off),
+                "{effort:?}, {axis}: {exact:e}"
+            );
         }
         let burnt = if depth > 0.0 { b * leaving * leaving * 1e-3 } else { 0.0 };
         let credit = term.decrease(&parts.drive).f64();
         let off = (slack + turned) * b * 16.0 * 1e-3;
-        prop_assert!((credit - burnt).abs() <= off, "credit {credit:e} for {burnt:e}");
+        prop_assert!(abs_diff_eq!(credit, burnt, epsilon = off), "credit {credit:e} for {burnt:e}");
         prop_assert!(depth > 0.0 || (credit == 0.0 && effort == [0.0; N]), "out of contact");
         Ok(())
     });
@@ -349,7 +353,7 @@ fn contact_is_strict_and_only_pushes() {
         let effort = contact.respond(&drive);
         assert!((effort - Vector2::new(force, 0.0)).norm() < 1e-10, "{effort} at {x}");
         let burnt: f64 = if x < 0.5 { 10.0 * v * v * 1e-3 } else { 0.0 };
-        assert!((contact.dissipation().decrease(&drive) - burnt).abs() < 1e-15);
+        assert_abs_diff_eq!(contact.dissipation().decrease(&drive), burnt, epsilon = 1e-15);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{Drive, LyapunovCandidate, MovingWall, OnePort, Spring, VaryingSpring, Wall};
 
 use crate::support::Double;
@@ -24,10 +25,16 @@ fn a_phase_does_not_drift() {
         for n in 0..=1_000_000u32 {
             let found: f64 = spring.respond(&still);
             let phase = TAU * (frequency * (f64::from(n) / rate));
-            assert!((found - phase.sin()).abs() <= 1e-12, "{n} at {frequency} Hz: {found}");
+            assert!(
+                abs_diff_eq!(found, phase.sin(), epsilon = 1e-12),
+                "{n} at {frequency} Hz: {found}"
+            );
             let exact = (TAU * turn(frequency, rate, n)).sin();
             let rounding = 2f64.powi(-53) * (4.0 * phase + 16.0);
-            assert!((found - exact).abs() <= rounding, "{n} at {frequency} Hz: {found}, {exact}");
+            assert!(
+                abs_diff_eq!(found, exact, epsilon = rounding),
+                "{n} at {frequency} Hz: {found}, {exact}"
+            );
         }
     }
 }
@@ -46,15 +53,15 @@ fn the_credit_has_a_rate_of_its_own() {
         let relative = velocity - TAU * frequency * amplitude * phase.cos();
         let depth = 0.002 - amplitude * phase.sin();
         let burnt = if depth > 0.0 { damping * relative * relative * 1e-3 } else { 0.0 };
-        assert!((credit.decrease(&drive) - burnt).abs() <= 1e-12);
+        assert_abs_diff_eq!(credit.decrease(&drive), burnt, epsilon = 1e-12);
         if tick % 10 == 0 {
             let force = if depth > 0.0 { damping * relative } else { 0.0 };
-            assert!((moving.respond(&drive) - force).abs() <= 1e-12, "at {tick}");
+            assert!(abs_diff_eq!(moving.respond(&drive), force, epsilon = 1e-12), "at {tick}");
             // Made of a wall that is on its way, a credit still begins at the first tick.
             let mut fresh = moving.dissipation(1000.0).expect("its damper");
             let relative = velocity - TAU * frequency * amplitude;
             let first = damping * relative * relative * 1e-3;
-            assert!((fresh.decrease(&drive) - first).abs() <= 1e-12);
+            assert_abs_diff_eq!(fresh.decrease(&drive), first, epsilon = 1e-12);
         }
     }
 }

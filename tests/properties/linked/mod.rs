@@ -2,6 +2,7 @@
 
 mod references;
 
+use approx::assert_abs_diff_eq;
 use nalgebra::SMatrix;
 
 use lyapunov::{
@@ -190,7 +191,7 @@ fn other_masses_stay_where_they_are() {
     let drive = plant.advance(3.0);
     assert_eq!((drive.displacement, drive.period), (0.0, 0.0));
     for (before, after) in before.into_iter().zip(state(&plant, &drive)) {
-        assert!((before - after).abs() <= 4.0 * f64::EPSILON * before.abs());
+        assert_abs_diff_eq!(before, after, epsilon = 4.0 * f64::EPSILON * before.abs());
     }
 }
 

@@ -1,5 +1,6 @@
 //! Sums and products with about 32 digits, to have something to check `f64` against.
 
+use approx::assert_abs_diff_eq;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An unevaluated sum of two `f64`: the number and what it lacks (Dekker, Numerische Mathematik 18, 1971).
@@ -79,7 +80,7 @@ fn keeps_what_f64_drops() {
     let small = 2f64.powi(-60);
     let sum = Double::of(1.0) + Double::of(small);
     let square = sum * sum - Double::of(1.0);
-    assert!((square.value() - 2.0 * small).abs() <= 4.0 * 2f64.powi(-104));
+    assert_abs_diff_eq!(square.value(), 2.0 * small, epsilon = 4.0 * 2f64.powi(-104));
     let third = Double::of(1.0).over(Double::of(3.0));
     let whole = third + third + third - Double::of(1.0);
     assert!(whole.value().abs() <= 2f64.powi(-102));

@@ -1,6 +1,7 @@
 //! The motion of a mass with a damper and a spring under a held effort, found without the library.
 
 use crate::support::Double;
+use approx::assert_abs_diff_eq;
 
 /// Nodes and weights of the Gauss quadrature of ten points on `[-1, 1]`, which are symmetric.
 const GAUSS: [(f64, f64); 5] = [
@@ -141,9 +142,9 @@ fn series_and_runge_kutta_agree() {
         let motion = Motion { mass: 0.3, damping, stiffness, rest: 0.001 };
         let series = motion.over(0.05).step(&motion, start, -1.5);
         let (stepped, work, _) = runge_kutta(&motion, start, -1.5, 0.05, 400);
-        assert!((series.position - stepped.position).abs() < 1e-12);
-        assert!((series.velocity - stepped.velocity).abs() < 1e-11);
-        assert!((work + 1.5 * (series.position - start.position)).abs() < 1e-12);
+        assert_abs_diff_eq!(series.position, stepped.position, epsilon = 1e-12);
+        assert_abs_diff_eq!(series.velocity, stepped.velocity, epsilon = 1e-11);
+        assert_abs_diff_eq!(work, -1.5 * (series.position - start.position), epsilon = 1e-12);
     }
 }
 
@@ -153,9 +154,9 @@ fn series_equals_the_textbook() {
     let start = State { position: 0.0, velocity: 0.5 };
     let free = Motion { mass: 2.0, damping: 0.0, stiffness: 0.0, rest: 0.0 };
     let end = free.over(0.25).step(&free, start, 3.0);
-    assert!((end.position - (0.125 - 3.0 * 0.0625 / 4.0)).abs() < 1e-16);
+    assert_abs_diff_eq!(end.position, 0.125 - 3.0 * 0.0625 / 4.0, epsilon = 1e-16);
     let sprung = Motion { stiffness: 18.0, ..free };
     let end = sprung.over(0.25).step(&sprung, start, 0.0);
-    assert!((end.position - 0.5 * (0.75f64).sin() / 3.0).abs() < 1e-16);
-    assert!((end.velocity - 0.5 * (0.75f64).cos()).abs() < 2e-16);
+    assert_abs_diff_eq!(end.position, 0.5 * (0.75f64).sin() / 3.0, epsilon = 1e-16);
+    assert_abs_diff_eq!(end.velocity, 0.5 * (0.75f64).cos(), epsilon = 2e-16);
 }

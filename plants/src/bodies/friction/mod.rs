@@ -33,6 +33,7 @@ pub use transition::{Transition, Transitions};
 /// and the device is at rest after it. [`Transition::Cut`] tells. Friction adds energy in no case.
 ///
 /// ```
+/// use approx::abs_diff_eq;
 /// use lyapunov_core::{ParameterError, Plant};
 /// use lyapunov_plants::{Body, Friction, Impedance, Stribeck, Transition};
 /// let parts = Impedance { mass: 0.5, damping: 0.0, stiffness: 0.0 };
@@ -41,9 +42,9 @@ pub use transition::{Transition, Transitions};
 /// let mut plant = Friction::new(body, parts, law)?;
 /// let drive = plant.advance(0.0);
 /// // It stops after m v / F = 50 ms and m v² / (2 F) = 2.5 mm.
-/// assert!((drive.position - 2.5e-3).abs() < 1e-16 && drive.velocity == 0.0);
+/// assert!(abs_diff_eq!(drive.position, 2.5e-3, epsilon = 1e-16) && drive.velocity == 0.0);
 /// let (instant, transition) = plant.transitions().last(0).next().expect("one");
-/// assert!((instant - 0.05).abs() < 1e-15 && transition == Transition::Stick);
+/// assert!(abs_diff_eq!(instant, 0.05, epsilon = 1e-15) && transition == Transition::Stick);
 /// # Ok::<(), ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,90 @@
+//! Values within a tolerance: what is near, and what is not.
+
+use approx::{
+    abs_diff_eq, assert_abs_diff_eq, assert_relative_eq, assert_ulps_eq, relative_eq, ulps_eq,
+};
+use lyapunov::lanes::AutoF64x4;
+use lyapunov::{
+    Action, DampedMass, DampingLimit, DoubleDouble, Drive, Impedance, Link, Load, Scalar, State,
+    TwoMass,
+};
+use nalgebra::{Vector1, Vector2};
+
+#[test]
+fn every_field_counts_by_its_own_unit() {
+    let drive = Drive::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    let changes: [fn(&mut Drive<f64>) -> &mut f64; 6] = [
+        |drive| &mut drive.period,
+        |drive| &mut drive.position,
+        |drive| &mut drive.velocity,
+        |drive| &mut drive.displacement,
+        |drive| &mut drive.acted,
+        |drive| &mut drive.work,
+    ];
+    for change in changes {
+        let mut other = drive;
+        *change(&mut other) += 1e-6;
+        assert!(!abs_diff_eq!(drive, other, epsilon = 0.9e-6));
+        assert_abs_diff_eq!(drive, other, epsilon = 1.1e-6);
+        assert!(!relative_eq!(drive, other, max_relative = 1e-8));
+        assert!(!ulps_eq!(drive, other));
+    }
+    let load = Load::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    assert!(!abs_diff_eq!(load, Load { flow: 5.1, ..load }, epsilon = 0.09));
+    assert_relative_eq!(load, Load { flow: 5.1, ..load }, max_relative = 0.02);
+}
+
+#[test]
+fn axes_and_parts_count_each() {
+    let at = State { position: Vector2::new(1.0, 2.0), velocity: Vector2::new(0.0, 1e3) };
+    let mut moved = at;
+    moved.velocity.y += 1e-6;
+    assert_relative_eq!(at, moved, max_relative = 1e-8);
+    assert!(!abs_diff_eq!(at, moved, epsilon = 1e-7));
+    moved.position.x = f64::NAN;
+    assert!(!relative_eq!(at, moved, epsilon = 1e3, max_relative = 1.0));
+
+    let operator = Impedance { mass: 1.0_f32, damping: 2.0, stiffness: 3.0 };
+    let device = DampedMass { mass: 0.1, damping: 0.2 };
+    let pair = TwoMass { operator, device, link: Link { stiffness: 30.0, damping: 0.3 } };
+    let other = TwoMass { link: Link { stiffness: 30.0_f32.next_up(), damping: 0.3 }, ..pair };
+    assert_ulps_eq!(pair, other, max_ulps = 1);
+    assert!(!ulps_eq!(pair, other, epsilon = 0.0, max_ulps = 0));
+
+    let limit = |most: f64| DampingLimit::at(most).expect("a limit");
+    assert_abs_diff_eq!(limit(10.0), limit(10.1), epsilon = 0.2);
+    assert!(!abs_diff_eq!(limit(10.0), limit(10.1), epsilon = 0.05));
+}
+
+#[test]
+fn what_was_accepted_is_not_a_matter_of_degree() {
+    let none = Action::none(1.0);
+    assert_abs_diff_eq!(none, Action { effort: 1.0 + 1e-9, ..none }, epsilon = 1e-8);
+    assert!(!abs_diff_eq!(none, Action { accepted: false, ..none }, epsilon = 1e9));
+    let lanes = Action::none(AutoF64x4::of(1.0));
+    let other = Action {
+        accepted: AutoF64x4::from_lanes(|lane| lane as f64).above(AutoF64x4::of(0.0)),
+        ..lanes
+    };
+    assert!(lanes == lanes && lanes != other);
+}
+
+/// Tolerances far below the digits of an `f64`.
+#[test]
+fn thirty_digits_have_tolerances_of_their_own() {
+    let of = DoubleDouble::of;
+    let (third, near) = (of(1.0) / of(3.0), of(1.0) / of(3.0) + of(1e-29));
+    assert_abs_diff_eq!(third, near, epsilon = 2e-29);
+    assert!(!abs_diff_eq!(third, near, epsilon = 0.5e-29));
+    assert_relative_eq!(third, near, epsilon = 0.0, max_relative = 4e-29);
+    assert!(!relative_eq!(third, near, epsilon = 0.0, max_relative = 2e-29));
+    assert_ulps_eq!(third, near, epsilon = 0.0, max_ulps = 200);
+    assert!(!ulps_eq!(third, near, epsilon = 0.0, max_ulps = 100));
+    for odd in [f64::NAN, f64::INFINITY] {
+        assert!(!relative_eq!(third, of(odd), epsilon = 1.0, max_relative = 1.0));
+        assert!(!relative_eq!(of(odd), third, epsilon = 1.0, max_relative = 1.0));
+    }
+    let endless = of(f64::INFINITY);
+    assert_abs_diff_eq!(endless, endless);
+    assert_abs_diff_eq!(Vector1::new(third), Vector1::new(near), epsilon = 2e-29);
+}
