@@ -49,7 +49,7 @@ pub mod subjects;
 mod summary;
 pub mod teleoperation;
 
-pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
+pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
 pub use csv::{COLUMNS, Csv};
 #[doc(no_inline)]
 pub use nalgebra::SVector;
@@ -57,5 +57,5 @@ pub use output::{Output, OutputError, Outputs};
 pub use prices::{Prices, PricesError};
 pub use rollout::Rollout;
 pub use row::{Row, further_columns};
-pub use scene::Scene;
+pub use scene::{Render, Scene};
 pub use summary::Summary;

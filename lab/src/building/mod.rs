@@ -2,7 +2,6 @@
 
 mod assembly;
 mod body;
-mod environment;
 mod integrator;
 mod plant;
 mod port;
@@ -11,8 +10,6 @@ mod stabilizer;
 
 pub use assembly::Assembly;
 pub(crate) use assembly::Seen;
-pub(crate) use environment::AsPort;
-pub use environment::Render;
 pub use plant::AnyPlant;
 pub use port::Port;
 pub use space::Space;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
-use super::law::{Motion, force, work};
+use super::law::{Law, Motion};
 use crate::scene::{Scene, Velocity};
 
 /// The energies of a stretch of a run by cause, J; docs/explain.md has the equations.
@@ -111,6 +111,7 @@ pub(super) struct Tick {
 /// A balance in the making.
 pub(super) struct Account {
     scene: Scene,
+    law: Law,
     body: Body,
     /// The environment's forces that have not acted yet, the oldest first.
     waiting: std::collections::VecDeque<f64>,
@@ -144,6 +145,7 @@ impl Account {
             first: None,
             touching: false,
             left: false,
+            law: Law::of(scene),
             scene: scene.clone(),
         }
     }
@@ -151,8 +153,7 @@ impl Account {
     /// Books one tick more; false once the numbers are out of range.
     pub(super) fn add(&mut self, tick: Tick) -> bool {
         let samples = self.samples(&tick);
-        let touches =
-            tick.environment != 0.0 || force(&self.scene.environment, samples.truly) != 0.0;
+        let touches = tick.environment != 0.0 || self.law.force(samples.truly) != 0.0;
         if let Some((last, before)) = self.last {
             let moved = self.moved(&last, &before, &tick, &samples);
             if touches && self.first.is_none() {
@@ -230,14 +231,14 @@ impl Account {
         self.waiting.push_back(last.environment);
         let late = self.waiting.pop_front().unwrap_or_default();
         let clipped = late.clamp(-self.most, self.most);
-        let law = |motion: Motion| force(&self.scene.environment, motion);
+        let law = |motion: Motion| self.law.force(motion);
         let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
         let real = |tick: &Tick, time: f64| {
             let [position, velocity] = tick.masses.device;
             Motion { time, position, velocity, acceleration: 0.0 }
         };
         let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
-        let wall = work(&self.scene.environment, from, to);
+        let wall = self.law.work(from, to);
         let slow = (last.environment - filtered) * way;
         Balance {
             gained,

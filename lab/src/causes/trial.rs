@@ -7,7 +7,7 @@ use lyapunov::ParameterError;
 use super::balance::{Account, Balance, Tick};
 use super::body::{Body, Masses};
 use super::fate::Fate;
-use super::law::{Motion, force};
+use super::law::{Law, Motion};
 use crate::bounds::LinearPart;
 use crate::{Rollout, Scene, Space};
 
@@ -48,6 +48,7 @@ impl Trial {
         watch: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Self, ParameterError> {
         let (mut fate, mut account) = (Fate::new(scene), Account::new(scene, Body::of(scene)?));
+        let law = Law::of(scene);
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
         let (mut open, mut ticks) = (true, 0);
         loop {
@@ -66,7 +67,7 @@ impl Trial {
             };
             peak = peak.max(row.f_act.abs());
             let motion = Motion { time: row.t, position, velocity, acceleration: 0.0 };
-            let ideal = force(&scene.environment, motion);
+            let ideal = law.force(motion);
             if row.f_env != 0.0 || ideal != 0.0 {
                 square += (row.f_act - ideal) * (row.f_act - ideal);
                 touched += 1;

@@ -11,6 +11,7 @@ const LONG: f64 = 0.5;
 pub(super) struct Contacts {
     /// What transparency is measured against; the other meters need none.
     wall: Option<Wall>,
+    law: Option<lyapunov::Wall<f64>>,
     long: f64,
     now: Contact,
     short_peak: Option<f64>,
@@ -30,8 +31,10 @@ struct Contact {
 
 impl Contacts {
     pub(super) fn new(scene: &Scene) -> Self {
+        let wall = wall(scene);
         Self {
-            wall: wall(scene),
+            wall,
+            law: wall.and_then(|wall| wall.law().ok()),
             long: LONG * scene.servo_rate.get(),
             now: Contact::default(),
             short_peak: None,
@@ -53,10 +56,10 @@ impl Contacts {
             self.end();
         }
         // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
-        if let Some(wall) = self.wall
+        if let Some(law) = &self.law
             && (tick.environment != 0.0 || depth > 0.0)
         {
-            self.error.0 += (force - tick.ideal(wall)).powi(2);
+            self.error.0 += (force - tick.ideal(law)).powi(2);
             self.error.1 += 1;
         }
     }

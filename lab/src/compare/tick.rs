@@ -2,8 +2,10 @@
 
 use std::collections::VecDeque;
 
+use lyapunov::{ForceLaw, Kinematics};
+
 use crate::Row;
-use crate::scene::{Environment, Scene, Wall};
+use crate::scene::{Scene, Wall};
 
 /// One row, and what it does not tell: the plant's own velocity, and the environment's share of what acts.
 #[derive(Clone, Copy, Debug)]
@@ -27,12 +29,9 @@ impl Tick {
         self.row.x - wall.position.get()
     }
 
-    /// The force of the wall's law without sampling, hold, encoder, saturation or delay, N:
-    /// `max(0, k p + b v)` for `p > 0`, else 0, of the true motion.
-    pub(super) fn ideal(&self, wall: Wall) -> f64 {
-        let depth = self.depth(wall);
-        let force = wall.stiffness.get() * depth + wall.damping.get() * self.velocity;
-        if depth > 0.0 { force.max(0.0) } else { 0.0 }
+    /// The force of the wall's law on the true motion, without sampling, hold, encoder, saturation or delay, N.
+    pub(super) fn ideal(&self, law: &impl ForceLaw<f64>) -> f64 {
+        law.force(&Kinematics::at(self.row.x, self.velocity))
     }
 }
 
@@ -58,10 +57,7 @@ impl Share {
 
 /// The wall of a scene, if that is what it has.
 pub(super) fn wall(scene: &Scene) -> Option<Wall> {
-    match scene.environment {
-        Environment::Wall(wall) => Some(wall),
-        _ => None,
-    }
+    scene.environment.wall().copied()
 }
 
 #[cfg(test)]
@@ -84,12 +80,12 @@ mod tests {
 
     #[test]
     fn the_ideal_wall_never_pulls_and_knows_the_surface() {
-        let wall = wall(&scene("")).unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
+        let wall = wall(&scene("")).unwrap().law().unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
         let at =
             |x: f64, velocity: f64| Tick { row: Row { x, ..row() }, velocity, environment: 0.0 };
-        assert_eq!(at(0.001, 1.0).ideal(wall), 0.0);
-        assert_eq!(at(0.0005, 1.0).ideal(wall), 0.0);
-        assert!((at(0.003, 0.5).ideal(wall) - 3.0).abs() < 1e-12);
-        assert_eq!(at(0.003, -5.0).ideal(wall), 0.0);
+        assert_eq!(at(0.001, 1.0).ideal(&wall), 0.0);
+        assert_eq!(at(0.0005, 1.0).ideal(&wall), 0.0);
+        assert!((at(0.003, 0.5).ideal(&wall) - 3.0).abs() < 1e-12);
+        assert_eq!(at(0.003, -5.0).ideal(&wall), 0.0);
     }
 }

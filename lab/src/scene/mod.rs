@@ -33,10 +33,11 @@ mod book;
 mod check;
 mod choice;
 mod coordinates;
+mod damping;
 mod diagnostic;
 mod document;
 mod effects;
-mod environment;
+mod environments;
 mod excerpt;
 mod explain;
 mod fault;
@@ -62,17 +63,14 @@ pub(crate) use book::{Book, Key, key};
 pub use check::Conflict;
 pub(crate) use check::{check_single, check_ticks};
 pub use coordinates::Coordinates;
+pub(crate) use damping::Damping;
 pub use diagnostic::Diagnostic;
 pub(crate) use document::read;
 pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
     Saturation,
 };
-pub(crate) use environment::two;
-pub use environment::{
-    Cuboid, Environment, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Plane, Sphere,
-    Spring, VaryingSpring, Wall,
-};
+pub use environments::*;
 pub(crate) use excerpt::{printable, shorten};
 pub use integrator::Integrator;
 pub(crate) use keys::{BOOK, number_keys, unit};
@@ -83,6 +81,7 @@ pub use quantity::{
     Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive, Probability,
     Seed, StepsPerTick, WindowTicks,
 };
+pub(crate) use quantity::{of, two};
 pub(crate) use schema::schema_of;
 pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
@@ -175,12 +174,6 @@ impl Scene {
     /// Dimensions of the space: 1, 2 or 3.
     pub fn dimensions(&self) -> usize {
         self.space.map_or(1, |space| space.dimensions.get().into())
-    }
-
-    /// Mass in kg that the damping limit is taken from: the device's, and the operator's where they move as one.
-    pub fn mass(&self) -> f64 {
-        let operator = if self.link.is_some() { 0.0 } else { self.operator.mass.get() };
-        operator + self.device.mass.get()
     }
 
     /// The tick from which on an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
