@@ -154,6 +154,11 @@ mod tests {
             scene(HAND, "environment.spring.stiffness = -50.0"),
             scene(HAND, "environment.layered-wall = { depth = 1e-3, stiffness = [100.0, 2000.0] }"),
             scene(HAND, "environment.hunt-crossley = { stiffness = 1e5, exponent = 1.5 }"),
+            scene(HAND, "environment.cubic-spring = { stiffness = 100.0, cubic = 2e7 }"),
+            scene(
+                HAND,
+                "environment.cubic-spring = { position = 0.009, stiffness = 0.0, cubic = 2e7 }",
+            ),
         ];
         for scene in &cases {
             let last = Rollout::<f64>::of(scene).unwrap().last().unwrap();

@@ -19,11 +19,11 @@ use crate::scene::{Filter, Velocity};
 /// acts from `delay` ticks later on until the next answer does. `v̂` is the backward difference of the servo's samples
 /// behind its low pass, or the plant's own velocity.
 ///
-/// Left out are rests, loads and pulses, which move the point that the loop swings about; the encoder, noise, friction and
-/// saturation; a stabilizer; jitter (the period is the nominal one) and changes of grip (it is the one at the start). A
-/// one-sided wall pulls as well. Of a layered wall it is the first layer, of a varying spring the mean, of a plane, a sphere
-/// or a box the motion along the normal, of a wall after Hunt and Crossley with exponent 1 the surface, where its damper
-/// does not act yet. All is in `f64`, also where a scene says `f32`.
+/// Left out are rests, loads and pulses, which move the point that the loop swings about; the encoder, noise, friction
+/// and saturation; a stabilizer; jitter (the period is the nominal one) and changes of grip (it is the one at the
+/// start). A one-sided wall pulls as well. Of a layered wall it is the first layer, of a varying spring the mean, of a
+/// cubic spring the rest, of a plane, a sphere or a box the motion along the normal, of a wall after Hunt and Crossley
+/// with exponent 1 the surface, where its damper does not act yet. All is in `f64`, also where a scene says `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearPart {
     /// Servo period `T`, s.

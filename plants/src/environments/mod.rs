@@ -1,5 +1,6 @@
 //! What answers a motion with a force.
 
+mod cubic_spring;
 mod dissipation_of;
 mod force_law;
 mod hunt_crossley;
@@ -13,6 +14,7 @@ mod spring;
 mod varying_spring;
 mod wall;
 
+pub use cubic_spring::CubicSpring;
 pub use dissipation_of::DissipationOf;
 pub use force_law::{ForceLaw, Kinematics, Surface, Time};
 pub use hunt_crossley::HuntCrossley;

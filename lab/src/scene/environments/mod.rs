@@ -3,6 +3,7 @@
 //! Each kind has a file of its own: its keys, how they make the library's environment, whose law stands there and nowhere
 //! else, and what the lab asks beside the law. The table below is the list of them.
 
+mod cubic_spring;
 mod cuboid;
 mod hunt_crossley;
 mod kind;
@@ -116,6 +117,8 @@ environments! {
         MovingWall = "moving-wall" in moving_wall;
         /// A two-sided spring whose stiffness swings.
         VaryingSpring = "varying-spring" in varying_spring;
+        /// A two-sided spring that hardens.
+        CubicSpring = "cubic-spring" in cubic_spring;
     }
     in space {
         /// A half space; needs `space`.
