@@ -94,9 +94,9 @@ fn walls() {
 fn the_surface_of_a_moving_wall_moves_at_its_own_speed() {
     let wall = MovingWall::new(Wall::new(900.0, 2.0).expect("a wall").at(0.003), 0.002, 2.3, 1e3);
     let wall = wall.expect("one");
-    let at = |t: f64| wall.surface(Time::Seconds(t)).expect("a surface");
+    let at = |t: f64| -> Surface<f64> { wall.surface(Time::Seconds(t)).expect("a surface") };
     for t in [0.0, 0.1, 0.77] {
-        let speed = (at(t + 1e-6).position - at(t - 1e-6).position) / 2e-6;
+        let speed: f64 = (at(t + 1e-6).position - at(t - 1e-6).position) / 2e-6;
         assert!((speed - at(t).velocity).abs() < 1e-9, "{speed} at {t}");
         // No spring and no damper pushes just outside of it, both just inside.
         let near = |depth: f64| {
