@@ -3,11 +3,11 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Probe, Samples};
 use lyapunov::{
-    Action, Adapt, Body, Compensated, Constant, Contact, Coupled, Coupling, DampedMass,
-    DampingLimit, Dissipation, Drive, Dropout, Fallback, HuntCrossley, Impedance, LayeredWall,
-    Link, Linked, Lolc, LyapunovCandidate, MassSpringDamper, MovingWall, NoStabilizer, OnePort,
-    ParameterError, Perturb, Plant, PortEnergy, Scalar, Signal, Sine, Sphere, Spring, Stabilizer,
-    Storage, TwoMass, VaryingSpring, Wall,
+    Action, Adapt, Body, Compensated, Constant, Contact, Coupled, Coupling, CubicSpring,
+    DampedMass, DampingLimit, Dissipation, Drive, Dropout, Fallback, HuntCrossley, Impedance,
+    LayeredWall, Link, Linked, Lolc, LyapunovCandidate, MassSpringDamper, MovingWall, NoStabilizer,
+    OnePort, ParameterError, Perturb, Plant, PortEnergy, Scalar, Signal, Sine, Sphere, Spring,
+    Stabilizer, Storage, TwoMass, VaryingSpring, Wall,
 };
 use nalgebra::SVector;
 
@@ -64,11 +64,13 @@ fn the_environments_that_ship_keep_the_laws() {
     let wall = Wall::new(8000.0, 2.0).expect("a wall");
     let moving = MovingWall::new(wall, 0.01, 2.0, 1.0 / PERIOD).expect("a moving wall");
     let spring = Spring::new(100.0).expect("a spring");
+    let cubic: CubicSpring<f64> = CubicSpring::new(100.0, 1e5).expect("a cubic spring");
     let varying = VaryingSpring::<f64>::new(spring, 50.0, 2.0, 1.0 / PERIOD).expect("it varies");
     laws::one_port(&layered, samples).expect("layered wall");
     laws::one_port(&contact, samples).expect("Hunt and Crossley");
     laws::one_port(&moving, samples).expect("moving wall");
     laws::one_port(&varying, samples).expect("varying spring");
+    laws::one_port(&cubic, samples).expect("cubic spring");
     laws::candidate(&layered.dissipation(), samples).expect("its damper");
     laws::candidate(&contact.dissipation(), samples).expect("its damper");
     // Where the hand rests, the wall still moves: its damper burns something for nothing.

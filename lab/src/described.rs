@@ -1,50 +1,11 @@
 //! Parts of a scene in words.
 
-use std::fmt;
-
-use crate::scene::{
-    Effects, Environment, Filter, Integrator, Link, Motion, Operator, Policy, Scene, shorten,
-};
+use crate::scene::{Effects, Filter, Integrator, Link, Motion, Operator, Policy, Scene, shorten};
 use crate::summary::given;
 
 /// The environment in a line, without its name.
-pub(crate) struct Described<'a>(pub(crate) &'a Environment);
-
-impl fmt::Display for Described<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let damped = |f: &mut fmt::Formatter<'_>, stiffness: f64, damping: f64| {
-            write!(f, "{} N/m, {} N.s/m", given(stiffness), given(damping))
-        };
-        match self.0 {
-            Environment::Wall(it) => damped(f, it.stiffness.get(), it.damping.get()),
-            Environment::Spring(it) => write!(f, "{} N/m", given(it.stiffness.get())),
-            Environment::MassSpringDamper(it) => {
-                write!(f, "{} kg, ", given(it.mass.get()))?;
-                damped(f, it.stiffness.get(), it.damping.get())
-            }
-            Environment::LayeredWall(it) => {
-                let [upper, lower] = it.stiffness.map(|stiffness| given(stiffness.get()));
-                let (depth, damping) = (given(1e3 * it.depth.get()), given(it.damping.get()));
-                write!(f, "{upper} N/m to {depth} mm, {lower} N/m below, {damping} N.s/m")
-            }
-            Environment::HuntCrossley(it) => {
-                let (exponent, damping) = (given(it.exponent.get()), given(it.damping.get()));
-                write!(f, "{} N/m^{exponent}, {damping} s/m", given(it.stiffness.get()))
-            }
-            Environment::MovingWall(it) => {
-                damped(f, it.stiffness.get(), it.damping.get())?;
-                let (amplitude, frequency) = (1e3 * it.amplitude.get(), it.frequency.get());
-                write!(f, ", {} mm at {} Hz", given(amplitude), given(frequency))
-            }
-            Environment::VaryingSpring(it) => {
-                let (stiffness, amplitude) = (given(it.stiffness.get()), given(it.amplitude.get()));
-                write!(f, "{stiffness} +- {amplitude} N/m at {} Hz", given(it.frequency.get()))
-            }
-            Environment::Plane(it) => damped(f, it.stiffness.get(), it.damping.get()),
-            Environment::Sphere(it) => damped(f, it.stiffness.get(), it.damping.get()),
-            Environment::Cuboid(it) => damped(f, it.stiffness.get(), it.damping.get()),
-        }
-    }
+pub(crate) fn environment(scene: &Scene) -> String {
+    scene.environment.kind().words(|number| given(number).to_string())
 }
 
 /// The effects of a scene in words, one each.

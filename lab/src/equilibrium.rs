@@ -1,9 +1,8 @@
 //! Where a scene comes to rest.
 
-use lyapunov::{Drive, OnePort};
+use lyapunov::{Kinematics, Time};
 
-use crate::building::{AsPort, on_a_line};
-use crate::scene::{Draft, Environment, Motion};
+use crate::scene::{Draft, Motion, StaticSpring};
 
 /// Halvings of an interval: more than the digits of f64.
 const HALVINGS: usize = 200;
@@ -24,40 +23,35 @@ pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
 
 /// Whether the scene is driven for as long as it lasts.
 pub(crate) fn never_rests(scene: &Draft) -> bool {
-    last_rest(scene).is_none()
-        || match &scene.environment {
-            Environment::MovingWall(it) => swings(it.amplitude.get(), it.frequency.get()),
-            Environment::VaryingSpring(it) => swings(it.amplitude.get(), it.frequency.get()),
-            _ => false,
-        }
+    last_rest(scene).is_none() || scene.environment.kind().swings()
 }
 
 /// Where a spring of `pull` N/m that would rest at `free` and the environment balance.
 fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
-    let between = |push: f64, place: f64| {
-        (pull + push > 0.0).then(|| (pull * free + push * place) / (pull + push))
-    };
-    let pressed = |push: f64, surface: f64| {
-        Some(if free > surface {
-            surface + (free - surface) * (pull / (pull + push))
-        } else {
-            free
-        })
-    };
-    match &scene.environment {
-        Environment::Wall(it) => pressed(it.stiffness.get(), it.position.get()),
-        Environment::MovingWall(it) if !swings(it.amplitude.get(), it.frequency.get()) => {
-            pressed(it.stiffness.get(), it.position.get())
-        }
-        Environment::Spring(it) => between(it.stiffness.get(), it.position.get()),
-        Environment::VaryingSpring(it) if !swings(it.amplitude.get(), it.frequency.get()) => {
-            between(it.stiffness.get(), it.position.get())
-        }
-        Environment::MassSpringDamper(it) => between(it.stiffness.get(), it.position.get()),
-        Environment::LayeredWall(it) => one_sided(scene, it.position.get(), pull, free),
-        Environment::HuntCrossley(it) => one_sided(scene, it.position.get(), pull, free),
-        _ => None,
+    let kind = scene.environment.kind();
+    if kind.swings() {
+        return None;
     }
+    let law = scene.law()?;
+    let surface = law.surface(Time::Seconds(0.0)).map(|surface| surface.position);
+    if surface.is_some_and(|surface| free <= surface) {
+        return Some(free);
+    }
+    if let Some(StaticSpring { stiffness: push, position }) = kind.static_spring() {
+        return match surface {
+            Some(surface) => Some(surface + (free - surface) * (pull / (pull + push))),
+            None => (pull + push > 0.0).then(|| (pull * free + push * position) / (pull + push)),
+        };
+    }
+    let force = |x: f64| law.force(&Kinematics::at(x, 0.0));
+    // A force that grows with the position is no larger than at `free` on the way there.
+    let reach = force(free).abs() / pull;
+    let [mut low, mut high] = surface.map_or([free - reach, free + reach], |it| [it, free]);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if pull * (middle - free) + force(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    Some(0.5 * (low + high))
 }
 
 /// How far the plant would swing about `rest` if nothing else acted.
@@ -117,23 +111,6 @@ fn last_rest(scene: &Draft) -> Option<f64> {
     }
 }
 
-/// Between the surface and where the spring would rest without the wall, where a wall that only pushes balances it.
-fn one_sided(scene: &Draft, surface: f64, pull: f64, free: f64) -> Option<f64> {
-    if free <= surface {
-        return Some(free);
-    }
-    let excess = |x: f64| {
-        let mut wall = on_a_line::<f64, _>(scene, AsPort).ok()?;
-        Some(pull * (x - free) + wall.respond(&Drive::starting(1.0, x, 0.0)))
-    };
-    let (mut low, mut high) = (surface, free);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if excess(middle)? > 0.0 { high = middle } else { low = middle }
-    }
-    Some(0.5 * (low + high))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,6 +154,11 @@ mod tests {
             scene(HAND, "environment.spring.stiffness = -50.0"),
             scene(HAND, "environment.layered-wall = { depth = 1e-3, stiffness = [100.0, 2000.0] }"),
             scene(HAND, "environment.hunt-crossley = { stiffness = 1e5, exponent = 1.5 }"),
+            scene(HAND, "environment.cubic-spring = { stiffness = 100.0, cubic = 2e7 }"),
+            scene(
+                HAND,
+                "environment.cubic-spring = { position = 0.009, stiffness = 0.0, cubic = 2e7 }",
+            ),
         ];
         for scene in &cases {
             let last = Rollout::<f64>::of(scene).unwrap().rows().last().unwrap();

@@ -53,7 +53,7 @@ mod timing;
 mod words;
 
 pub use self::csv::{COLUMNS, Csv};
-pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Render, Space};
+pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
 #[doc(no_inline)]
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]
@@ -62,6 +62,6 @@ pub use output_error::OutputError;
 pub use prices::{Prices, PricesError};
 pub use rollout::Rollout;
 pub use row::{Row, further_columns, further_numbers};
-pub use scene::Scene;
+pub use scene::{Render, Scene};
 pub use summary::Summary;
 pub use tick::{Apart, Tick};

@@ -51,6 +51,7 @@ pub const SCENES: &[Shipped] = shipped![
     "hunt-crossley",
     "moving-wall",
     "varying-spring",
+    "cubic-spring",
     "plane",
     "sphere",
     "box",

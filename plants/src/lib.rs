@@ -1,12 +1,12 @@
 //! Environments, bodies, exact propagation and the effects that act on a port.
 //!
 //! Environments answer a motion: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and the one-sided
-//! [`Wall`] of its evaluation; [`LayeredWall`] and [`HuntCrossley`]; [`MovingWall`] and [`VaryingSpring`], which swing
-//! with time; and, on several axes, [`Contact`] with a [`Solid`]. A [`Body`] is what moves, exactly, and so is
-//! [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as [`RungeKuttaNystrom4`]. What follows
-//! time by itself, a hand or a load, is a [`Course`]. Effects are adaptors that own the port, chained by [`Adapt`], or
-//! the body, chained by [`Perturb`], they act on; one that is not written costs nothing. A [`Channel`] carries messages
-//! between two loops.
+//! [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and [`VaryingSpring`], which swing
+//! with time; and, on several axes, [`Contact`] with a [`Solid`]. Each is a [`ForceLaw`]. A [`Body`] is what moves,
+//! exactly, and so is [`Linked`], which is two masses; [`Stepped`] moves either by an integrator, such as
+//! [`RungeKuttaNystrom4`]. What follows time by itself, a hand or a load, is a [`Course`]. Effects are adaptors that own the
+//! port, chained by [`Adapt`], or the body, chained by [`Perturb`], they act on; one that is not written costs nothing.
+//! A [`Channel`] carries messages between two loops.
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};
@@ -54,8 +54,9 @@ pub use effects::{
     Noise, Saturation,
 };
 pub use environments::{
-    Contact, Cuboid, DissipationOf, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
-    Nearest, Plane, Solid, Sphere, Spring, VaryingSpring, Wall,
+    Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics, LayeredWall,
+    MassSpringDamper, MovingWall, Nearest, Plane, Solid, Sphere, Spring, Surface, Time,
+    VaryingSpring, Wall,
 };
 pub use integrators::{
     Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, ImplicitMidpoint, Located,

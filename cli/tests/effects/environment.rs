@@ -45,6 +45,10 @@ impl Environment {
                 let now = stiffness + amplitude * (TAU * frequency * t).sin();
                 along_x(now * (x[0] - position))
             }
+            Self::CubicSpring { position, stiffness, cubic } => {
+                let away = x[0] - position;
+                along_x(stiffness * away + cubic * away.powi(3))
+            }
             Self::Plane { stiffness, damping, .. }
             | Self::Sphere { stiffness, damping, .. }
             | Self::Cuboid { stiffness, damping, .. } => {
@@ -62,7 +66,7 @@ impl Environment {
             Self::Wall { position, damping, .. } | Self::LayeredWall { position, damping, .. } => {
                 touching(x[0] - position, damping * v[0] * v[0])
             }
-            Self::Spring { .. } | Self::VaryingSpring { .. } => 0.0,
+            Self::Spring { .. } | Self::VaryingSpring { .. } | Self::CubicSpring { .. } => 0.0,
             Self::MassSpringDamper { damping, .. } => damping.max(0.0) * v[0] * v[0] * period,
             Self::HuntCrossley { position, stiffness, exponent, damping } => {
                 let p = x[0] - position;

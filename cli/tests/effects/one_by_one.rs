@@ -134,6 +134,7 @@ fn environments() {
         Environment::HuntCrossley { position, stiffness: 9e3, exponent: 1.5, damping: 3.0 },
         Environment::MovingWall { position, stiffness, damping, amplitude: 0.001, frequency: 7.0 },
         Environment::VaryingSpring { position, stiffness, amplitude: 90.0, frequency: 7.0 },
+        Environment::CubicSpring { position, stiffness, cubic: 4e6 },
     ] {
         to_the_end(&Scene::calm().touching(environment));
     }

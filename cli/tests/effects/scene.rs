@@ -20,6 +20,7 @@ pub(crate) enum Environment {
     HuntCrossley { position: f64, stiffness: f64, exponent: f64, damping: f64 },
     MovingWall { position: f64, stiffness: f64, damping: f64, amplitude: f64, frequency: f64 },
     VaryingSpring { position: f64, stiffness: f64, amplitude: f64, frequency: f64 },
+    CubicSpring { position: f64, stiffness: f64, cubic: f64 },
     Plane { point: Axes, normal: Axes, stiffness: f64, damping: f64 },
     Sphere { center: Axes, radius: f64, stiffness: f64, damping: f64 },
     Cuboid { center: Axes, half: Axes, stiffness: f64, damping: f64 },

@@ -89,6 +89,10 @@ impl Scene {
                 let change = [("amplitude", amplitude), ("frequency", frequency)];
                 table("varying-spring", &[spring, change].concat())
             }
+            Environment::CubicSpring { position, stiffness, cubic } => {
+                let spring = [("position", position), ("stiffness", stiffness)];
+                table("cubic-spring", &[&spring[..], &[("cubic", cubic)]].concat())
+            }
             Environment::Plane { point, normal, stiffness, damping } => {
                 table("plane", &[("stiffness", stiffness), ("damping", damping)])
                     + &format!("point = {}\nnormal = {}", self.vector(point), self.vector(normal))

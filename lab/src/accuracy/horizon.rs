@@ -62,7 +62,7 @@ impl Growth {
             }
             let part = progress
                 .part(segment as f64 / SEGMENTS as f64, (segment + 1) as f64 / SEGMENTS as f64);
-            let force = sizes.made * reach * scene.mass() / scene.period().powi(2);
+            let force = sizes.made * reach * scene.port_mass() / scene.period().powi(2);
             let pushed = trace(pushed(scene, from, force)?, ticks, part)?;
             let apart = |tick: usize| -> f64 {
                 let (one, other) = (references.first[tick], pushed[tick]);

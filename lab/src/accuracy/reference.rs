@@ -6,7 +6,7 @@ use super::AccuracyError;
 use super::extrapolation::Extrapolation;
 use super::progress::Progress;
 use super::trace::trace;
-use crate::scene::{Conflict, Draft, Environment, Integrator, Positive};
+use crate::scene::{Conflict, Draft, Integrator, Positive};
 use crate::{Assembly, Scene};
 
 /// How many times as far as the two references are apart an error must be to be known.
@@ -86,11 +86,11 @@ impl References {
 }
 
 impl Second {
-    /// The one for `scene`. Friction's course and the power of Hunt and Crossley's law are worked out in `f64`, with
-    /// whatever the loop computes.
+    /// The one for `scene`. Friction's course and some environments' forces are worked out in `f64`, with whatever the loop
+    /// computes.
     fn on(scene: &Scene) -> Self {
-        let has_power = matches!(scene.environment, Environment::HuntCrossley(_));
-        match (scene.effects.friction.is_some(), has_power) {
+        let in_double = scene.environment.kind().is_double();
+        match (scene.effects.friction.is_some(), in_double) {
             (false, false) => Self::Extrapolation,
             (true, false) if scene.link.is_none() => Self::Adaptive,
             _ => Self::Double,

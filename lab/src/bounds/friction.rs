@@ -1,6 +1,5 @@
 //! Abbott and Okamura's limit, for a device that rubs and counts.
 
-use super::linear_part::impedance;
 use crate::Scene;
 
 /// The largest stiffness of a spring by `K ≤ min(2 b / T, 2 f_c / Δ)`, N/m; none without an encoder, without Coulomb
@@ -11,7 +10,7 @@ use crate::Scene;
 /// the first part pays for the hold, the second for the half step that a count may be off. It is about a spring alone, without
 /// a damper, without delay and without a static friction beyond the Coulomb one.
 pub(super) fn max_stiffness(scene: &Scene) -> Option<f64> {
-    impedance(&scene.environment)?;
+    scene.environment.kind().impedance()?;
     let (friction, encoder) = (scene.effects.friction?, scene.effects.encoder?);
     let held = scene.period() * scene.environment_ratio() as f64;
     let by_damping = 2.0 * scene.device.damping.get() / held;

@@ -1,6 +1,6 @@
 //! Gil's rule.
 
-use super::linear_part::{delay, impedance};
+use super::linear_part::delay;
 use crate::Scene;
 
 /// The largest stiffness by the linear rule `K < (b + B) / (T / 2 + t_d)`, N/m; none where the environment has no stiffness.
@@ -14,7 +14,7 @@ use crate::Scene;
 /// against the mass, and neither a spring of the operator nor a filter that matters. It is a rule and no bound: outside of
 /// that it may promise too much. A damping below 0 in all leaves 0.
 pub(super) fn max_stiffness(scene: &Scene) -> Option<f64> {
-    let environment = impedance(&scene.environment)?;
+    let environment = scene.environment.kind().impedance()?;
     let damping = scene.device.damping.get() + scene.operator.damping.get() + environment.damping;
     let held = scene.period() * scene.environment_ratio() as f64;
     let late = scene.period() * delay(scene) as f64;

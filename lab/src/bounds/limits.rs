@@ -1,8 +1,8 @@
 //! All limits of a scene.
 
-use super::{LinearPart, NotLinear, friction, gil, linear_part::impedance};
+use super::{LinearPart, NotLinear, friction, gil};
 use crate::Scene;
-use crate::scene::{Environment, Filter, Velocity};
+use crate::scene::{Filter, Velocity};
 
 /// How stiff the environment of a scene may be, by each formula, N/m; shown, it is the table of `lyapunov bound`.
 ///
@@ -42,7 +42,7 @@ impl Limits {
             notes.push("the loop is out of the range of the numbers".to_owned());
         }
         Self {
-            stiffness: impedance(&scene.environment).map(|it| it.stiffness),
+            stiffness: scene.environment.kind().impedance().map(|it| it.stiffness),
             passive: finite(within.map(LinearPart::passive_max_stiffness)),
             gil: finite(gil::max_stiffness(scene)),
             friction_quantization: finite(friction::max_stiffness(scene)),
@@ -73,7 +73,7 @@ fn notes(
     part: Result<LinearPart, NotLinear>,
     range: Option<[f64; 2]>,
 ) -> Vec<String> {
-    let (effects, environment) = (&scene.effects, &scene.environment);
+    let effects = &scene.effects;
     let mut notes = Vec::new();
     let mut note = |holds: bool, text: &str| {
         if holds {
@@ -97,19 +97,8 @@ fn notes(
         "the exact limit is none: all are stable",
     );
     friction_notes(scene).into_iter().for_each(|text| note(true, text));
-    note(matches!(environment, Environment::LayeredWall(_)), "the stiffness is the first layer's");
-    note(
-        matches!(environment, Environment::VaryingSpring(_)),
-        "the stiffness is the spring's mean; what swings may add energy of its own",
-    );
-    note(
-        matches!(environment, Environment::MovingWall(_)),
-        "the wall is taken to stand; what moves may add energy of its own",
-    );
-    note(
-        matches!(environment, Environment::HuntCrossley(it) if it.exponent.get() == 1.0),
-        "the wall's damper grows with the depth and is left out, as at the surface",
-    );
+    let left_out = scene.environment.kind().impedance_note();
+    left_out.into_iter().for_each(|text| note(true, text));
     note(scene.dimensions() > 1, "along the normal of the surface, as if it were flat");
     note(
         effects.dropout.is_some_and(|it| it.probability.get() > 0.0),
@@ -132,7 +121,7 @@ fn friction_notes(scene: &Scene) -> Vec<&'static str> {
         return vec!["the limit of friction and encoder is for scenes with both"];
     }
     let delays = effects.delay.is_some_and(|it| it.ticks.get() > 0);
-    let damps = impedance(&scene.environment).is_some_and(|it| it.damping > 0.0);
+    let damps = scene.environment.kind().impedance().is_some_and(|it| it.damping > 0.0);
     let all = [
         (delays, "the limit of friction and encoder knows nothing of the delay"),
         (damps, "the limit of friction and encoder knows nothing of the wall's damper"),

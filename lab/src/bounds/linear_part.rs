@@ -6,7 +6,7 @@ use std::fmt;
 use lyapunov::{DampedMass, Impedance, Link};
 
 use crate::Scene;
-use crate::scene::{Environment, Filter, Velocity};
+use crate::scene::{Filter, Velocity};
 
 /// The linear part of a scene, contact assumed: what the boundaries are about.
 ///
@@ -19,11 +19,11 @@ use crate::scene::{Environment, Filter, Velocity};
 /// acts from `delay` ticks later on until the next answer does. `v̂` is the backward difference of the servo's samples
 /// behind its low pass, or the plant's own velocity.
 ///
-/// Left out are rests, loads and pulses, which move the point that the loop swings about; the encoder, noise, friction and
-/// saturation; a stabilizer; jitter (the period is the nominal one) and changes of grip (it is the one at the start). A
-/// one-sided wall pulls as well. Of a layered wall it is the first layer, of a varying spring the mean, of a plane, a sphere
-/// or a box the motion along the normal, of a wall after Hunt and Crossley with exponent 1 the surface, where its damper
-/// does not act yet. All is in `f64`, also where a scene says `f32`.
+/// Left out are rests, loads and pulses, which move the point that the loop swings about; the encoder, noise, friction
+/// and saturation; a stabilizer; jitter (the period is the nominal one) and changes of grip (it is the one at the
+/// start). A one-sided wall pulls as well. Of a layered wall it is the first layer, of a varying spring the mean, of a
+/// cubic spring the rest, of a plane, a sphere or a box the motion along the normal, of a wall after Hunt and Crossley
+/// with exponent 1 the surface, where its damper does not act yet. All is in `f64`, also where a scene says `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearPart {
     /// Servo period `T`, s.
@@ -89,7 +89,7 @@ impl LinearPart {
     /// # Errors
     /// A scene that has none.
     pub fn of(scene: &Scene) -> Result<Self, NotLinear> {
-        let environment = impedance(&scene.environment).ok_or(NotLinear::Exponent)?;
+        let environment = scene.environment.kind().impedance().ok_or(NotLinear::Exponent)?;
         if scene.effects.dropout.is_some_and(|dropout| dropout.probability.get() > 0.0) {
             return Err(NotLinear::Dropout);
         }
@@ -141,28 +141,4 @@ impl LinearPart {
 /// Servo ticks by which the force of `scene` is late.
 pub(super) fn delay(scene: &Scene) -> u64 {
     scene.effects.delay.map_or(0, |delay| delay.ticks.get().into())
-}
-
-/// Mass, damping and stiffness that an environment has about its surface or its rest; none where it has no stiffness.
-pub(crate) fn impedance(environment: &Environment) -> Option<Impedance<f64>> {
-    let damped = |stiffness: f64, damping: f64| Impedance { mass: 0.0, damping, stiffness };
-    Some(match environment {
-        Environment::Wall(it) => damped(it.stiffness.get(), it.damping.get()),
-        Environment::Spring(it) => damped(it.stiffness.get(), 0.0),
-        Environment::MassSpringDamper(it) => Impedance {
-            mass: it.mass.get(),
-            damping: it.damping.get(),
-            stiffness: it.stiffness.get(),
-        },
-        Environment::LayeredWall(it) => damped(it.stiffness[0].get(), it.damping.get()),
-        Environment::HuntCrossley(it) if it.exponent.get() == 1.0 => {
-            damped(it.stiffness.get(), 0.0)
-        }
-        Environment::HuntCrossley(_) => return None,
-        Environment::MovingWall(it) => damped(it.stiffness.get(), it.damping.get()),
-        Environment::VaryingSpring(it) => damped(it.stiffness.get(), 0.0),
-        Environment::Plane(it) => damped(it.stiffness.get(), it.damping.get()),
-        Environment::Sphere(it) => damped(it.stiffness.get(), it.damping.get()),
-        Environment::Cuboid(it) => damped(it.stiffness.get(), it.damping.get()),
-    })
 }

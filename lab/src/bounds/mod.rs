@@ -30,5 +30,4 @@ mod roots;
 mod table;
 
 pub use limits::Limits;
-pub(crate) use linear_part::impedance;
 pub use linear_part::{Estimate, LinearPart, NotLinear};

@@ -1,15 +1,14 @@
 //! A whole loop, put together from a scene.
 
 use lyapunov::{
-    Adapt, CoupledOscillators, Drive, Fallback, Integrator, LyapunovCandidate, OnePort, Oscillator,
-    ParameterError, Plant, Signal,
+    Adapt, CoupledOscillators, Drive, Fallback, ForceLaw, Integrator, LyapunovCandidate, OnePort,
+    Oscillator, ParameterError, Plant, Signal,
 };
 
-use super::environment::{Render, of};
 use super::plant::stepped;
 use super::seen::{Operator, Seen};
 use super::{AnyPlant, AnyStabilizer, Port, Space};
-use crate::scene::{Filter, Policy, Positive, Scene, Velocity};
+use crate::scene::{Filter, Policy, Positive, Render, Scene, Velocity, of};
 
 /// Room for the delay of a scene, in ticks.
 const DELAY: usize = 1024;
@@ -110,7 +109,7 @@ impl<V: Space> Render<V> for AtServoRate<'_> {
 
     fn render(
         self,
-        environment: impl OnePort<V> + 'static,
+        environment: impl ForceLaw<V> + 'static,
         _credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Port<V>, ParameterError> {
         match self.0.effects.dropout {

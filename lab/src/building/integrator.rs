@@ -5,8 +5,8 @@ use lyapunov::{
     ParameterError, RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Signal, State,
 };
 
-use super::environment::of;
 use crate::scene;
+use crate::scene::of;
 
 /// Any integrator but the exact one, which plants are without an integrator.
 ///

@@ -2,7 +2,6 @@
 
 mod assembly;
 mod body;
-mod environment;
 mod integrator;
 mod plant;
 mod port;
@@ -11,8 +10,6 @@ mod space;
 mod stabilizer;
 
 pub use assembly::Assembly;
-pub use environment::Render;
-pub(crate) use environment::{AsPort, on_a_line};
 pub use plant::AnyPlant;
 pub use port::Port;
 pub(crate) use seen::Seen;

@@ -12,9 +12,9 @@ use lyapunov::{
 
 use super::Space;
 use super::body::{AnyBody, Watched};
-use super::environment::of;
 use super::integrator::AnyIntegrator;
 use super::seen::Operator;
+use crate::scene::of;
 use crate::scene::{Motion, NonNegative, Scene};
 
 /// Any plant, boxed.

@@ -6,10 +6,9 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
-use super::environment::{self, Render};
 use super::seen::Operator;
 use super::{AnyPlant, plant};
-use crate::scene::{Coordinates, Scene};
+use crate::scene::{Coordinates, Rates, Render, Scene};
 
 /// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an `SVector` of two or three.
 pub trait Space: Signal<Scalar: Send> + Send {
@@ -54,7 +53,7 @@ macro_rules! line {
             }
 
             fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
-                environment::on_a_line(scene, of)
+                scene.environment.on_a_line(Rates::of(scene), of)
             }
 
             fn plant(
@@ -82,7 +81,7 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
     const DIMENSIONS: usize = N;
 
     fn at(coordinates: &Coordinates) -> Self {
-        Self::from_fn(|index, _| T::of(coordinates.axis(index)))
+        coordinates.vector()
     }
 
     fn axis(self, index: usize) -> f64 {
@@ -90,7 +89,7 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
     }
 
     fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
-        environment::in_space(scene, of)
+        scene.environment.in_space(of)
     }
 
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {

@@ -3,14 +3,13 @@
 use std::fmt;
 
 use lyapunov::{
-    Accumulator, Action, Compensated, DampingLimit, Dissipation, Drive, Held, Lolc,
-    LyapunovCandidate, NoStabilizer, OnePort, ParameterError, PortEnergy, Signal, Stabilizer,
+    Accumulator, Action, Compensated, Dissipation, Drive, ForceLaw, Held, Lolc, LyapunovCandidate,
+    NoStabilizer, OnePort, ParameterError, PortEnergy, Signal, Stabilizer,
 };
 
 use super::assembly::measured;
-use super::environment::{Render, of};
 use super::{Port, Space};
-use crate::scene::{self, Candidate, Ledger, Popc, Scene, Work};
+use crate::scene::{self, Candidate, Ledger, Popc, Render, Scene, Work, of};
 
 /// Any stabilizer, boxed: what a scene file names, or one of one's own.
 pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
@@ -82,7 +81,7 @@ impl<V: Space> AnyStabilizer<V> {
         candidate: impl LyapunovCandidate<V> + 'static,
         Booking { work, ledger, cap }: Booking,
     ) -> Result<Self, ParameterError> {
-        let limit = DampingLimit::of_mass(of(cap), of(scene.mass()), of(scene.period()))?;
+        let limit = scene.damping(cap).limit()?;
         // Only the default ledger of held work is compiled for each candidate; a box costs the others a call.
         let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
         Ok(match (work, ledger) {
@@ -158,7 +157,7 @@ impl<V: Space> Render<V> for Crediting<'_> {
 
     fn render(
         self,
-        _environment: impl OnePort<V> + 'static,
+        _environment: impl ForceLaw<V> + 'static,
         credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Self::Made, ParameterError> {
         AnyStabilizer::watching(self.scene, (PortEnergy, credit), self.booking)

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
-use super::law::{Motion, force, work};
+use super::law::{Law, Motion};
 use crate::meters::{Share, Split};
 use crate::scene::{Scene, Velocity};
 use crate::{Space, Tick};
@@ -114,6 +114,7 @@ struct Moment {
 /// A balance in the making.
 pub(super) struct Account {
     scene: Scene,
+    law: Law,
     body: Body,
     share: Share,
     ticks: u64,
@@ -143,6 +144,7 @@ impl Account {
             first: None,
             touching: false,
             left: false,
+            law: Law::of(scene),
             scene: scene.clone(),
         }
     }
@@ -158,8 +160,7 @@ impl Account {
             split: self.share.split(tick),
         };
         let samples = self.samples(&tick);
-        let touches =
-            tick.environment != 0.0 || force(&self.scene.environment, samples.truly) != 0.0;
+        let touches = tick.environment != 0.0 || self.law.force(samples.truly) != 0.0;
         if let Some((last, before)) = self.last {
             let moved = self.moved(&last, &before, &tick, &samples);
             if touches && self.first.is_none() {
@@ -235,14 +236,14 @@ impl Account {
         let Passed { hand, push, burnt: [device, operator, link], gained } = passed;
         let way = now.masses.device[0] - last.masses.device[0];
         let Split { late, environment: clipped, controller } = last.split;
-        let law = |motion: Motion| force(&self.scene.environment, motion);
+        let law = |motion: Motion| self.law.force(motion);
         let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
         let real = |tick: &Moment, time: f64| {
             let [position, velocity] = tick.masses.device;
             Motion { time, position, velocity, acceleration: 0.0 }
         };
         let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
-        let wall = work(&self.scene.environment, from, to);
+        let wall = self.law.work(from, to);
         let slow = (last.environment - filtered) * way;
         Balance {
             gained,

@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use crate::Scene;
-use crate::bounds::impedance;
 
 /// The dimensionless groups of a scene. `T` is the period at which the environment answers, `b` the device's damping, `m`
 /// the mass that moves at the port, `K` and `B` the environment's stiffness and damping.
@@ -23,8 +22,8 @@ impl Groups {
     /// The groups of `scene`.
     pub fn of(scene: &Scene) -> Self {
         let period = scene.period() * scene.environment_ratio() as f64;
-        let (mass, damping) = (scene.mass(), scene.device.damping.get());
-        let environment = impedance(&scene.environment);
+        let (mass, damping) = (scene.port_mass(), scene.device.damping.get());
+        let environment = scene.environment.kind().impedance();
         let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
         Self {
             kt_over_b: finite(environment.map(|it| it.stiffness * period / damping)),

@@ -1,12 +1,11 @@
 //! What helps, tried before it is told.
 
 use super::trial::{Feel, Trial};
+use crate::Space;
 use crate::bounds::LinearPart;
 use crate::scene::{
-    Candidate, Cap, Draft, Environment, Finite, Ledger, Lolc, NonNegative, Popc, Positive, Scene,
-    Stabilizer, Work,
+    Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
 };
-use crate::{Space, bounds::impedance};
 
 /// How far inside of a limit a remedy stays.
 const MARGIN: f64 = 0.95;
@@ -65,7 +64,7 @@ fn remedy<V: Space>(scene: Scene, changes: Vec<(String, Change)>) -> Option<Reme
 
 /// The largest stiffness that holds.
 fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
-    let own = impedance(&scene.environment)?.stiffness;
+    let own = scene.environment.kind().impedance()?.stiffness;
     let limit = LinearPart::of(scene).ok().and_then(|part| part.stable_stiffness());
     let most = match limit {
         Some([from, most]) if most * MARGIN > from => most * MARGIN,
@@ -76,7 +75,8 @@ fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
     let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial)));
     trials.filter(|stiffness| *stiffness < own && *stiffness > 0.0).find_map(|stiffness| {
         let mut softer = scene.to_draft();
-        let key = set_stiffness(&mut softer.environment, stiffness)?;
+        softer.environment.kind_mut().set_stiffness(stiffness)?;
+        let key = format!("environment.{}.stiffness", softer.environment.name());
         remedy::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
     })
 }
@@ -118,7 +118,7 @@ fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
 fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
     let own = scene.device.damping.get();
     // From nothing too: a share of what stops the mass within a period.
-    let unit = 1e-6 * scene.mass() / scene.period();
+    let unit = 1e-6 * scene.port_mass() / scene.period();
     let at = |damping: f64| {
         let mut damped = scene.to_draft();
         damped.device.damping = NonNegative::new(damping).ok()?;
@@ -177,23 +177,6 @@ fn lowest(holds: impl Fn(f64) -> bool, most: f64) -> Option<f64> {
         if holds(middle) { high = middle } else { low = middle }
     }
     Some(high)
-}
-
-/// Gives an environment another stiffness; its key.
-fn set_stiffness(environment: &mut Environment, stiffness: f64) -> Option<String> {
-    let name = environment.name();
-    let value = NonNegative::new(stiffness).ok()?;
-    match environment {
-        Environment::Wall(it) => it.stiffness = value,
-        Environment::MassSpringDamper(it) => it.stiffness = value,
-        Environment::MovingWall(it) => it.stiffness = value,
-        Environment::HuntCrossley(it) => it.stiffness = value,
-        Environment::Spring(it) => it.stiffness = Finite::new(stiffness).ok()?,
-        Environment::VaryingSpring(it) => it.stiffness = Finite::new(stiffness).ok()?,
-        // Both layers, or a plane: not one number.
-        _ => return None,
-    }
-    Some(format!("environment.{name}.stiffness"))
 }
 
 /// To three digits.

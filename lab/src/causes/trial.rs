@@ -7,7 +7,7 @@ use lyapunov::ParameterError;
 use super::balance::{Account, Balance};
 use super::body::{Body, Masses};
 use super::fate::Fate;
-use super::law::{Motion, force};
+use super::law::{Law, Motion};
 use crate::bounds::LinearPart;
 use crate::{Rollout, Scene, Space};
 
@@ -50,6 +50,7 @@ impl Trial {
         let mut fate = Fate::new(scene);
         let mut account = Account::new::<V>(scene, Body::of(scene)?);
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
+        let law = Law::of(scene);
         let mut open = true;
         for (tick, number) in rollout.zip(1..) {
             fate.add(&tick);
@@ -57,7 +58,7 @@ impl Trial {
             let (applied, environment) = (tick.applied.axis(0), tick.environment.axis(0));
             peak = peak.max(applied.abs());
             let motion = Motion { time: tick.time, position, velocity, acceleration: 0.0 };
-            let ideal = force(&scene.environment, motion);
+            let ideal = law.force(motion);
             if environment != 0.0 || ideal != 0.0 {
                 square += (applied - ideal) * (applied - ideal);
                 touched += 1;

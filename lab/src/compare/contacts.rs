@@ -1,6 +1,8 @@
 //! What is felt while the wall pushes.
 
-use crate::scene::{Environment, Scene, Wall};
+use lyapunov::{ForceLaw, Kinematics};
+
+use crate::scene::{Scene, Wall};
 
 /// From how long on a contact counts as long, s.
 const LONG: f64 = 0.5;
@@ -24,21 +26,15 @@ impl Touch {
         self.position - wall.position.get()
     }
 
-    /// The force of the wall's law without sampling, hold, encoder, saturation or delay, N:
-    /// `max(0, k p + b v)` for `p > 0`, else 0, of the true motion.
-    fn ideal(&self, wall: Wall) -> f64 {
-        let depth = self.depth(wall);
-        let force = wall.stiffness.get() * depth + wall.damping.get() * self.velocity;
-        if depth > 0.0 { force.max(0.0) } else { 0.0 }
+    /// The force of the wall's law on the true motion, without sampling, hold, encoder, saturation or delay, N.
+    fn ideal(&self, law: &impl ForceLaw<f64>) -> f64 {
+        law.force(&Kinematics::at(self.position, self.velocity))
     }
 }
 
 /// The wall of a scene, if that is what it has.
 pub(super) fn wall(scene: &Scene) -> Option<Wall> {
-    match scene.environment {
-        Environment::Wall(wall) => Some(wall),
-        _ => None,
-    }
+    scene.environment.wall().copied()
 }
 
 /// Watches contacts: unbroken runs of ticks on which the environment's force acts.
@@ -46,6 +42,7 @@ pub(super) fn wall(scene: &Scene) -> Option<Wall> {
 pub(super) struct Contacts {
     /// What transparency is measured against; the other meters need none.
     wall: Option<Wall>,
+    law: Option<lyapunov::Wall<f64>>,
     long: f64,
     now: Contact,
     short_peak: Option<f64>,
@@ -65,8 +62,10 @@ struct Contact {
 
 impl Contacts {
     pub(super) fn new(scene: &Scene) -> Self {
+        let wall = wall(scene);
         Self {
-            wall: wall(scene),
+            wall,
+            law: wall.and_then(|wall| wall.law().ok()),
             long: LONG * scene.servo_rate.get(),
             now: Contact::default(),
             short_peak: None,
@@ -88,10 +87,10 @@ impl Contacts {
             self.end();
         }
         // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
-        if let Some(wall) = self.wall
+        if let Some(law) = &self.law
             && (touch.environment != 0.0 || depth > 0.0)
         {
-            self.error.0 += (force - touch.ideal(wall)).powi(2);
+            self.error.0 += (force - touch.ideal(law)).powi(2);
             self.error.1 += 1;
         }
     }
@@ -203,11 +202,11 @@ mod tests {
 
     #[test]
     fn the_ideal_wall_never_pulls_and_knows_the_surface() {
-        let wall = wall(&scene("")).unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
+        let wall = wall(&scene("")).unwrap().law().unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
         let at = |position: f64, velocity: f64| Touch { velocity, ..tick(position, 0.0, 0.0) };
-        assert_eq!(at(0.001, 1.0).ideal(wall), 0.0);
-        assert_eq!(at(0.0005, 1.0).ideal(wall), 0.0);
-        assert!((at(0.003, 0.5).ideal(wall) - 3.0).abs() < 1e-12);
-        assert_eq!(at(0.003, -5.0).ideal(wall), 0.0);
+        assert_eq!(at(0.001, 1.0).ideal(&wall), 0.0);
+        assert_eq!(at(0.0005, 1.0).ideal(&wall), 0.0);
+        assert!((at(0.003, 0.5).ideal(&wall) - 3.0).abs() < 1e-12);
+        assert_eq!(at(0.003, -5.0).ideal(&wall), 0.0);
     }
 }

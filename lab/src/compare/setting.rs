@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::described::Described;
+use crate::described;
 use crate::scene::Scene;
 use crate::summary::given;
 
@@ -16,6 +16,6 @@ impl fmt::Display for Setting<'_> {
         if scene.environment_ratio() > 1 {
             write!(f, " over {} Hz", given(scene.environment_rate()))?;
         }
-        write!(f, ", {} {}", scene.environment.name(), Described(&scene.environment))
+        write!(f, ", {} {}", scene.environment.name(), described::environment(scene))
     }
 }

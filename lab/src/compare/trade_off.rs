@@ -153,9 +153,9 @@ impl TradeOff {
 
 /// From which wall to which, in words.
 fn range(walls: &[Scene]) -> String {
-    let of = |scene: &Scene| match scene.environment {
-        Environment::Wall(wall) => [wall.stiffness.get(), wall.damping.get()],
-        _ => [0.0; 2],
+    let of = |scene: &Scene| {
+        let wall = scene.environment.wall();
+        wall.map_or([0.0; 2], |wall| [wall.stiffness.get(), wall.damping.get()])
     };
     let [first, last] = [&walls[0], &walls[walls.len() - 1]].map(of);
     format!(
@@ -170,9 +170,9 @@ fn range(walls: &[Scene]) -> String {
 
 /// The scene with each of the walls, its run cut to [`MOST`] ticks; empty if it has none.
 fn walls(scene: &Scene) -> Vec<Scene> {
-    let Environment::Wall(own) = scene.environment else { return Vec::new() };
+    let Some(&own) = scene.environment.wall() else { return Vec::new() };
     let period = scene.period() * scene.environment_ratio() as f64;
-    let (stiffness, damping) = (own.stiffness.get(), scene.mass() / period);
+    let (stiffness, damping) = (own.stiffness.get(), scene.port_mass() / period);
     let last = (VALUES - 1) as f64;
     let longest = MOST as f64 / scene.servo_rate.get();
     let duration = Positive::new(scene.duration.get().min(longest));

@@ -2,24 +2,22 @@
 
 use std::f64::consts::TAU;
 
+use lyapunov::Time;
+
 use super::Reference;
 use crate::compare::Settings;
 use crate::equilibrium::last_pull;
 use crate::meters::Criterion;
-use crate::scene::{Environment, Scene};
+use crate::scene::{Damping, Scene};
 
 /// Slots of a window of credit.
 pub(super) const SLOTS: usize = 8;
 
 /// A loop, as the family is set for it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Basis {
-    /// What the damping limit is taken from, kg.
-    pub(crate) mass: f64,
-    /// The servo period, s.
-    pub(crate) period: f64,
-    /// The damping cap, of m / T.
-    pub(crate) cap: f64,
+    /// What the damping limit is made of.
+    pub(crate) limit: Damping,
     /// Of the device, N·s/m.
     pub(crate) damping: f64,
     /// What the motion starts with, J: the scale of all energies.
@@ -34,8 +32,8 @@ pub(crate) struct Basis {
     pub(crate) ratio: u32,
     /// Where contact begins, m.
     pub(crate) surface: Option<f64>,
-    /// What the environment stores.
-    pub(crate) reference: Reference,
+    /// What the environment stores; none where that is no function of position and velocity.
+    pub(crate) reference: Option<Reference>,
     /// Position and velocity at the start, m and m/s.
     pub(crate) start: [f64; 2],
 }
@@ -49,9 +47,7 @@ impl Basis {
         let energy = if pull > 0.0 { 0.5 * pull * reach * reach } else { thrown };
         let period = scene.period();
         Self {
-            mass: scene.mass(),
-            period,
-            cap: Settings::of(scene).damping_cap.get(),
+            limit: scene.damping(Settings::of(scene).damping_cap.get()),
             damping: scene.device.damping.get(),
             energy,
             speed: (2.0 * energy / moving).sqrt(),
@@ -67,9 +63,7 @@ impl Basis {
     /// A hand of `mass` kg that moves with `speed` m/s, of which no scene tells; `period` in s.
     pub(crate) fn of_hand(mass: f64, period: f64, speed: f64) -> Self {
         Self {
-            mass,
-            period,
-            cap: 0.5,
+            limit: Damping { cap: 0.5, port_mass: mass, period },
             damping: 0.0,
             energy: 0.5 * mass * speed * speed,
             speed,
@@ -77,7 +71,7 @@ impl Basis {
             count: None,
             ratio: 1,
             surface: None,
-            reference: Reference::None,
+            reference: None,
             start: [0.0; 2],
         }
     }
@@ -85,7 +79,7 @@ impl Basis {
     /// What the environment stores at the start, J; not below 0.
     pub(crate) fn stored(&self) -> f64 {
         let [x, v] = self.start;
-        self.reference.stored(x, v).max(0.0)
+        self.reference.as_ref().map_or(0.0, |it| it.stored(x, v)).max(0.0)
     }
 
     /// From where on a velocity is more than noise, m/s.
@@ -101,24 +95,19 @@ impl Basis {
     /// How fast a correction may grow, N/s: to the largest at the hand's speed within those ticks; no limit where nothing
     /// tells a speed.
     pub(super) fn rate(&self) -> f64 {
-        let most = self.cap * self.mass / self.period * self.speed;
-        let rate = most / (f64::from(self.ticks()) * self.period);
+        let Damping { cap, port_mass, period } = self.limit;
+        let most = cap * port_mass / period * self.speed;
+        let rate = most / (f64::from(self.ticks()) * period);
         if rate > 0.0 { rate } else { f64::INFINITY }
     }
 
     /// Ticks to a slot of the window, which is a swing of the hand long.
     pub(super) fn slot(&self) -> u32 {
         // The conversion saturates: a longer slot is never left either.
-        (self.swing / (SLOTS as f64 * self.period)).ceil().max(1.0) as u32
+        (self.swing / (SLOTS as f64 * self.limit.period)).ceil().max(1.0) as u32
     }
 }
 
 fn surface(scene: &Scene) -> Option<f64> {
-    match &scene.environment {
-        Environment::Wall(it) => Some(it.position.get()),
-        Environment::LayeredWall(it) => Some(it.position.get()),
-        Environment::HuntCrossley(it) => Some(it.position.get()),
-        Environment::MovingWall(it) => Some(it.position.get()),
-        _ => None,
-    }
+    scene.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position)
 }

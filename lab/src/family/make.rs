@@ -1,13 +1,14 @@
 //! How each is made.
 
 use lyapunov::{
-    Beyond, DampingLimit, Dissipation, ForceBound, Lolc, NoStabilizer, ParameterError, Plain, Popc,
-    PortEnergy, ReferenceFollowing, Refine, Scalar, Storage, Store, Tank, Windowed,
+    Beyond, DampingLimit, Dissipation, ForceBound, ForceLaw, Kinematics, Lolc, LyapunovCandidate,
+    NoStabilizer, ParameterError, Plain, Popc, PortEnergy, ReferenceFollowing, Refine, Scalar,
+    Storage, Store, Tank, Windowed,
 };
 
 use super::basis::SLOTS;
 use super::{Basis, Contender, Member};
-use crate::scene::Scene;
+use crate::scene::{Render, Scene};
 use crate::{AnyStabilizer, Space};
 
 /// How much of what the motion starts with a tank holds at most.
@@ -32,7 +33,7 @@ impl Member {
         basis: &Basis,
     ) -> Result<AnyStabilizer<T>, ParameterError> {
         let of = T::of;
-        let limit = DampingLimit::of_mass(of(basis.cap), of(basis.mass), of(basis.period))?;
+        let limit = basis.limit.limit()?;
         let popc = Popc::new(PortEnergy, limit);
         let (energy, ticks) = (of(basis.energy), basis.ticks());
         Ok(match self {
@@ -58,9 +59,11 @@ impl Member {
             Self::RateLimited => AnyStabilizer::called(popc.rate_limited::<T>(of(basis.rate()))?),
             Self::Rising => AnyStabilizer::called(popc.rising_over::<T>(ticks)?),
             Self::Reference => {
-                let (reference, [x, v]) = (basis.reference, basis.start.map(of));
-                let stored = Storage::starting(move |x: T, v: T| reference.stored(x, v), x, v);
-                AnyStabilizer::called(ReferenceFollowing::new((PortEnergy, stored), limit))
+                let following = Following { limit, start: basis.start.map(of) };
+                match &basis.reference {
+                    None => following.of(|_, _| T::zero()),
+                    Some(reference) => reference.render(following)?,
+                }
             }
             Self::ForceBound => {
                 AnyStabilizer::called(ForceBound::new(of(basis.damping))?.budgeted(energy)?)
@@ -71,5 +74,31 @@ impl Member {
                 AnyStabilizer::called(Tank::new(PortEnergy, store)?)
             }
         })
+    }
+}
+
+/// What follows a store of energy from a position and a velocity on.
+struct Following<T: Scalar> {
+    limit: DampingLimit<T>,
+    start: [T; 2],
+}
+
+impl<T: Scalar + Space> Following<T> {
+    fn of(self, stored: impl Fn(T, T) -> T + 'static) -> AnyStabilizer<T> {
+        let [x, v] = self.start;
+        let stored = Storage::starting(stored, x, v);
+        AnyStabilizer::called(ReferenceFollowing::new((PortEnergy, stored), self.limit))
+    }
+}
+
+impl<T: Scalar + Space> Render<T> for Following<T> {
+    type Made = AnyStabilizer<T>;
+
+    fn render(
+        self,
+        environment: impl ForceLaw<T> + 'static,
+        _credit: impl LyapunovCandidate<T> + 'static,
+    ) -> Result<AnyStabilizer<T>, ParameterError> {
+        Ok(self.of(move |x, v| environment.stored(&Kinematics::at(x, v))))
     }
 }

@@ -1,76 +1,52 @@
 //! What an environment stores.
 
-use lyapunov::Scalar;
+use lyapunov::{ForceLaw, Kinematics, LyapunovCandidate, ParameterError, Signal};
 
-use crate::scene::{Environment, Scene};
+use crate::scene::{Environment, Rates, Render, Scene};
 
-/// The energy that the spring and the mass of an ideal environment hold, as a function of position and velocity; 0 for one
-/// that is not a function of these, which swings by itself.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Reference {
-    /// Nothing.
-    None,
-    /// A spring that pushes on both sides, and a mass: N/m, kg.
-    Oscillator { position: f64, stiffness: f64, mass: f64 },
-    /// A wall of two layers: the depth of the first, m, and N/m.
-    Layers { position: f64, depth: f64, stiffness: [f64; 2] },
-    /// A contact whose force is a power of the depth: N/mᵉ.
-    Power { position: f64, stiffness: f64, exponent: f64 },
+/// The ideal environment of a scene, as a store of energy that is a function of position and velocity.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reference {
+    environment: Environment,
+    rates: Rates,
 }
 
 impl Reference {
-    pub(super) fn of(scene: &Scene) -> Self {
-        match &scene.environment {
-            Environment::Wall(it) => Self::Layers {
-                position: it.position.get(),
-                depth: f64::INFINITY,
-                stiffness: [it.stiffness.get(); 2],
-            },
-            Environment::LayeredWall(it) => Self::Layers {
-                position: it.position.get(),
-                depth: it.depth.get(),
-                stiffness: it.stiffness.map(|layer| layer.get()),
-            },
-            Environment::Spring(it) => Self::Oscillator {
-                position: it.position.get(),
-                stiffness: it.stiffness.get(),
-                mass: 0.0,
-            },
-            Environment::MassSpringDamper(it) => Self::Oscillator {
-                position: it.position.get(),
-                stiffness: it.stiffness.get(),
-                mass: it.mass.get(),
-            },
-            Environment::HuntCrossley(it) => Self::Power {
-                position: it.position.get(),
-                stiffness: it.stiffness.get(),
-                exponent: it.exponent.get(),
-            },
-            _ => Self::None,
-        }
+    /// That of `scene`; none where it swings by itself, and in more than one dimension.
+    pub(super) fn of(scene: &Scene) -> Option<Self> {
+        let environment = &scene.environment;
+        let stores = scene.dimensions() == 1 && !environment.kind().swings();
+        stores.then(|| Self { environment: environment.clone(), rates: Rates::of(scene) })
     }
 
     /// `S(x, v)`, J.
-    pub(crate) fn stored<T: Scalar>(&self, x: T, v: T) -> T {
-        let (zero, half) = (T::zero(), T::of(0.5));
-        let depth = |position: f64| (x - T::of(position)).larger(zero);
-        match *self {
-            Self::None => zero,
-            Self::Oscillator { position, stiffness, mass } => {
-                let away = x - T::of(position);
-                half * (T::of(stiffness) * away * away + T::of(mass) * v * v)
-            }
-            Self::Layers { position, depth: layer, stiffness: [outer, inner] } => {
-                let (depth, outer) = (depth(position), T::of(outer));
-                let soft = depth.smaller(T::of(layer));
-                let hard = depth - soft;
-                half * outer * soft * soft + outer * soft * hard + half * T::of(inner) * hard * hard
-            }
-            Self::Power { position, stiffness, exponent } => {
-                let depth = depth(position);
-                let power = |lane| libm::pow(depth.lane(lane), exponent + 1.0);
-                T::of(stiffness / (exponent + 1.0)) * T::from_lanes(power)
-            }
-        }
+    pub(crate) fn stored(&self, x: f64, v: f64) -> f64 {
+        self.render(Stored { x, v }).unwrap_or(0.0)
+    }
+
+    /// Makes something of the ideal environment.
+    pub(super) fn render<T: lyapunov::Scalar, R: Render<T>>(
+        &self,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        self.environment.on_a_line(self.rates, to)
+    }
+}
+
+/// The energy at one position and velocity.
+struct Stored<V> {
+    x: V,
+    v: V,
+}
+
+impl<V: Signal> Render<V> for Stored<V> {
+    type Made = V::Scalar;
+
+    fn render(
+        self,
+        environment: impl ForceLaw<V> + 'static,
+        _credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<V::Scalar, ParameterError> {
+        Ok(environment.stored(&Kinematics::at(self.x, self.v)))
     }
 }

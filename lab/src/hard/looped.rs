@@ -93,7 +93,8 @@ fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
     let cap = Settings::of(scene).damping_cap.get();
     let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
     // What a scene says is rounded once more on its way to f32.
-    let limit = (cap * scene.mass() / scene.period() * (1.0 + 1e-6)).min(f64::MAX);
+    let most = scene.damping(cap).limit().map_or(f64::MAX, |limit| limit.most());
+    let limit = (most * (1.0 + 1e-6)).min(f64::MAX);
     let force = force * (1.0 + 1e-6);
     Terms { ticks: scene.ticks(), rest, limit, pledge, force }
 }

@@ -3,10 +3,10 @@
 use lyapunov::Scalar;
 
 use crate::family::{Basis, Contender, Member, Reference};
-use crate::scene::{Candidate, Environment, Scene, Stabilizer};
+use crate::scene::{Candidate, Scene, Stabilizer};
 
 /// What is credited beside the work.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Credit {
     /// Nothing.
     None,
@@ -39,7 +39,7 @@ pub(super) enum Correction {
 }
 
 /// What a stabilizer is held to.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pledge {
     /// What is credited.
     pub(super) credit: Credit,
@@ -82,8 +82,10 @@ impl Pledge {
                 Self { account: Account::Forgetful, ..Self::POPC }
             }
             Member::Reference => {
-                let (reference, start) = (basis.reference, basis.start.map(of));
-                Self { credit: Credit::Reference { reference, start }, ..Self::POPC }
+                let start = basis.start.map(of);
+                let credit = |reference| Credit::Reference { reference, start };
+                let credit = basis.reference.clone().map_or(Credit::None, credit);
+                Self { credit, ..Self::POPC }
             }
             Member::ForceBound => Self {
                 credit: Credit::Moved { damping: of(basis.damping) },
@@ -112,10 +114,10 @@ impl Pledge {
     pub(super) fn named<T: Scalar>(named: Stabilizer, scene: &Scene) -> Self {
         let of = |number: f64| T::of(number).lane(0);
         let Stabilizer::Lolc(lolc) = named else { return Self::POPC };
-        match (lolc.candidate, &scene.environment) {
+        match (lolc.candidate, scene.environment.wall()) {
             (Candidate::Spring, _) => Self::POPC,
             (Candidate::DeviceDamping, _) => Self::damper(of(scene.device.damping.get())),
-            (Candidate::MassSpringDamper, Environment::Wall(wall)) => {
+            (Candidate::MassSpringDamper, Some(wall)) => {
                 let (damping, beyond) = (of(wall.damping.get()), of(wall.position.get()));
                 Self { credit: Credit::Damper { damping, beyond }, ..Self::POPC }
             }

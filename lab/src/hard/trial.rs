@@ -178,8 +178,7 @@ pub(super) trait Play: Send + Sync {
 
     /// What a stabilizer may inject.
     fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        let Basis { cap, mass, period, .. } = self.basis();
-        DampingLimit::of_mass(T::of(cap), T::of(mass), T::of(period))
+        self.basis().limit.limit()
     }
 
     /// What has to be known of the runs beside the limit.
@@ -205,7 +204,7 @@ impl<P: Play> Played<P> {
         let limit = self.0.limit::<T>()?.most().lane(0);
         let mut worst: Option<Vec<Tally>> = None;
         for index in 0..self.0.runs() {
-            let terms = Terms { pledge, ..self.0.terms(limit) };
+            let terms = Terms { pledge: pledge.clone(), ..self.0.terms(limit) };
             let (watched, record) = Watched::new::<T>(stabilizer()?, terms);
             let value = self.0.play::<T>(index, first, watched)?;
             let mut tallies = record.tallies();

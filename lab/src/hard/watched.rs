@@ -12,7 +12,7 @@ use super::pledge::{Account, Correction, Credit, Pledge};
 use super::tally::{Tally, larger};
 
 /// What has to be known to judge a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Terms {
     /// Ticks in all.
     pub(super) ticks: u64,
@@ -73,7 +73,6 @@ pub(super) struct Meters(Vec<Meter>);
 impl Meters {
     pub(super) fn new<T: Scalar>(terms: Terms) -> Self {
         let meter = Meter {
-            terms,
             tick: 0,
             shaken: false,
             balance: Balance::new(
@@ -81,14 +80,15 @@ impl Meters {
                 T::tiny().lane(0),
                 terms.pledge.budget,
             ),
-            held: match terms.pledge.credit {
-                Credit::Reference { reference, start: [x, v] } => reference.stored(x, v),
+            held: match &terms.pledge.credit {
+                Credit::Reference { reference, start: [x, v] } => reference.stored(*x, *v),
                 _ => 0.0,
             },
             epsilon: T::epsilon().lane(0),
             tiny: T::tiny().lane(0),
             largest: T::largest().lane(0),
             tally: Tally::default(),
+            terms,
         };
         Self(vec![meter; T::LANES])
     }
@@ -210,7 +210,7 @@ impl Sight {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Meter {
     terms: Terms,
     tick: u64,
@@ -264,7 +264,7 @@ impl Meter {
 
     /// What is credited as a whole, J: where it is not known, nothing of the tick is.
     fn stored(&mut self, sight: &Sight) -> f64 {
-        match self.terms.pledge.credit {
+        match &self.terms.pledge.credit {
             Credit::None | Credit::Damper { .. } => 0.0,
             Credit::Moved { damping } => {
                 damping * (sight.displacement.pair(&sight.displacement) / sight.period)

@@ -27,6 +27,31 @@ pub(crate) const fn key(path: &'static str, unit: &'static str, example: &'stati
     Key { path, unit, example }
 }
 
+/// How many keys these tables have together.
+pub(super) const fn count(tables: &[&[Key]]) -> usize {
+    let (mut keys, mut table) = (0, 0);
+    while table < tables.len() {
+        keys += tables[table].len();
+        table += 1;
+    }
+    keys
+}
+
+/// The keys of these tables, one table after the other, `N` together.
+pub(super) const fn joined<const N: usize>(tables: &[&[Key]]) -> [Key; N] {
+    let mut keys = [key("", "", ""); N];
+    let (mut next, mut table) = (0, 0);
+    while table < tables.len() {
+        let mut row = 0;
+        while row < tables[table].len() {
+            keys[next] = tables[table][row];
+            (next, row) = (next + 1, row + 1);
+        }
+        table += 1;
+    }
+    keys
+}
+
 impl Book {
     /// The entry of a key with this table path.
     pub(super) fn find(&self, path: &str) -> Option<&'static Key> {

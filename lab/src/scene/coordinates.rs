@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use lyapunov::Scalar;
+use nalgebra::SVector;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
@@ -23,6 +25,11 @@ impl Coordinates {
     /// In one dimension.
     pub fn get(&self) -> f64 {
         self.axis(0)
+    }
+
+    /// As a vector of the scalar of a loop.
+    pub(crate) fn vector<T: Scalar, const N: usize>(&self) -> SVector<T, N> {
+        SVector::from_fn(|index, _| T::of(self.axis(index)))
     }
 
     /// How many numbers were given.

@@ -1,6 +1,7 @@
 //! What messages say about each key: its unit, and a line that would be right.
 
-use super::book::{Book, Key, key};
+use super::book::{Book, Key, count, joined, key};
+use super::environments;
 
 /// The keys of scene files.
 pub(crate) const BOOK: Book = Book { noun: "scene", keys: KEYS, smallest: SMALLEST };
@@ -14,7 +15,12 @@ mass = 0.2  # kg
 stiffness = 8000.0  # N/m";
 
 /// Every key and table; a test holds it against the types.
-pub(super) const KEYS: &[Key] = &[
+pub(super) const KEYS: &[Key] = &joined::<{ count(TABLES) }>(TABLES);
+
+const TABLES: &[&[Key]] = &[LOOP, environments::KEYS, WATCHING];
+
+/// What there is before the environments.
+const LOOP: &[Key] = &[
     key("duration", "s", "duration = 10.0  # s"),
     key("servo_rate", "Hz", "servo_rate = 1000.0  # Hz"),
     key("environment_rate", "Hz", "environment_rate = 100.0  # Hz"),
@@ -56,86 +62,10 @@ pub(super) const KEYS: &[Key] = &[
     key("initial.position", "m", "position = -0.004  # m"),
     key("initial.velocity", "m/s", "velocity = 0.0  # m/s"),
     key("environment", "", "[environment.wall]\nstiffness = 8000.0  # N/m"),
-    key("environment.wall", "", "[environment.wall]\nstiffness = 8000.0  # N/m"),
-    key("environment.wall.stiffness", "N/m", "stiffness = 8000.0  # N/m"),
-    key("environment.wall.position", "m", "position = 0.0  # m"),
-    key("environment.wall.damping", "N.s/m", "damping = 2.0  # N.s/m"),
-    key("environment.spring", "", "[environment.spring]\nstiffness = 500.0  # N/m"),
-    key("environment.spring.position", "m", "position = 0.0  # m"),
-    key("environment.spring.stiffness", "N/m", "stiffness = 500.0  # N/m"),
-    key(
-        "environment.mass-spring-damper",
-        "",
-        "[environment.mass-spring-damper]\nmass = 0.05  # kg\ndamping = 1.0  # N.s/m\nstiffness = 500.0  # N/m",
-    ),
-    key("environment.mass-spring-damper.position", "m", "position = 0.0  # m"),
-    key("environment.mass-spring-damper.mass", "kg", "mass = 0.05  # kg"),
-    key("environment.mass-spring-damper.damping", "N.s/m", "damping = 1.0  # N.s/m"),
-    key("environment.mass-spring-damper.stiffness", "N/m", "stiffness = 500.0  # N/m"),
-    key(
-        "environment.layered-wall",
-        "",
-        "[environment.layered-wall]\ndepth = 0.002  # m\nstiffness = [500.0, 8000.0]  # N/m",
-    ),
-    key("environment.layered-wall.position", "m", "position = 0.0  # m"),
-    key("environment.layered-wall.depth", "m", "depth = 0.002  # m"),
-    key("environment.layered-wall.stiffness", "N/m", "stiffness = [500.0, 8000.0]  # N/m"),
-    key("environment.layered-wall.damping", "N.s/m", "damping = 2.0  # N.s/m"),
-    key(
-        "environment.hunt-crossley",
-        "",
-        "[environment.hunt-crossley]\nstiffness = 2e5  # N/m^e\nexponent = 1.5",
-    ),
-    key("environment.hunt-crossley.position", "m", "position = 0.0  # m"),
-    key("environment.hunt-crossley.stiffness", "N/m^e", "stiffness = 2e5  # N/m^e"),
-    key("environment.hunt-crossley.exponent", "", "exponent = 1.5"),
-    key("environment.hunt-crossley.damping", "s/m", "damping = 0.5  # s/m"),
-    key(
-        "environment.moving-wall",
-        "",
-        "[environment.moving-wall]\nstiffness = 2000.0  # N/m\namplitude = 0.001  # m\nfrequency = 2.0  # Hz",
-    ),
-    key("environment.moving-wall.position", "m", "position = 0.0  # m"),
-    key("environment.moving-wall.stiffness", "N/m", "stiffness = 2000.0  # N/m"),
-    key("environment.moving-wall.damping", "N.s/m", "damping = 2.0  # N.s/m"),
-    key("environment.moving-wall.amplitude", "m", "amplitude = 0.001  # m"),
-    key("environment.moving-wall.frequency", "Hz", "frequency = 2.0  # Hz"),
-    key(
-        "environment.varying-spring",
-        "",
-        "[environment.varying-spring]\nstiffness = 500.0  # N/m\namplitude = 100.0  # N/m\nfrequency = 2.0  # Hz",
-    ),
-    key("environment.varying-spring.position", "m", "position = 0.0  # m"),
-    key("environment.varying-spring.stiffness", "N/m", "stiffness = 500.0  # N/m"),
-    key("environment.varying-spring.amplitude", "N/m", "amplitude = 100.0  # N/m"),
-    key("environment.varying-spring.frequency", "Hz", "frequency = 2.0  # Hz"),
-    key(
-        "environment.plane",
-        "",
-        "[environment.plane]\npoint = [0.0, 0.0]  # m\nnormal = [0.0, 1.0]\nstiffness = 2000.0  # N/m",
-    ),
-    key("environment.plane.point", "m", "point = [0.0, 0.0]  # m"),
-    key("environment.plane.normal", "", "normal = [0.0, 1.0]"),
-    key("environment.plane.stiffness", "N/m", "stiffness = 2000.0  # N/m"),
-    key("environment.plane.damping", "N.s/m", "damping = 2.0  # N.s/m"),
-    key(
-        "environment.sphere",
-        "",
-        "[environment.sphere]\ncenter = [0.0, 0.0]  # m\nradius = 0.02  # m\nstiffness = 2000.0  # N/m",
-    ),
-    key("environment.sphere.center", "m", "center = [0.0, 0.0]  # m"),
-    key("environment.sphere.radius", "m", "radius = 0.02  # m"),
-    key("environment.sphere.stiffness", "N/m", "stiffness = 2000.0  # N/m"),
-    key("environment.sphere.damping", "N.s/m", "damping = 2.0  # N.s/m"),
-    key(
-        "environment.box",
-        "",
-        "[environment.box]\ncenter = [0.0, 0.0]  # m\nhalf = [0.02, 0.01]  # m\nstiffness = 2000.0  # N/m",
-    ),
-    key("environment.box.center", "m", "center = [0.0, 0.0]  # m"),
-    key("environment.box.half", "m", "half = [0.02, 0.01]  # m"),
-    key("environment.box.stiffness", "N/m", "stiffness = 2000.0  # N/m"),
-    key("environment.box.damping", "N.s/m", "damping = 2.0  # N.s/m"),
+];
+
+/// From the stabilizer on.
+const WATCHING: &[Key] = &[
     key("stabilizer", "", "[stabilizer.popc]\ndamping_cap = 0.5  # m / T"),
     key("stabilizer.lolc", "", "[stabilizer.lolc]\ndamping_cap = 0.5  # m / T"),
     key("stabilizer.lolc.work", "", "work = \"held\""),

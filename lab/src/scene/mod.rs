@@ -34,11 +34,12 @@ mod book;
 mod check;
 mod choice;
 mod coordinates;
+mod damping;
 mod diagnostic;
 mod document;
 mod draft;
 mod effects;
-mod environment;
+mod environments;
 mod excerpt;
 mod explain;
 mod fault;
@@ -64,6 +65,7 @@ pub(crate) use book::{Book, Key, key};
 pub use check::Conflict;
 pub(crate) use check::{check_single, check_ticks};
 pub use coordinates::Coordinates;
+pub(crate) use damping::Damping;
 pub use diagnostic::Diagnostic;
 pub(crate) use document::read;
 pub use draft::Draft;
@@ -71,11 +73,7 @@ pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
     Saturation,
 };
-pub(crate) use environment::two;
-pub use environment::{
-    Cuboid, Environment, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Plane, Sphere,
-    Spring, VaryingSpring, Wall,
-};
+pub use environments::*;
 pub(crate) use excerpt::{printable, shorten};
 pub use integrator::Integrator;
 pub(crate) use keys::{BOOK, number_keys, unit};
@@ -86,6 +84,7 @@ pub use quantity::{
     Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive, Probability,
     Seed, StepsPerTick, WindowTicks,
 };
+pub(crate) use quantity::{of, two};
 pub(crate) use schema::schema_of;
 pub use schema::{schema, schema_text};
 pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};

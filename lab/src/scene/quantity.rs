@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use lyapunov::Scalar;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A value that its quantity does not allow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -263,3 +265,19 @@ whole!(
     { "type": "integer", "minimum": 0, "maximum": i64::MAX },
     0..=u64::MAX
 );
+
+/// Exactly two, in a list.
+pub(crate) fn two<'de, D, T>(deserializer: D) -> Result<[T; 2], D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    <[T; 2]>::try_from(Vec::deserialize(deserializer)?).map_err(|list: Vec<T>| {
+        D::Error::custom(format_args!("must be a list of two numbers, not of {}", list.len()))
+    })
+}
+
+/// A quantity of a scene in the scalar of its loop.
+pub(crate) fn of<T: Scalar>(quantity: impl Into<f64>) -> T {
+    T::of(quantity.into())
+}

@@ -1,7 +1,8 @@
 //! The rules between the tables of the effects, the operator and the space.
 
 use super::check::Conflict;
-use super::{Draft, Environment, Friction, Integrator, Velocity};
+use super::environments::NAMES;
+use super::{Draft, Friction, Integrator, Velocity};
 
 impl Draft {
     /// The rules of each table whose values must fit each other or another table.
@@ -85,20 +86,22 @@ impl Draft {
         self.check_environment()?;
         let dimensions = self.dimensions();
         let mut vectors = vec![
-            ("initial.position", self.initial.position.len()),
-            ("initial.velocity", self.initial.velocity.len()),
-            ("operator.rest", self.operator.rest.len()),
+            ("initial.position".to_owned(), self.initial.position.len()),
+            ("initial.velocity".to_owned(), self.initial.velocity.len()),
+            ("operator.rest".to_owned(), self.operator.rest.len()),
         ];
         // None given is the origin, or rest.
         vectors.retain(|(_, length)| *length != 0);
-        vectors.extend(self.environment.vectors());
+        let (name, kind) = (self.environment.name(), self.environment.kind());
+        let own = kind.vectors().into_iter();
+        vectors.extend(own.map(|(key, length)| (format!("environment.{name}.{key}"), length)));
         if let Some((key, length)) = vectors.into_iter().find(|(_, length)| *length != dimensions) {
             let numbers = |count: usize| match count {
                 1 => "one number".to_owned(),
                 more => format!("a list of {more} numbers"),
             };
             return Err(Conflict::new(
-                key,
+                &key,
                 format!(
                     "`{key}` is {}, and the scene has {dimensions} dimension{}",
                     numbers(length),
@@ -119,20 +122,23 @@ impl Draft {
                 "leave it out, or leave out [space]",
             ));
         }
-        self.check_normal()
+        kind.check()
     }
 
     fn check_environment(&self) -> Result<(), Conflict> {
         let (name, dimensions) = (self.environment.name(), self.dimensions());
-        let is_solid = !self.environment.vectors().is_empty();
+        let is_solid = self.environment.is_solid();
         if is_solid == (dimensions > 1) {
             return Ok(());
         }
         let remedy = if is_solid {
-            "add a table [space] with `dimensions = 2` or 3, or take an environment of one dimension: \
-             wall, spring, mass-spring-damper, layered-wall, hunt-crossley, moving-wall, varying-spring"
+            format!(
+                "add a table [space] with `dimensions = 2` or 3, or take an environment of one dimension: {}",
+                NAMES[0].join(", ")
+            )
         } else {
-            "take plane, sphere or box, or leave out [space]"
+            let (last, others) = NAMES[1].split_last().unwrap_or((&"", &[]));
+            format!("take {} or {last}, or leave out [space]", others.join(", "))
         };
         Err(Conflict::new(
             format!("environment.{name}"),
@@ -142,19 +148,6 @@ impl Draft {
             ),
             remedy,
         ))
-    }
-
-    fn check_normal(&self) -> Result<(), Conflict> {
-        match &self.environment {
-            Environment::Plane(plane) if (0..3).all(|axis| plane.normal.axis(axis) == 0.0) => {
-                Err(Conflict::new(
-                    "environment.plane.normal",
-                    "`environment.plane.normal` is 0 along every axis and has no direction",
-                    "give the direction out of the solid, for example [0.0, 1.0]",
-                ))
-            }
-            _ => Ok(()),
-        }
     }
 }
 

@@ -4,12 +4,10 @@ mod document;
 
 use std::fmt;
 
-use crate::described::{self, Described};
+use crate::described;
 use crate::equilibrium::{equilibrium, never_rests, swing};
 use crate::meters::Settling;
-use crate::scene::{
-    Candidate, Cap, Environment, Ledger, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work,
-};
+use crate::scene::{Candidate, Cap, Ledger, Lolc, Popc, Scalar, Scene, Stabilizer, Velocity, Work};
 use crate::words::listed;
 use crate::{Row, Space, Tick};
 
@@ -212,10 +210,11 @@ impl Summary {
         if scene.dimensions() > 1 {
             write!(f, ", in {} dimensions", scene.dimensions())?;
         }
-        let environment = Described(&scene.environment);
-        match scene.environment {
-            Environment::Wall(_) => write!(f, "\n  wall         {environment}")?,
-            _ => write!(f, "\n  environment  {}: {environment}", scene.environment.name())?,
+        let environment = described::environment(scene);
+        if scene.environment.wall().is_some() {
+            write!(f, "\n  wall         {environment}")?;
+        } else {
+            write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
         }
         write_list("operator", &described::operator(scene), f)?;
         match scene.stabilizer {

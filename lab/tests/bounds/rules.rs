@@ -128,6 +128,7 @@ fn every_environment_with_a_stiffness_has_limits() {
         "layered-wall = { depth = 1e-3, stiffness = [100, 900] }",
         "moving-wall = { stiffness = 100, amplitude = 1e-3, frequency = 1 }",
         "varying-spring = { stiffness = 100, amplitude = 10, frequency = 1 }",
+        "cubic-spring = { stiffness = 100, cubic = 1e6 }",
         "plane = { point = [0, 0], normal = [0, 1], stiffness = 100 }\nspace.dimensions = 2",
         "sphere = { center = [0, 0], radius = 0.1, stiffness = 100 }\nspace.dimensions = 2",
         "box = { center = [0, 0], half = [0.1, 0.1], stiffness = 100 }\nspace.dimensions = 2",

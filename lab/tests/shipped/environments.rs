@@ -81,6 +81,35 @@ fn varying_spring_swings_itself_up() {
     assert!(most(&rows_of(&steady), |row| row.x.abs()) < 1.01 * 0.001);
 }
 
+/// A held spring gives `T / 2 f'(x) v²` and the dampers take `b v²`: along an undamped swing of size A the two are the same
+/// where the mean of `f' = k + 3 c x²`, weighted with the velocity, is `2 b / T`.
+#[test]
+fn cubic_spring_lets_small_swings_die_and_large_ones_grow() {
+    let mean = |size: f64| {
+        let stored = |x: f64| 100.0 * x * x + 0.25e6 * x.powi(4);
+        let places = (0..10_000).map(|n| size * (f64::from(n) + 0.5) / 1e4);
+        let speeds = places.map(|x| (x, (stored(size) - stored(x)).sqrt()));
+        let (sum, weight) = speeds.fold((0.0, 0.0), |(sum, weight), (x, speed)| {
+            (sum + speed * (200.0 + 3e6 * x * x), weight + speed)
+        });
+        sum / weight
+    };
+    let grows = |size: f64| {
+        let start = |draft: &mut Draft| draft.initial.position = Finite::new(-size).unwrap().into();
+        let scene = edited(&scene("cubic-spring"), start);
+        let rows = rows_of(&scene);
+        let of = |from, to| most(between(&rows, from, to), |row| row.x.abs());
+        of(1.5, 2.0) > of(0.0, 0.5)
+    };
+    assert!(grows(0.025) && !grows(0.015));
+    let (mut low, mut high) = (0.015, 0.025);
+    while high - low > 1e-6 {
+        let middle = 0.5 * (low + high);
+        if mean(middle) > 2.0 * 0.3 / 1e-3 { high = middle } else { low = middle }
+    }
+    assert!(grows(1.03 * low) && !grows(0.97 * low), "{low}");
+}
+
 #[test]
 fn plane_pushes_square_to_itself_and_lets_slide() {
     let ticks = ticks_in_space::<2>("plane");

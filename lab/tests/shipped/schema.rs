@@ -151,6 +151,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("hunt-crossley", "exponent = 1.5", "exponent = 0"),
     ("moving-wall", "frequency = 4.0", ""),
     ("varying-spring", "amplitude = 100.0", "amplitude = \"100\""),
+    ("cubic-spring", "cubic = 1e6", "cubic = -1e6"),
     ("mass-spring-damper", "stiffness = 200.0", "stiffness = -200.0"),
     ("plane", "dimensions = 2", "dimensions = 1"),
     ("plane", "dimensions = 2", "dimensions = 4"),

@@ -2,8 +2,8 @@
 
 use lyapunov_core::{Drive, LyapunovCandidate, OnePort, ParameterError, Requirement, Scalar};
 
-use crate::DissipationOf;
 use crate::environments::one_sided::one_sided;
+use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time};
 
 /// A one-sided contact whose damping grows with the penetration: `f = max(0, k pᵉ (1 + d v))` for
 /// `p = x − position > 0`, else 0.
@@ -54,11 +54,29 @@ impl<T: Scalar> HuntCrossley<T> {
     }
 }
 
+impl<T: Scalar> ForceLaw<T> for HuntCrossley<T> {
+    #[inline]
+    fn force(&self, motion: &Kinematics<T>) -> T {
+        let depth = motion.position - self.position;
+        one_sided(depth, self.spring(depth) * (T::one() + self.damping * motion.velocity))
+    }
+
+    fn stored(&self, motion: &Kinematics<T>) -> T {
+        let depth = (motion.position - self.position).larger(T::zero());
+        let above = |lane| self.exponent.lane(lane) + 1.0;
+        T::from_lanes(|lane| self.stiffness.lane(lane) / above(lane))
+            * T::from_lanes(|lane| libm::pow(depth.lane(lane), above(lane)))
+    }
+
+    fn surface(&self, _time: Time<T>) -> Option<Surface<T>> {
+        Some(Surface { position: self.position, velocity: T::zero() })
+    }
+}
+
 impl<T: Scalar> OnePort<T> for HuntCrossley<T> {
     #[inline]
     fn respond(&mut self, drive: &Drive<T>) -> T {
-        let depth = drive.position - self.position;
-        one_sided(depth, self.spring(depth) * (T::one() + self.damping * drive.velocity))
+        self.force(&Kinematics::of(drive))
     }
 }
 

@@ -3,6 +3,7 @@
 use lyapunov_core::{Beyond, Dissipation, Drive, OnePort, ParameterError, Requirement, Scalar};
 
 use crate::environments::one_sided::one_sided;
+use crate::{ForceLaw, Kinematics, Surface, Time};
 
 /// A one-sided wall of two layers: `f = max(0, s(p) + b v)` for a penetration `p = x − position > 0`, else 0, with
 /// `s = k₁ p` up to `depth` and `s = k₁ depth + k₂ (p − depth)` beyond.
@@ -46,14 +47,33 @@ impl<T: Scalar> LayeredWall<T> {
     }
 }
 
-impl<T: Scalar> OnePort<T> for LayeredWall<T> {
+impl<T: Scalar> ForceLaw<T> for LayeredWall<T> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<T>) -> T {
-        let depth = drive.position - self.position;
+    fn force(&self, motion: &Kinematics<T>) -> T {
+        let depth = motion.position - self.position;
         let [first, second] = self.stiffness;
         let within = first * depth;
         let below = first * self.depth + second * (depth - self.depth);
         let spring = T::choose(depth.above(self.depth), below, within);
-        one_sided(depth, spring + self.damper.damping() * drive.velocity)
+        one_sided(depth, spring + self.damper.damping() * motion.velocity)
+    }
+
+    fn stored(&self, motion: &Kinematics<T>) -> T {
+        let (half, [first, second]) = (T::of(0.5), self.stiffness);
+        let depth = (motion.position - self.position).larger(T::zero());
+        let soft = depth.smaller(self.depth);
+        let hard = depth - soft;
+        half * first * soft * soft + first * soft * hard + half * second * hard * hard
+    }
+
+    fn surface(&self, _time: Time<T>) -> Option<Surface<T>> {
+        Some(Surface { position: self.position, velocity: T::zero() })
+    }
+}
+
+impl<T: Scalar> OnePort<T> for LayeredWall<T> {
+    #[inline]
+    fn respond(&mut self, drive: &Drive<T>) -> T {
+        self.force(&Kinematics::of(drive))
     }
 }

@@ -2,7 +2,7 @@
 
 use lyapunov_core::{Dissipation, Drive, OnePort, ParameterError, Scalar, Signal};
 
-use crate::Impedance;
+use crate::{ForceLaw, Impedance, Kinematics};
 
 /// A virtual mass-spring-damper, `f = m a + b v + k (x − position)`: the paper's example 2 (equation 14),
 /// two-sided.
@@ -42,14 +42,29 @@ impl<V: Signal> MassSpringDamper<V> {
     }
 }
 
+impl<V: Signal> ForceLaw<V> for MassSpringDamper<V> {
+    #[inline]
+    fn force(&self, motion: &Kinematics<V>) -> V {
+        let Impedance { mass, damping, stiffness } = self.impedance;
+        motion.acceleration.scale(mass)
+            + motion.velocity.scale(damping)
+            + (motion.position - self.position).scale(stiffness)
+    }
+
+    fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
+        let Impedance { mass, stiffness, .. } = self.impedance;
+        let (away, velocity) = (motion.position - self.position, motion.velocity);
+        let stored = away.scale(stiffness).pair(away) + velocity.scale(mass).pair(velocity);
+        V::Scalar::of(0.5) * stored
+    }
+}
+
 impl<V: Signal> OnePort<V> for MassSpringDamper<V> {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
-        let Impedance { mass, damping, stiffness } = self.impedance;
         let gained = drive.velocity - self.velocity.unwrap_or(drive.velocity);
         self.velocity = Some(drive.velocity);
-        gained.map(|change| mass * (change / drive.period))
-            + drive.velocity.scale(damping)
-            + (drive.position - self.position).scale(stiffness)
+        let acceleration = gained.map(|change| change / drive.period);
+        self.force(&Kinematics { acceleration, ..Kinematics::of(drive) })
     }
 }

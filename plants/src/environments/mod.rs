@@ -1,6 +1,8 @@
 //! What answers a motion with a force.
 
+mod cubic_spring;
 mod dissipation_of;
+mod force_law;
 mod hunt_crossley;
 mod layered_wall;
 mod mass_spring_damper;
@@ -12,7 +14,9 @@ mod spring;
 mod varying_spring;
 mod wall;
 
+pub use cubic_spring::CubicSpring;
 pub use dissipation_of::DissipationOf;
+pub use force_law::{ForceLaw, Kinematics, Surface, Time};
 pub use hunt_crossley::HuntCrossley;
 pub use layered_wall::LayeredWall;
 pub use mass_spring_damper::MassSpringDamper;

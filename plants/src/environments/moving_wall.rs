@@ -3,7 +3,7 @@
 use lyapunov_core::{Drive, LyapunovCandidate, OnePort, ParameterError, Scalar};
 
 use crate::environments::oscillation::Oscillation;
-use crate::{DissipationOf, Wall};
+use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time, Wall};
 
 /// A [`Wall`] whose surface swings about its position: at `position + amplitude sin(2π frequency t(n))`, moving at
 /// `2π frequency amplitude cos(2π frequency t(n))`.
@@ -55,28 +55,49 @@ impl<T: Scalar> MovingWall<T> {
         Ok(DissipationOf(Self { wall: self.wall, motion: self.motion.called_at(rate)? }))
     }
 
-    /// The wall where it stands now, and the drive as seen from its surface; the next call is one step later.
+    /// The wall where it stands at the time of a motion, and that motion as seen from its surface.
     #[inline]
-    fn advance(&mut self, drive: &Drive<T>) -> (Wall<T>, Drive<T>) {
-        let wall = self.wall.shifted(self.motion.value());
-        let velocity = drive.velocity - self.motion.slope();
-        self.motion.advance();
-        (wall, Drive { velocity, ..*drive })
+    fn seen_from_surface(&self, motion: &Kinematics<T>) -> (Wall<T>, Kinematics<T>) {
+        let wall = self.wall.shifted(self.motion.value(motion.time));
+        let velocity = motion.velocity - self.motion.slope(motion.time);
+        (wall, Kinematics { velocity, ..*motion })
+    }
+}
+
+impl<T: Scalar> ForceLaw<T> for MovingWall<T> {
+    #[inline]
+    fn force(&self, motion: &Kinematics<T>) -> T {
+        let (wall, relative) = self.seen_from_surface(motion);
+        wall.force(&relative)
+    }
+
+    fn stored(&self, motion: &Kinematics<T>) -> T {
+        let (wall, relative) = self.seen_from_surface(motion);
+        wall.stored(&relative)
+    }
+
+    fn surface(&self, time: Time<T>) -> Option<Surface<T>> {
+        let velocity = self.motion.slope(time);
+        let stands = self.wall.shifted(self.motion.value(time)).surface(time);
+        stands.map(|surface| Surface { velocity, ..surface })
     }
 }
 
 impl<T: Scalar> OnePort<T> for MovingWall<T> {
     #[inline]
     fn respond(&mut self, drive: &Drive<T>) -> T {
-        let (mut wall, relative) = self.advance(drive);
-        wall.respond(&relative)
+        let time = self.motion.tick();
+        self.force(&Kinematics { time, ..Kinematics::of(drive) })
     }
 }
 
 impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<MovingWall<T>> {
     #[inline]
     fn decrease(&mut self, drive: &Drive<T>) -> T {
-        let (wall, relative) = self.0.advance(drive);
-        wall.dissipation().decrease(&relative)
+        let Self(moving) = self;
+        let time = moving.motion.tick();
+        let now = Kinematics { time, ..Kinematics::of(drive) };
+        let (wall, Kinematics { velocity, .. }) = moving.seen_from_surface(&now);
+        wall.dissipation().decrease(&Drive { velocity, ..*drive })
     }
 }

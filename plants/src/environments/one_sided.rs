@@ -9,3 +9,10 @@ pub(super) fn one_sided<T: Scalar>(depth: T, force: T) -> T {
     let free = depth.below(T::least()) | force.below(T::zero());
     T::choose(free, T::zero(), force)
 }
+
+/// What a spring of `stiffness` N/m stores at a `depth`, J; nothing above the surface.
+#[inline]
+pub(super) fn depth_stored<T: Scalar>(stiffness: T, depth: T) -> T {
+    let depth = depth.larger(T::zero());
+    T::of(0.5) * stiffness * depth * depth
+}

@@ -4,9 +4,11 @@ use core::f64::consts::TAU;
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
-/// `amplitude sin(2π frequency t(n))` with `t(n) = n / rate`, `n` the calls before this one.
+use crate::Time;
+
+/// `amplitude sin(2π frequency t)`, sampled at `t(n) = n / rate` with `n` the calls before this one.
 ///
-/// Time is made anew from the count on every call and never summed. The phase is `2π · (frequency · (n / rate))`
+/// Time is made anew from the count on every call and never summed. The phase is `2π · (frequency · t)`
 /// in `f64`, each operation rounded once, so it is off by no more than four roundings of its own size: 3e-12 rad
 /// after a thousand turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,10 +25,11 @@ impl<T: Scalar> Oscillation<T> {
         let frequency = Requirement::NonNegative.check("frequency", frequency)?;
         let rate = Requirement::Positive.check("rate", rate)?;
         let oscillation = Self { amplitude, frequency, rate, calls: 0 };
-        let at_last = Self { calls: u64::MAX, ..oscillation };
+        let last = Time::Calls { number: u64::MAX, rate };
         let peak = T::from_lanes(|lane| oscillation.peak_slope(lane));
-        let out_of_range =
-            |&lane: &usize| !(at_last.phase(lane).is_finite() && peak.lane(lane).is_finite());
+        let out_of_range = |&lane: &usize| {
+            !(oscillation.phase(last, lane).is_finite() && peak.lane(lane).is_finite())
+        };
         match (0..T::LANES).find(out_of_range) {
             None => Ok(oscillation),
             Some(lane) => Err(ParameterError {
@@ -42,25 +45,28 @@ impl<T: Scalar> Oscillation<T> {
         Self::new(self.amplitude, self.frequency, rate)
     }
 
+    /// The time of this call; the next one is a step later.
     #[inline]
-    pub(super) fn value(&self) -> T {
-        T::from_lanes(|lane| self.amplitude.lane(lane) * libm::sin(self.phase(lane)))
+    pub(super) fn tick(&mut self) -> Time<T> {
+        let now = Time::Calls { number: self.calls, rate: self.rate };
+        self.calls += 1;
+        now
+    }
+
+    #[inline]
+    pub(super) fn value(&self, time: Time<T>) -> T {
+        T::from_lanes(|lane| self.amplitude.lane(lane) * libm::sin(self.phase(time, lane)))
     }
 
     /// How fast the value changes, per s.
     #[inline]
-    pub(super) fn slope(&self) -> T {
-        T::from_lanes(|lane| self.peak_slope(lane) * libm::cos(self.phase(lane)))
+    pub(super) fn slope(&self, time: Time<T>) -> T {
+        T::from_lanes(|lane| self.peak_slope(lane) * libm::cos(self.phase(time, lane)))
     }
 
     #[inline]
-    pub(super) fn advance(&mut self) {
-        self.calls += 1;
-    }
-
-    #[inline]
-    fn phase(&self, lane: usize) -> f64 {
-        TAU * (self.frequency.lane(lane) * (self.calls as f64 / self.rate.lane(lane)))
+    fn phase(&self, time: Time<T>, lane: usize) -> f64 {
+        TAU * (self.frequency.lane(lane) * time.seconds(lane))
     }
 
     #[inline]

@@ -1,6 +1,8 @@
 //! The paper's example 1.
 
-use lyapunov_core::{Drive, OnePort, ParameterError, Requirement, Signal};
+use lyapunov_core::{Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+
+use crate::{ForceLaw, Kinematics};
 
 /// A virtual spring, `f = k (x − position)`: the paper's example 1 (equation 9), two-sided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,9 +33,21 @@ impl<V: Signal> Spring<V> {
     }
 }
 
+impl<V: Signal> ForceLaw<V> for Spring<V> {
+    #[inline]
+    fn force(&self, motion: &Kinematics<V>) -> V {
+        (motion.position - self.position).scale(self.stiffness)
+    }
+
+    fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
+        let away = motion.position - self.position;
+        V::Scalar::of(0.5) * self.force(motion).pair(away)
+    }
+}
+
 impl<V: Signal> OnePort<V> for Spring<V> {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
-        (drive.position - self.position).scale(self.stiffness)
+        self.force(&Kinematics::of(drive))
     }
 }

@@ -2,8 +2,8 @@
 
 use lyapunov_core::{Drive, OnePort, ParameterError, Signal};
 
-use crate::Spring;
 use crate::environments::oscillation::Oscillation;
+use crate::{ForceLaw, Kinematics, Spring, Time};
 
 /// A [`Spring`] whose stiffness swings, two-sided: `f = (stiffness + amplitude sin(2π frequency t(n))) (x − position)`.
 ///
@@ -46,13 +46,29 @@ impl<V: Signal> VaryingSpring<V> {
     ) -> Result<Self, ParameterError> {
         Ok(Self { spring, change: Oscillation::new(amplitude, frequency, rate)? })
     }
+
+    /// The spring as stiff as it is at `time`.
+    #[inline]
+    fn at(&self, time: Time<V::Scalar>) -> Spring<V> {
+        self.spring.stiffened(self.change.value(time))
+    }
+}
+
+impl<V: Signal> ForceLaw<V> for VaryingSpring<V> {
+    #[inline]
+    fn force(&self, motion: &Kinematics<V>) -> V {
+        self.at(motion.time).force(motion)
+    }
+
+    fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
+        self.at(motion.time).stored(motion)
+    }
 }
 
 impl<V: Signal> OnePort<V> for VaryingSpring<V> {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
-        let mut spring = self.spring.stiffened(self.change.value());
-        self.change.advance();
-        spring.respond(drive)
+        let time = self.change.tick();
+        self.force(&Kinematics { time, ..Kinematics::of(drive) })
     }
 }

@@ -2,7 +2,8 @@
 
 use lyapunov_core::{Beyond, Dissipation, Drive, OnePort, ParameterError, Requirement, Scalar};
 
-use crate::environments::one_sided::one_sided;
+use crate::environments::one_sided::{depth_stored, one_sided};
+use crate::{ForceLaw, Kinematics, Surface, Time};
 
 /// A one-sided virtual wall: `f = max(0, k p + b v)` for a penetration `p = x − position > 0`, else 0.
 ///
@@ -49,10 +50,25 @@ impl<T: Scalar> Wall<T> {
     }
 }
 
+impl<T: Scalar> ForceLaw<T> for Wall<T> {
+    #[inline(always)]
+    fn force(&self, motion: &Kinematics<T>) -> T {
+        let depth = motion.position - self.position;
+        one_sided(depth, self.stiffness * depth + self.damper.damping() * motion.velocity)
+    }
+
+    fn stored(&self, motion: &Kinematics<T>) -> T {
+        depth_stored(self.stiffness, motion.position - self.position)
+    }
+
+    fn surface(&self, _time: Time<T>) -> Option<Surface<T>> {
+        Some(Surface { position: self.position, velocity: T::zero() })
+    }
+}
+
 impl<T: Scalar> OnePort<T> for Wall<T> {
     #[inline(always)]
     fn respond(&mut self, drive: &Drive<T>) -> T {
-        let depth = drive.position - self.position;
-        one_sided(depth, self.stiffness * depth + self.damper.damping() * drive.velocity)
+        self.force(&Kinematics::of(drive))
     }
 }

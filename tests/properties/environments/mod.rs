@@ -1,5 +1,7 @@
 //! Environments answer by their laws, and credit what their own dampers burn.
 
+mod closure;
+mod cubic_spring;
 mod energy;
 mod hostile;
 mod lanes;

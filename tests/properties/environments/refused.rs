@@ -1,8 +1,8 @@
 //! Parameters that no environment can be built with are refused by name.
 
 use lyapunov::{
-    Contact, Cuboid, HuntCrossley, Impedance, LayeredWall, MassSpringDamper, MovingWall,
-    ParameterError, Plane, Sphere, Spring, VaryingSpring, Wall,
+    Contact, CubicSpring, Cuboid, HuntCrossley, Impedance, LayeredWall, MassSpringDamper,
+    MovingWall, ParameterError, Plane, Sphere, Spring, VaryingSpring, Wall,
 };
 use nalgebra::{Vector2, Vector3};
 
@@ -32,6 +32,8 @@ fn walls() {
     refused("stiffness", &BELOW, |x| HuntCrossley::new(x, 1.5, 1.0));
     refused("exponent", &NOT_ABOVE, |x| HuntCrossley::new(1.0, x, 1.0));
     refused("damping", &BELOW, |x| HuntCrossley::new(1.0, 1.5, x));
+    refused("stiffness", &BELOW, |x| CubicSpring::<f64>::new(x, 1.0));
+    refused("cubic", &BELOW, |x| CubicSpring::<f64>::new(1.0, x));
     assert!(LayeredWall::new(0.0, [0.0, 0.0], 0.0).is_ok());
     assert!(HuntCrossley::new(0.0, 1.0, 0.0).is_ok());
 }

@@ -105,7 +105,7 @@ fn per_axis<T: Scalar + Space>(member: Member, first: usize) -> Result<Vec<Tally
     let basis = Basis::of_hand(MASS, PERIOD, 1.0);
     let pledge = Pledge::of::<T>(member, &basis);
     let terms = Terms { pledge, ..Terms::of(TICKS, popc_limit::<T>()) };
-    let (x, of_x) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+    let (x, of_x) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms.clone());
     let (y, of_y) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
     let value = close::<T>(first, PerAxis::of([x, y]))?;
     Ok(Masking::told(&[of_x, of_y], value))

@@ -125,7 +125,7 @@ impl Guarded {
         let most = limit::<T>()?.most().lane(0);
         let mut worst = Tally::default();
         for index in 0..self.0.runs() {
-            let terms = Terms { pledge, ..Terms::of(TICKS, most) };
+            let terms = Terms { pledge: pledge.clone(), ..Terms::of(TICKS, most) };
             let (watched, record) = crate::hard::watched::Watched::new::<T>(stabilizer()?, terms);
             let port = wall::<T>()?.stabilized(watched).guarded(Fallback::Hold);
             let end = self.0.close(index, first, port)?;

@@ -6,6 +6,7 @@ use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
 use crate::hard::trial::{Play, Played};
 use crate::hard::watched::Terms;
+use crate::scene::Damping;
 
 const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.2;
@@ -58,7 +59,8 @@ impl Play for Indebted {
     }
 
     fn basis(&self) -> Basis {
-        Basis { cap: self.cap, ..Basis::of_hand(MASS, PERIOD, SPEED) }
+        let basis = Basis::of_hand(MASS, PERIOD, SPEED);
+        Basis { limit: Damping { cap: self.cap, ..basis.limit }, ..basis }
     }
 
     fn terms(&self, limit: f64) -> Terms {

@@ -1,6 +1,6 @@
 //! The numbers of a scene that may differ from lane to lane.
 
-use crate::scene::{Draft, Environment, Stabilizer};
+use crate::scene::{Draft, Stabilizer, Wall};
 
 /// Takes one number over from another scene.
 pub(super) type Copy = fn(&mut Draft, &Draft);
@@ -16,25 +16,13 @@ const FIELDS: &[(&str, Copy)] = &[
     ("initial.position", |to, from| to.initial.position.clone_from(&from.initial.position)),
     ("initial.velocity", |to, from| to.initial.velocity.clone_from(&from.initial.velocity)),
     ("environment.wall.stiffness", |to, from| {
-        if let (Environment::Wall(to), Environment::Wall(from)) =
-            (&mut to.environment, &from.environment)
-        {
-            to.stiffness = from.stiffness;
-        }
+        wall(to, from, |to, from| to.stiffness = from.stiffness);
     }),
     ("environment.wall.damping", |to, from| {
-        if let (Environment::Wall(to), Environment::Wall(from)) =
-            (&mut to.environment, &from.environment)
-        {
-            to.damping = from.damping;
-        }
+        wall(to, from, |to, from| to.damping = from.damping);
     }),
     ("environment.wall.position", |to, from| {
-        if let (Environment::Wall(to), Environment::Wall(from)) =
-            (&mut to.environment, &from.environment)
-        {
-            to.position = from.position;
-        }
+        wall(to, from, |to, from| to.position = from.position);
     }),
     ("stabilizer.popc.damping_cap", cap),
     ("stabilizer.lolc.damping_cap", cap),
@@ -42,6 +30,12 @@ const FIELDS: &[(&str, Copy)] = &[
     ("servo_rate", |to, from| to.servo_rate = from.servo_rate),
     ("environment_rate", |to, from| to.environment_rate = from.environment_rate),
 ];
+
+fn wall(to: &mut Draft, from: &Draft, copy: fn(&mut Wall, &Wall)) {
+    if let (Some(to), Some(from)) = (to.environment.wall_mut(), from.environment.wall()) {
+        copy(to, from);
+    }
+}
 
 fn cap(to: &mut Draft, from: &Draft) {
     match (&mut to.stabilizer, &from.stabilizer) {

@@ -25,8 +25,7 @@ use super::grid::{Grid, GridError};
 use super::outcome::Measures;
 use crate::compare::Settings;
 use crate::scene::{
-    Candidate, Draft, Environment, Integrator, Ledger, Scalar as Width, Scene, Stabilizer,
-    Velocity, Work,
+    Candidate, Draft, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
 use aligned::Aligned;
 use backward::Fuse;
@@ -163,7 +162,7 @@ fn covers(scene: &Scene) -> bool {
     };
     let Settings { work, ledger, .. } = Settings::of(scene);
     let booked = work == Work::Held && ledger == Ledger::Plain;
-    matches!(scene.environment, Environment::Wall(_)) && booked && plain == **scene
+    scene.environment.wall().is_some() && booked && plain == **scene
 }
 
 /// Some cells under one stabilizer.

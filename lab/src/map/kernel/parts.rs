@@ -1,13 +1,13 @@
 //! The parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Adapt, Beyond, Body, DampingLimit, Dissipation, Held, Hold, Impedance, Lolc, LyapunovCandidate,
-    NoStabilizer, OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
+    Adapt, Beyond, Body, Dissipation, Held, Hold, Impedance, Lolc, LyapunovCandidate, NoStabilizer,
+    OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
 };
 
 use super::backward::{Backward, Fuse, Period};
 use crate::compare::Settings;
-use crate::scene::{self, Draft, Environment};
+use crate::scene::{self, Damping, Draft};
 
 /// The scenes of the lanes, alike in rates and duration; past the last one the last one again.
 #[derive(Clone, Copy, Debug)]
@@ -24,13 +24,17 @@ impl<'a> Lanes<'a> {
 
     /// A number of each scene.
     pub(super) fn each<T: Scalar>(self, number: impl Fn(&Draft) -> f64) -> T {
-        T::from_lanes(|lane| number(&self.0[lane.min(self.0.len() - 1)]))
+        T::from_lanes(|lane| number(self.of(lane)))
+    }
+
+    fn of(self, lane: usize) -> &'a Draft {
+        &self.0[lane.min(self.0.len() - 1)]
     }
 
     /// The body with the numbers of each lane, taken from `last` where that is made of the same.
     pub(super) fn body<T: Scalar>(self, last: &mut Bodies<T>) -> Result<Body<T>, ParameterError> {
         let parts = Impedance {
-            mass: self.each(Draft::mass),
+            mass: self.each(Draft::port_mass),
             damping: self.each(|it| it.operator.damping.get() + it.device.damping.get()),
             stiffness: self.each(|it| it.operator.stiffness.get()),
         };
@@ -45,21 +49,15 @@ impl<'a> Lanes<'a> {
         self,
         fuses: bool,
     ) -> Result<Watched<T, S>, ParameterError> {
-        let of =
-            |number: fn(&scene::Wall) -> f64| self.each(|scene| wall(scene).map_or(0.0, number));
+        let of = |number: fn(&scene::Wall) -> f64| {
+            self.each(|scene| scene.environment.wall().map_or(0.0, number))
+        };
         let wall = Wall::new(of(|it| it.stiffness.get()), of(|it| it.damping.get()))?;
         let wall = wall.at(of(|it| it.position.get()));
         let stabilizer = S::of(self, &wall)?;
         let ticks = u32::try_from(self.common().environment_ratio()).unwrap_or(u32::MAX);
         let period = Period::of(self.common().period(), fuses);
         Ok(Backward::new(wall.held(ticks)?.stabilized(stabilizer), period))
-    }
-}
-
-fn wall(scene: &Draft) -> Option<&scene::Wall> {
-    match &scene.environment {
-        Environment::Wall(wall) => Some(wall),
-        _ => None,
     }
 }
 
@@ -97,9 +95,8 @@ impl<T: Scalar> Laned<T> for NoStabilizer {
 
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
-        let cap = lanes.each(|scene| Settings::of(scene).damping_cap.get());
-        let period = T::of(lanes.common().period());
-        let limit = DampingLimit::of_mass(cap, lanes.each(Draft::mass), period)?;
+        let damping = |scene: &Draft| scene.damping(Settings::of(scene).damping_cap.get());
+        let limit = Damping::limit_of_lanes(|lane| damping(lanes.of(lane)))?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
     }
 }

@@ -117,6 +117,8 @@ const TOUCHING: &[Case] = &[
     ("[environment.moving-wall]\nstiffness = 1\namplitude = 1\nfrequency = -1", "environment.moving-wall.frequency", "frequency", &["0 or greater", "Hz"]),
     ("[environment.moving-wall]\nstiffness = 1\namplitude = 1\nfrequency = 1e308", "environment.moving-wall.frequency", "frequency", &["1e308", "range of f64"]),
     ("[environment.varying-spring]\nstiffness = 1\nfrequency = 1", "environment.varying-spring.amplitude", "[environment.varying-spring]", &["missing key", "in N/m"]),
+    ("[environment.cubic-spring]\nstiffness = 1", "environment.cubic-spring.cubic", "[environment.cubic-spring]", &["missing key", "in N/m^3"]),
+    ("[environment.cubic-spring]\nstiffness = 1\ncubic = -1", "environment.cubic-spring.cubic", "cubic", &["0 or greater", "N/m^3"]),
     ("[environment.wall]\nstiffness = 1\n[environment.spring]\nstiffness = 1", "environment", "[environment.spring]", &["two environments", "`spring`", "`wall`", "keep one of these tables"]),
     ("[environment.plane]\npoint = [0, 0]\nnormal = [0, 1]\nstiffness = 1", "environment.plane", "[environment.plane]", &["not for 1 dimension", "[space]"]),
     ("[environment.sphere]\ncenter = 0\nradius = 1\nstiffness = 1", "environment.sphere", "[environment.sphere]", &["not for 1 dimension", "[space]"]),

@@ -4,8 +4,8 @@ use lyapunov_core::{
     Dissipation, Drive, LyapunovCandidate, OnePort, ParameterError, Requirement, Scalar, Signal,
 };
 
-use crate::environments::one_sided::one_sided;
-use crate::{DissipationOf, Nearest, Solid};
+use crate::environments::one_sided::{depth_stored, one_sided};
+use crate::{DissipationOf, ForceLaw, Kinematics, Nearest, Solid};
 
 /// Contact with a solid that pushes out what enters it: `f = max(0, k p − b v·n)` along the outward normal `n` for a
 /// depth `p > 0` below the nearest point of the surface, else nothing.
@@ -53,13 +53,24 @@ impl<S, T: Scalar> Contact<S, T> {
     }
 }
 
+impl<V: Signal, S: Solid<V>> ForceLaw<V> for Contact<S, V::Scalar> {
+    #[inline]
+    fn force(&self, motion: &Kinematics<V>) -> V {
+        let Nearest { depth, normal } = self.solid.nearest(motion.position);
+        let leaving = motion.velocity.pair(normal);
+        let push = one_sided(depth, self.stiffness * depth - self.damper.damping() * leaving);
+        V::zero() - normal.scale(push)
+    }
+
+    fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
+        depth_stored(self.stiffness, self.solid.nearest(motion.position).depth)
+    }
+}
+
 impl<V: Signal, S: Solid<V>> OnePort<V> for Contact<S, V::Scalar> {
     #[inline]
     fn respond(&mut self, drive: &Drive<V>) -> V {
-        let Nearest { depth, normal } = self.solid.nearest(drive.position);
-        let leaving = drive.velocity.pair(normal);
-        let push = one_sided(depth, self.stiffness * depth - self.damper.damping() * leaving);
-        V::zero() - normal.scale(push)
+        self.force(&Kinematics::of(drive))
     }
 }
 

@@ -1,0 +1,94 @@
+//! The law of an environment: its force and its stored energy as functions of the motion.
+
+use lyapunov_core::{Drive, OnePort, Scalar, Signal};
+
+/// A time, known in `f64` whatever the scalar of the loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Time<T> {
+    /// In s, alike in every lane.
+    Seconds(f64),
+    /// `number / rate`, with `rate` in Hz: never summed.
+    Calls {
+        /// Calls before this one.
+        number: u64,
+        /// Calls in a second.
+        rate: T,
+    },
+}
+
+impl<T: Scalar> Time<T> {
+    /// The time in lane `lane`, s.
+    #[inline]
+    pub fn seconds(self, lane: usize) -> f64 {
+        match self {
+            Self::Seconds(seconds) => seconds,
+            Self::Calls { number, rate } => number as f64 / rate.lane(lane),
+        }
+    }
+}
+
+/// How a point moves at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kinematics<V: Signal> {
+    /// When.
+    pub time: Time<V::Scalar>,
+    /// m.
+    pub position: V,
+    /// m/s.
+    pub velocity: V,
+    /// m/s².
+    pub acceleration: V,
+}
+
+impl<V: Signal> Kinematics<V> {
+    /// Motion at `position` m with `velocity` m/s, not accelerated, at time 0.
+    #[inline(always)]
+    pub fn at(position: V, velocity: V) -> Self {
+        Self { time: Time::Seconds(0.0), position, velocity, acceleration: V::zero() }
+    }
+
+    /// What a drive tells to a law that asks neither for time nor for acceleration.
+    #[inline(always)]
+    pub(super) fn of(drive: &Drive<V>) -> Self {
+        Self::at(drive.position, drive.velocity)
+    }
+}
+
+/// The surface of a one-sided environment on a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface<V> {
+    /// Where it is, m: contact is strictly beyond.
+    pub position: V,
+    /// How fast it moves, m/s.
+    pub velocity: V,
+}
+
+/// An environment whose force is a law of the motion, in continuous time.
+///
+/// The law is all there is: [`respond`](OnePort::respond) samples [`force`](Self::force), and adds only what a sampled loop has
+/// to remember, such as the calls that time is counted by. Where nothing moves the environment and its damper burns
+/// nothing, force and energy belong together as `∫ f v dt = S(end) − S(start)`.
+///
+/// ```
+/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_plants::{ForceLaw, Kinematics, Wall};
+/// let mut wall = Wall::new(1000.0_f64, 2.0)?.at(0.01);
+/// let motion = Kinematics::at(0.015, 0.1);
+/// assert!((wall.force(&motion) - 5.2).abs() < 1e-12);
+/// assert!((wall.stored(&motion) - 0.0125).abs() < 1e-12);
+/// assert_eq!(wall.force(&motion), wall.respond(&Drive::starting(1e-3, 0.015, 0.1)));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+pub trait ForceLaw<V: Signal>: OnePort<V> {
+    /// The force on this motion, N, positive against motion into the environment.
+    fn force(&self, motion: &Kinematics<V>) -> V;
+
+    /// The energy `S` that spring and mass hold, J.
+    fn stored(&self, motion: &Kinematics<V>) -> V::Scalar;
+
+    /// The surface at `time`; none of an environment that pulls as well, or has more than one axis.
+    fn surface(&self, time: Time<V::Scalar>) -> Option<Surface<V>> {
+        let _ = time;
+        None
+    }
+}
