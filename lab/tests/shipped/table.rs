@@ -65,5 +65,5 @@ fn each_effect_has_a_scene_of_its_own() {
         assert!(has(&scene(name).effects), "{name}");
     }
     let environments = SCENES.iter().map(|shipped| scene(shipped.name).environment.name());
-    assert_eq!(environments.collect::<BTreeSet<_>>().len(), 10);
+    assert_eq!(environments.collect::<BTreeSet<_>>().len(), 11);
 }
