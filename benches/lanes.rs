@@ -9,8 +9,10 @@ use std::time::{Duration, Instant};
 use criterion::{Criterion, criterion_group, criterion_main};
 use lyapunov::lanes::{AutoF64x4, AutoF64x8, WideF32x8};
 use lyapunov::{
-    Adapt, Body, DampingLimit, Impedance, Lolc, OnePort, ParameterError, Plant, PortEnergy, Scalar,
-    Wall,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, Scalar,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Wall,
 };
 
 const PERIOD: f64 = 0.01;
@@ -28,11 +30,11 @@ fn rollout<T: Scalar>(start: T) -> Result<T, ParameterError> {
     let lolc = Lolc::new((PortEnergy, wall.dissipation()), limit);
     let mut port = wall.stabilized(lolc).differenced();
 
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut largest = start;
     for _ in 0..TICKS {
-        drive = plant.advance(port.respond(&drive));
-        largest = drive.position.larger(largest);
+        sample = plant.advance(port.respond(&sample));
+        largest = sample.position.larger(largest);
     }
     Ok(largest)
 }

@@ -7,7 +7,10 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use lyapunov::{Body, Impedance, Plant, Scalar};
+use lyapunov::{
+    Plant, Scalar,
+    bodies::{Body, Impedance},
+};
 
 /// Periods of one lap.
 const LAP: u32 = 10_000;
@@ -23,8 +26,8 @@ impl<T: Scalar> Naive<T> {
     fn of(body: Body<T>) -> Self {
         let (zero, one) = (T::of(0.0), T::of(1.0));
         let after = |position, velocity, effort| {
-            let drive = { body }.starting(position, velocity).advance(effort);
-            [drive.position, drive.velocity]
+            let sample = { body }.starting(position, velocity).advance(effort);
+            [sample.position, sample.velocity]
         };
         let columns = [after(one, zero, zero), after(zero, one, zero), after(zero, zero, one)];
         let row = |at: usize| columns.map(|column| column[at]);

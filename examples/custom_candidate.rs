@@ -1,8 +1,10 @@
 //! A candidate of one's own on the paper's wall: energy that was absorbed long ago is no credit any more.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, OnePort, ParameterError,
-    Plant, Wall,
+    DampingLimit, Lolc, LyapunovCandidate, OnePort, ParameterError, Plant, PortSample,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Wall,
 };
 
 /// The port's energy, of which a surplus is forgotten with a time constant.
@@ -12,10 +14,10 @@ struct Forgetful {
 }
 
 impl LyapunovCandidate<f64> for Forgetful {
-    fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
-        let forgotten = self.surplus.max(0.0) * drive.period / self.time;
-        self.surplus += drive.work - forgotten;
-        drive.work - forgotten
+    fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
+        let forgotten = self.surplus.max(0.0) * sample.period / self.time;
+        self.surplus += sample.work - forgotten;
+        sample.work - forgotten
     }
 }
 
@@ -27,12 +29,12 @@ fn main() -> Result<(), ParameterError> {
     let stabilizer = Lolc::new(Forgetful { surplus: 0.0, time: 0.05 }, limit);
     // The wall answers at 100 Hz, the stabilizer watches at 1 kHz.
     let mut port = Wall::new(8000.0, 2.0)?.held(10)?.stabilized(stabilizer).differenced();
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     for tick in 0..=8000 {
         if tick % 1000 == 0 {
-            println!("t {} s  x {:8.4} mm", tick / 1000, 1e3 * drive.position);
+            println!("t {} s  x {:8.4} mm", tick / 1000, 1e3 * sample.position);
         }
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
     }
     Ok(())
 }

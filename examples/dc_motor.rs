@@ -9,8 +9,9 @@
 //! current is from one that would act like a spring and a damper.
 
 use lyapunov::{
-    AffinePlant, DampingLimit, DcMotor, Decay, Lolc, MotorEnergy, MotorParts, OnePort,
-    ParameterError, Plant, RungeKutta4, StateFeedback, decrease_of,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant,
+    integrators::RungeKutta4,
+    models::{AffinePlant, DcMotor, Decay, MotorEnergy, MotorParts, StateFeedback, decrease_of},
 };
 use nalgebra::{Vector1, Vector3};
 
@@ -36,10 +37,10 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
     let mut port = StateFeedback::new(|x: Vector3<f64>| Vector1::new(-gain * x[0]))
         .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 10.0)?), limit));
 
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut swings = [0.0_f64; 8];
     for tick in 0..800 {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         swings[tick / 100] = swings[tick / 100].max(plant.state()[0].abs());
     }
     Ok(swings)

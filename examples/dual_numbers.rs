@@ -10,8 +10,10 @@
 
 use lyapunov::laws::{self, Violation};
 use lyapunov::{
-    Adapt, AffinePlant, ControlAffine, DampingLimit, Decay, Lolc, LyapunovFunction, OnePort,
-    ParameterError, Plant, RungeKutta4, StateFeedback, decrease_of,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{AffinePlant, ControlAffine, Decay, LyapunovFunction, StateFeedback, decrease_of},
 };
 use nalgebra::{Vector1, Vector2};
 use num_dual::{Dual64, DualNum};
@@ -61,10 +63,10 @@ fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
     let mut port = StateFeedback::new(|x: Vector2<f64>| Vector1::new(-0.2 * x[1]))
         .delayed::<LATE>(LATE)?
         .stabilized(Lolc::new(candidate, limit));
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut most = [0.0_f64; 6];
     for tick in 0..6000 {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         most[tick / 1000] = most[tick / 1000].max(1.0 + plant.state()[1]);
     }
     Ok(most)

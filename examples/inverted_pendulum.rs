@@ -10,8 +10,10 @@
 //! controller but `k`.
 
 use lyapunov::{
-    Adapt, AffinePlant, DampingLimit, Decay, InvertedPendulum, Lolc, OnePort, ParameterError,
-    Plant, RungeKutta4, StateFeedback, UprightEnergy, decrease_of,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{AffinePlant, Decay, InvertedPendulum, StateFeedback, UprightEnergy, decrease_of},
 };
 use nalgebra::{Vector1, Vector2};
 
@@ -32,10 +34,10 @@ fn run(most_damping: f64) -> Result<[f64; 8], ParameterError> {
             .delayed::<LATE>(LATE)?
             .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 1.0)?), limit));
 
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut leans = [0.0_f64; 8];
     for tick in 0..8000 {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         let lean = plant.state()[0].abs().to_degrees().min(180.0);
         leans[tick / 1000] = leans[tick / 1000].max(lean);
     }

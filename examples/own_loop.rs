@@ -3,10 +3,12 @@
 //! ```text
 //! encoder ── x ──▶ own controller ── force ──▶ stabilizer ── effort ──▶ amplifier
 //!                                                  ▲                       │
-//!                                                  └── force that acted ───┘
+//!                                                  └── force that applied ───┘
 //! ```
 
-use lyapunov::{DampingLimit, Dissipation, Drive, Lolc, ParameterError, PortEnergy, Stabilizer};
+use lyapunov::{
+    DampingLimit, Dissipation, Lolc, ParameterError, PortEnergy, PortSample, Stabilizer,
+};
 
 const PERIOD: f64 = 1e-3; // s
 const MASS: f64 = 0.2; // kg: the least that moves with the device
@@ -31,7 +33,7 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
     let mut stabilizer = Lolc::new((PortEnergy, Dissipation::of(DAMPING)?), limit);
 
     let mut device = Device { position: 0.0, velocity: 0.02 };
-    let (mut last, mut acted) = (device.read(), 0.0);
+    let (mut last, mut applied) = (device.read(), 0.0);
     let mut swings = [0.0; 8];
     for tick in 0..4000 {
         let position = device.read();
@@ -42,11 +44,11 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
         // One's own controller: a spring to the origin, so stiff that at this rate it gives back more than it took.
         let wanted = 5_000.0 * position;
 
-        // `acted` is what the amplifier did, not what it was told: the stabilizer has to know.
-        let drive = Drive::new(PERIOD, position, velocity, displacement, acted);
-        let action = stabilizer.stabilize(&drive, wanted);
-        acted = action.effort.clamp(-STRONGEST, STRONGEST);
-        device.push(acted);
+        // `applied` is what the amplifier did, not what it was told: the stabilizer has to know.
+        let sample = PortSample::new(PERIOD, position, velocity, displacement, applied);
+        let correction = stabilizer.stabilize(&sample, wanted);
+        applied = correction.effort.clamp(-STRONGEST, STRONGEST);
+        device.push(applied);
 
         let swing: &mut f64 = &mut swings[tick / 500];
         *swing = swing.max(position.abs());

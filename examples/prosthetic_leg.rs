@@ -5,11 +5,15 @@
 //! V = the energy of leg, ground and springs, less what the holding torques give; the flow L_g V is q̇
 //! ```
 //!
-//! What the model leaves out is told at [`lyapunov::ProstheticLeg`].
+//! What the model leaves out is told at [`lyapunov::models::ProstheticLeg`].
 
 use lyapunov::{
-    Adapt, AffinePlant, DampingLimit, Decay, Ground, LegEnergy, Limb, Lolc, OnePort,
-    ParameterError, Plant, ProstheticLeg, RungeKutta4, StateFeedback, decrease_of,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{
+        AffinePlant, Decay, Ground, LegEnergy, ProstheticLeg, RigidLink, StateFeedback, decrease_of,
+    },
 };
 use nalgebra::{Vector2, Vector4};
 
@@ -20,7 +24,7 @@ const START: Vector4<f64> = Vector4::new(0.3, -0.4, 0.0, 0.0); // lifted, rad; a
 /// The leg's energy at the end of each half second, J, and how deep the foot ever was, mm.
 fn run(damping_cap: f64) -> Result<([f64; 6], f64), ParameterError> {
     let ground = Ground { stiffness: 2e4, damping: 0.5, drag: 0.2 }; // N/m, s/m, s/m
-    let (thigh, shank) = (Limb::rod(4.0, 0.4), Limb::rod(2.5, 0.45)); // kg, m
+    let (thigh, shank) = (RigidLink::rod(4.0, 0.4), RigidLink::rod(2.5, 0.45)); // kg, m
     let leg = ProstheticLeg::new(thigh, shank, [0.3, -0.6], ground)?;
     let (stiffness, damping) = ([300.0, 150.0], [4.0, 2.0]); // N·m/rad, N·m·s/rad
     let energy = LegEnergy::new(leg, stiffness)?;
@@ -35,10 +39,10 @@ fn run(damping_cap: f64) -> Result<([f64; 6], f64), ParameterError> {
     .delayed::<LATE>(LATE)?
     .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 2.0)?), limit));
 
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let (mut energies, mut deepest) = ([0.0; 6], 0.0_f64);
     for tick in 0..3000 {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         energies[tick / 500] = plant.value();
         deepest = deepest.max(1e3 * leg.depth(plant.state()));
     }

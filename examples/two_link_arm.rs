@@ -6,8 +6,10 @@
 //! ```
 
 use lyapunov::{
-    Adapt, AffinePlant, ArmEnergy, DampingLimit, Decay, Limb, Lolc, OnePort, ParameterError, Plant,
-    RungeKutta4, StateFeedback, TwoLinkArm, decrease_of,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{AffinePlant, ArmEnergy, Decay, RigidLink, StateFeedback, TwoLinkArm, decrease_of},
 };
 use nalgebra::{Vector2, Vector4};
 
@@ -17,7 +19,7 @@ const START: Vector4<f64> = Vector4::new(0.3, -0.2, 0.0, 0.0); // rad, rad/s
 
 /// The arm's energy at the end of each second as a multiple of what it began with.
 fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
-    let arm = TwoLinkArm::new(Limb::rod(2.0, 0.4), Limb::rod(1.0, 0.3))?; // kg, m
+    let arm = TwoLinkArm::new(RigidLink::rod(2.0, 0.4), RigidLink::rod(1.0, 0.3))?; // kg, m
     let stiffness = [40.0, 10.0]; // N·m/rad
     let energy = ArmEnergy::new(arm, stiffness)?;
     let mut plant = AffinePlant::new(arm, energy, RungeKutta4, PERIOD, 1)?.starting(START);
@@ -31,10 +33,10 @@ fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
     .held(SLOW)?
     .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 1.0)?), limit));
 
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut energies = [0.0; 6];
     for tick in 0..6000 {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         energies[tick / 1000] = plant.value() / began;
     }
     Ok(energies)

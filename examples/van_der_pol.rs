@@ -8,8 +8,9 @@
 //! tell, and V itself is the candidate.
 
 use lyapunov::{
-    AffinePlant, DampingLimit, Lolc, LyapunovCandidate, ParameterError, Plant, PortEnergy,
-    QuadraticForm, RungeKutta4, Stabilizer, VanDerPol, WithState, decrease_of,
+    DampingLimit, Lolc, LyapunovCandidate, ParameterError, Plant, PortEnergy, Stabilizer,
+    integrators::RungeKutta4,
+    models::{AffinePlant, QuadraticForm, VanDerPol, WithState, decrease_of},
 };
 use nalgebra::{Vector1, Vector2};
 
@@ -26,11 +27,11 @@ fn run(
     // The apparent mass of the port is 1: half of it over the period is the limit.
     let mut stabilizer = Lolc::new(candidate, DampingLimit::of_mass(0.5, 1.0, PERIOD)?);
     let nothing = WithState::of_input(Vector1::new(0.0));
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut swings = [0.0_f64; 6];
     for tick in 0..6000 {
-        let action = stabilizer.stabilize(&drive, nothing);
-        drive = plant.advance(action.effort);
+        let correction = stabilizer.stabilize(&sample, nothing);
+        sample = plant.advance(correction.effort);
         swings[tick / 1000] = swings[tick / 1000].max(plant.state()[0].abs());
     }
     Ok(swings)

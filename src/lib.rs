@@ -1,31 +1,151 @@
-#![doc = include_str!("../README.md")]
+//! Stabilizers for sampled control loops.
+//!
+//! A virtual wall that is too stiff for its sampling rate, or a force that acts late, feeds energy into a loop until it
+//! buzzes or runs away. A stabilizer sums the energy that crosses the port and adds just enough damping that no more
+//! comes out than went in. No model of what is behind the port is needed; nothing here allocates, panics or needs `std`.
+//!
+//! ```
+//! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer};
+//!
+//! fn control(read: impl Fn() -> f64, drive_motor: impl Fn(f64) -> f64) -> Result<(), ParameterError> {
+//!     let period = 1e-3; // s
+//!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // half of m / T; 0.2 kg surely move
+//!     let mut popc = Popc::new(PortEnergy, limit);
+//!     let (mut last, mut applied) = (read(), 0.0); // the first reading is no displacement
+//!     for _ in 0..1000 {
+//!         let position = read();
+//!         let displacement = position - last;
+//!         last = position;
+//!         let sample = PortSample::new(period, position, displacement / period, displacement, applied);
+//!         let wall = if position > 0.0 { 8000.0 * position } else { 0.0 };
+//!         let correction = popc.stabilize(&sample, wall);
+//!         applied = drive_motor(correction.effort); // what the amplifier did, after its own limits
+//!     }
+//!     Ok(())
+//! }
+//! # let _ = control(|| 0.001, |effort| effort);
+//! ```
+//!
+//! The root holds what every loop meets: a [`PortSample`] comes in, a [`Stabilizer`] ([`Popc`], or [`Lolc`] with a
+//! [`LyapunovCandidate`] of one's own) answers with a [`Correction`]. For simulation a [`Plant`] moves and a [`OnePort`]
+//! responds. Everything is generic over a [`Scalar`] (`f32`, `f64`, [`lanes`] of either) and a [`Signal`] (one axis, or an
+//! `SVector` of several); [`prelude`] brings the traits whose methods a loop calls.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`stabilizers`] | the family around POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
+//! | [`candidates`] | terms of a Lyapunov candidate, and the gates that open them |
+//! | [`environments`] | virtual walls, springs and solids |
+//! | [`bodies`] | masses on an operator's hand, with friction, elastic joints, a changing grip |
+//! | [`effects`] | encoder, noise, filters, hold, delay, dropout, saturation, guard |
+//! | [`trajectories`] | functions of time that a hand or a load follows |
+//! | [`channels`] | constant, varying and lossy channels of a teleoperator |
+//! | [`integrators`] | equations of motion, and methods that follow them |
+//! | [`models`] | control-affine plants with their Lyapunov functions |
+//! | [`accumulators`] | plain, compensated and wide sums |
+//! | [`lanes`] | several rollouts in one number |
+//! | [`laws`] | checks to run on parts of one's own |
 #![no_std]
 
 pub use lyapunov_core::{
-    Accumulator, Action, Always, Beyond, Compensated, Dissipation, DoubleDouble, Drive, Dynamics,
-    Gate, Held, Integrator, Ledger, Load, LyapunovCandidate, LyapunovFunction, Mask, Mechanics,
-    Observer, OnePort, ParameterError, Plain, Plant, PortEnergy, Requirement, Sampled, Scalar,
-    Signal, Stabilized, Stabilizer, State, Storage, Wide, Widen, Work, lanes, laws,
+    AdmittanceSample, Correction, Dissipation, Held, Ledger, LyapunovCandidate, Mask, Observer,
+    OnePort, ParameterError, Plant, PortEnergy, PortSample, Requirement, Sampled, Scalar, Signal,
+    Stabilized, Stabilizer, StorageFunction, Work, lanes, laws,
 };
-pub use lyapunov_plants::{
-    Adapt, Adaptive, AdaptiveWindow, AdmittanceDevice, AffinePlant, ArmEnergy, Assembled, Body,
-    Channel, Constant, ConstantDelay, Contact, ControlAffine, Coordinates, CoupledOscillators,
-    Course, CubicSpring, Cuboid, DampedMass, DcMotor, Decay, Delay, Difference, DissipationOf,
-    DormandPrince5, DormandPrince8, Dropout, EmbeddedPair, Encoder, Exact, Fallback, FirstAxis,
-    ForceLaw, Friction, Grip, Ground, Guard, Hold, HuntCrossley, Impedance, ImplicitMechanics,
-    ImplicitMidpoint, InvertedPendulum, Jitter, Joined, Kinematics, LayeredWall, LegEnergy, Limb,
-    Linear, LinearDynamics, Link, Linked, Located, Lossy, LowPass, MassSpringDamper, Measured,
-    Motion, MotorEnergy, MotorParts, MovingWall, Nearest, Noise, Oscillator, Perturb, Plane,
-    ProstheticLeg, Pulse, Push, QuadraticForm, Ramp, Random, Rubbing, RubbingOscillator,
-    RungeKutta4, RungeKuttaNystrom4, Samples, Saturation, SemiImplicitEuler, Sine, Solid, Source,
-    Sphere, Spring, StateFeedback, Step, Stepped, Stribeck, Surface, Switching, Tethered, Time,
-    Transition, Transitions, TwoLinkArm, TwoMass, UprightEnergy, VanDerPol, VaryingDelay,
-    VaryingSpring, Wall, Walled, WalledOscillator, WithFlow, WithState, decrease_of, held_input,
-    tick_of,
-};
-pub use lyapunov_stabilizers::{
-    Account, Aimed, Along, Bounded, ContactReset, Coupled, Coupling, DampingLimit,
-    DriftCompensated, ForceBound, Inertia, Lolc, Metric, NoStabilizer, PathMemory, PerAxis, Popc,
-    RateLimit, ReferenceFollowing, Refine, Rise, SlopeBound, Spread, Station, Store, Tank,
-    Threshold, WaveTransform, Weights, Windowed,
-};
+pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
+
+/// Everything that a control loop of one's own calls by a method: `use lyapunov::prelude::*`.
+pub mod prelude {
+    pub use crate::bodies::PlantExt;
+    pub use crate::effects::OnePortExt;
+    pub use crate::stabilizers::StabilizerExt;
+    pub use crate::{
+        DampingLimit, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Scalar, Signal,
+        Stabilizer,
+    };
+}
+
+/// Numbers that energies are summed in.
+pub mod accumulators {
+    pub use lyapunov_core::{Accumulator, Compensated, DoubleDouble, Plain, Wide, Widen};
+}
+
+/// Terms of a candidate beside those of the root, and the gates that open them.
+pub mod candidates {
+    pub use lyapunov_core::{Always, Gate, InContact, LyapunovFunction};
+}
+
+/// Virtual environments: what answers a motion with a force.
+pub mod environments {
+    pub use lyapunov_plants::{
+        Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics,
+        LayeredWall, MassSpringDamper, MovingWall, NearestPoint, Plane, Solid, Sphere, Spring,
+        Surface, Time, VaryingSpring, Wall,
+    };
+}
+
+/// Bodies that move under the effort at their port, and what acts on them beside it.
+pub mod bodies {
+    pub use lyapunov_plants::{
+        Body, DampedMass, ElasticJoint, ExternalForce, Friction, FromParts, Grip, HandMotion,
+        Impedance, IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, Stribeck, Transition,
+        Transitions, TwoMassBody, TwoMassParts, held_input,
+    };
+}
+
+/// Imperfections of the sampled loop, as adaptors of a port.
+pub mod effects {
+    pub use lyapunov_plants::{
+        AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass,
+        Noise, OnePortExt, Random, Saturation, Source, ZeroOrderHold,
+    };
+}
+
+/// Functions of time that a hand or a load follows.
+pub mod trajectories {
+    pub use lyapunov_plants::{
+        Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step, Trajectory, tick_of,
+    };
+}
+
+/// Channels that carry messages between the two sides of a teleoperator.
+pub mod channels {
+    pub use lyapunov_plants::{Channel, ConstantDelay, LossyChannel, VaryingDelay};
+}
+
+/// Equations of motion, and the methods that follow them in time.
+pub mod integrators {
+    pub use lyapunov_core::{Dynamics, Integrator, Mechanics, State};
+    pub use lyapunov_plants::{
+        Adaptive, Coordinates, CoupledOscillators, DormandPrince5, DormandPrince8, EmbeddedPair,
+        EventLocating, Exact, ImplicitMechanics, ImplicitMidpoint, LinearDynamics, Oscillator,
+        RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler, StickSlipOscillator, StickSlipPhase,
+        Switching, TwoMassCoordinates, WallPhase, WalledOscillator,
+    };
+}
+
+/// Control-affine plants with the candidates that make a port of their input.
+pub mod models {
+    pub use lyapunov_core::LyapunovFunction;
+    pub use lyapunov_plants::{
+        AdmittanceDevice, AffinePlant, ArmEnergy, ControlAffine, DcMotor, Decay, Ground,
+        InvertedPendulum, LegEnergy, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg,
+        QuadraticForm, RigidLink, StateFeedback, TwoLinkArm, UprightEnergy, VanDerPol, WithFlow,
+        WithState, decrease_of,
+    };
+}
+
+/// The family around [`Lolc`] and [`Popc`]: what refines them, and what stands in their place.
+pub mod stabilizers {
+    pub use lyapunov_stabilizers::{
+        AlongDirection, AxisWeights, BoundedCredit, ContactReset, CoupledPort, DirectedDamping,
+        DriftCompensated, ForceBound, InertiaMetric, LimitCredit, Metric, NoStabilizer, PathMemory,
+        PerAxis, RateLimit, ReferenceFollowing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
+        TankLimits, TwoPortSide, VelocityThreshold, VirtualCoupling, WaveTransform, WindowedCredit,
+    };
+}
+
+/// The README's examples, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

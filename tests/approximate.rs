@@ -5,33 +5,35 @@ use approx::{
 };
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    Action, DampedMass, DampingLimit, DoubleDouble, Drive, Impedance, Link, Load, Scalar, State,
-    TwoMass,
+    AdmittanceSample, Correction, DampingLimit, PortSample, Scalar,
+    accumulators::DoubleDouble,
+    bodies::{DampedMass, ElasticJoint, Impedance, TwoMassParts},
+    integrators::State,
 };
 use nalgebra::{Vector1, Vector2};
 
 #[test]
 fn every_field_counts_by_its_own_unit() {
-    let drive = Drive::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
-    let changes: [fn(&mut Drive<f64>) -> &mut f64; 6] = [
-        |drive| &mut drive.period,
-        |drive| &mut drive.position,
-        |drive| &mut drive.velocity,
-        |drive| &mut drive.displacement,
-        |drive| &mut drive.acted,
-        |drive| &mut drive.work,
+    let sample = PortSample::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    let changes: [fn(&mut PortSample<f64>) -> &mut f64; 6] = [
+        |sample| &mut sample.period,
+        |sample| &mut sample.position,
+        |sample| &mut sample.velocity,
+        |sample| &mut sample.displacement,
+        |sample| &mut sample.applied,
+        |sample| &mut sample.work,
     ];
     for change in changes {
-        let mut other = drive;
+        let mut other = sample;
         *change(&mut other) += 1e-6;
-        assert!(!abs_diff_eq!(drive, other, epsilon = 0.9e-6));
-        assert_abs_diff_eq!(drive, other, epsilon = 1.1e-6);
-        assert!(!relative_eq!(drive, other, max_relative = 1e-8));
-        assert!(!ulps_eq!(drive, other));
+        assert!(!abs_diff_eq!(sample, other, epsilon = 0.9e-6));
+        assert_abs_diff_eq!(sample, other, epsilon = 1.1e-6);
+        assert!(!relative_eq!(sample, other, max_relative = 1e-8));
+        assert!(!ulps_eq!(sample, other));
     }
-    let load = Load::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
-    assert!(!abs_diff_eq!(load, Load { flow: 5.1, ..load }, epsilon = 0.09));
-    assert_relative_eq!(load, Load { flow: 5.1, ..load }, max_relative = 0.02);
+    let load = AdmittanceSample::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    assert!(!abs_diff_eq!(load, AdmittanceSample { flow: 5.1, ..load }, epsilon = 0.09));
+    assert_relative_eq!(load, AdmittanceSample { flow: 5.1, ..load }, max_relative = 0.02);
 }
 
 #[test]
@@ -46,8 +48,10 @@ fn axes_and_parts_count_each() {
 
     let operator = Impedance { mass: 1.0_f32, damping: 2.0, stiffness: 3.0 };
     let device = DampedMass { mass: 0.1, damping: 0.2 };
-    let pair = TwoMass { operator, device, link: Link { stiffness: 30.0, damping: 0.3 } };
-    let other = TwoMass { link: Link { stiffness: 30.0_f32.next_up(), damping: 0.3 }, ..pair };
+    let pair =
+        TwoMassParts { operator, device, link: ElasticJoint { stiffness: 30.0, damping: 0.3 } };
+    let other =
+        TwoMassParts { link: ElasticJoint { stiffness: 30.0_f32.next_up(), damping: 0.3 }, ..pair };
     assert_ulps_eq!(pair, other, max_ulps = 1);
     assert!(!ulps_eq!(pair, other, epsilon = 0.0, max_ulps = 0));
 
@@ -58,11 +62,11 @@ fn axes_and_parts_count_each() {
 
 #[test]
 fn what_was_accepted_is_not_a_matter_of_degree() {
-    let none = Action::none(1.0);
-    assert_abs_diff_eq!(none, Action { effort: 1.0 + 1e-9, ..none }, epsilon = 1e-8);
-    assert!(!abs_diff_eq!(none, Action { accepted: false, ..none }, epsilon = 1e9));
-    let lanes = Action::none(AutoF64x4::of(1.0));
-    let other = Action {
+    let none = Correction::none(1.0);
+    assert_abs_diff_eq!(none, Correction { effort: 1.0 + 1e-9, ..none }, epsilon = 1e-8);
+    assert!(!abs_diff_eq!(none, Correction { accepted: false, ..none }, epsilon = 1e9));
+    let lanes = Correction::none(AutoF64x4::of(1.0));
+    let other = Correction {
         accepted: AutoF64x4::from_lanes(|lane| lane as f64).above(AutoF64x4::of(0.0)),
         ..lanes
     };

@@ -1,8 +1,13 @@
 //! What an effect keeps is in its own type, and what is absent keeps nothing.
 
 use lyapunov::{
-    AdaptiveWindow, Body, Constant, Delay, Difference, Dropout, Encoder, Grip, Hold, Impedance,
-    Jitter, LowPass, Motion, Noise, Pulse, Push, Saturation, Wall,
+    bodies::{Body, ExternalForce, Grip, HandMotion, Impedance, Jitter},
+    effects::{
+        AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, LowPass, Noise, Saturation,
+        ZeroOrderHold,
+    },
+    environments::Wall,
+    trajectories::{Constant, Pulse},
 };
 
 /// By how many numbers of `T` the type `Of` is larger than `Inside`.
@@ -16,11 +21,15 @@ fn an_adaptor_adds_its_own_numbers() {
     // Whether there was a position before takes the room of a number; a stream of random numbers is a seed of four
     // numbers, its name and its place.
     let numbers = [
-        ("nothing", added::<Difference<Port>, Port, f64>(), 0.0),
+        ("nothing", added::<BackwardDifference<Port>, Port, f64>(), 0.0),
         ("force", added::<Saturation<Port, f64>, Port, f64>(), 1.0),
         ("resolution, last", added::<Encoder<Port, f64>, Port, f64>(), 1.0 + 2.0),
         ("rate, last", added::<LowPass<Port, f64>, Port, f64>(), 1.0 + 2.0),
-        ("ticks and left, sums, effort", added::<Hold<Port, f64>, Port, f64>(), 1.0 + 3.0 + 1.0),
+        (
+            "ticks and left, sums, effort",
+            added::<ZeroOrderHold<Port, f64>, Port, f64>(),
+            1.0 + 3.0 + 1.0,
+        ),
         ("ticks, next, efforts", added::<Delay<Port, f64, 4>, Port, f64>(), 2.0 + 4.0),
         ("ticks, band, past, known", added::<AdaptiveWindow<Port, f64, 8>, Port, f64>(), 3.0 + 8.0),
         ("deviation, stream, last", added::<Noise<Port, f64>, Port, f64>(), 1.0 + 6.0 + 2.0),
@@ -30,7 +39,7 @@ fn an_adaptor_adds_its_own_numbers() {
         assert_eq!(added, expected, "{what}");
     }
     assert_eq!(added::<Saturation<Wall<f32>, f32>, Wall<f32>, f32>(), 1.0);
-    assert_eq!(added::<Hold<Wall<f32>, f32>, Wall<f32>, f32>(), 2.0 + 3.0 + 1.0);
+    assert_eq!(added::<ZeroOrderHold<Wall<f32>, f32>, Wall<f32>, f32>(), 2.0 + 3.0 + 1.0);
 }
 
 #[test]
@@ -39,9 +48,9 @@ fn what_changes_a_course_adds_its_own_numbers() {
     type Parts = Impedance<f64>;
     type Row = [(u64, Parts); 1];
     let numbers = [
-        ("value, tick", added::<Push<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
-        ("value, from, until, tick", added::<Push<Plant, Pulse>, Plant, f64>(), 3.0 + 1.0),
-        ("course, tick", added::<Motion<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
+        ("value, tick", added::<ExternalForce<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
+        ("value, from, until, tick", added::<ExternalForce<Plant, Pulse>, Plant, f64>(), 3.0 + 1.0),
+        ("course, tick", added::<HandMotion<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
         ("a row, period, next, tick", added::<Grip<Plant, Row, f64>, Plant, f64>(), 4.0 + 3.0),
         (
             "parts, period, deviation",

@@ -3,11 +3,17 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Probe, Samples};
 use lyapunov::{
-    Action, Adapt, Body, Compensated, Constant, Contact, Coupled, Coupling, CubicSpring,
-    DampedMass, DampingLimit, Dissipation, Drive, Dropout, Fallback, HuntCrossley, Impedance,
-    LayeredWall, Link, Linked, Lolc, LyapunovCandidate, MassSpringDamper, MovingWall, NoStabilizer,
-    OnePort, ParameterError, Perturb, Plant, PortEnergy, Scalar, Signal, Sine, Sphere, Spring,
-    Stabilizer, Storage, TwoMass, VaryingSpring, Wall,
+    Correction, DampingLimit, Dissipation, Lolc, LyapunovCandidate, OnePort, ParameterError, Plant,
+    PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
+    accumulators::Compensated,
+    bodies::{Body, DampedMass, ElasticJoint, Impedance, PlantExt, TwoMassBody, TwoMassParts},
+    effects::{Dropout, Fallback, OnePortExt},
+    environments::{
+        Contact, CubicSpring, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Sphere,
+        Spring, VaryingSpring, Wall,
+    },
+    stabilizers::{CoupledPort, NoStabilizer, VirtualCoupling},
+    trajectories::{Constant, Sine},
 };
 use nalgebra::SVector;
 
@@ -53,7 +59,7 @@ fn the_candidates_that_ship_keep_the_laws() {
     let energy = |x: f64, v: f64| 0.5 * (50.0 * x * x + 0.3 * v * v);
     laws::candidate(&PortEnergy, samples).expect("port energy");
     laws::candidate(&(PortEnergy, wall.dissipation()), samples).expect("wall damping");
-    laws::candidate(&Storage::starting(energy, 0.0, 0.0), samples).expect("stored energy");
+    laws::candidate(&StorageFunction::starting(energy, 0.0, 0.0), samples).expect("stored energy");
 }
 
 #[test]
@@ -103,12 +109,14 @@ fn the_ports_and_plants_that_ship_keep_the_laws() {
     laws::one_port(&chain, samples).expect("chain");
     let body = Body::<f64>::new(impedance, PERIOD).expect("a body");
     laws::plant(&body, samples).expect("body");
-    let (device, link) =
-        (DampedMass { mass: 0.2, damping: 0.001 }, Link { stiffness: 5000.0, damping: 1.0 });
-    let parts = TwoMass { operator: impedance, device, link };
-    let linked = Linked::<f64>::new(parts, PERIOD).expect("two masses");
+    let (device, link) = (
+        DampedMass { mass: 0.2, damping: 0.001 },
+        ElasticJoint { stiffness: 5000.0, damping: 1.0 },
+    );
+    let parts = TwoMassParts { operator: impedance, device, link };
+    let linked = TwoMassBody::<f64>::new(parts, PERIOD).expect("two masses");
     laws::plant(&linked, samples).expect("linked");
-    let firm = TwoMass { operator: Impedance { stiffness: 400.0, ..impedance }, ..parts };
+    let firm = TwoMassParts { operator: Impedance { stiffness: 400.0, ..impedance }, ..parts };
     let moved = linked
         .jittered(parts, 1e-4, || 0.5)
         .and_then(|body| {
@@ -132,7 +140,7 @@ fn the_adaptors_that_ship_hand_on_the_action() {
 fn adaptors_hand_on<V: Signal<Scalar: Scalar<Mask = bool>>>() {
     let of = V::Scalar::of;
     let samples = Samples::<V>::new(of(PERIOD));
-    let coupling = Coupling { stiffness: of(1000.0), damping: of(0.1), drag: of(5.0) };
+    let coupling = VirtualCoupling { stiffness: of(1000.0), damping: of(0.1), drag: of(5.0) };
     let hands_on = [
         ("hold", laws::adaptor(|port| port.held(10).unwrap(), samples)),
         ("saturation", laws::adaptor(|port| port.saturated(of(0.1)).unwrap(), samples)),
@@ -144,7 +152,7 @@ fn adaptors_hand_on<V: Signal<Scalar: Scalar<Mask = bool>>>() {
         ("noise", laws::adaptor(|port| port.noisy(of(1e-6), |_| 1).unwrap(), samples)),
         ("dropout", laws::adaptor(|port| dropped(port).unwrap(), samples)),
         ("guard", laws::adaptor(|port| port.guarded(Fallback::Hold), samples)),
-        ("coupling", laws::adaptor(|port| Coupled::new(port, coupling).unwrap(), samples)),
+        ("coupling", laws::adaptor(|port| CoupledPort::new(port, coupling).unwrap(), samples)),
     ];
     for (adaptor, result) in hands_on {
         assert_eq!(result, Ok(()), "{adaptor}");
@@ -155,77 +163,87 @@ fn dropped<V: Signal>(port: Probe<V>) -> Result<Dropout<Probe<V>, V>, ParameterE
     port.dropped(V::Scalar::of(0.3), Fallback::Hold, |_| 1)
 }
 
-/// An adaptor that doubles the effort, and tells of an action that `told` makes of the one inside.
+/// An adaptor that doubles the effort, and tells of an correction that `told` makes of the one inside.
 struct Doubled<P, F>(P, F);
 
-impl<P: OnePort<f64>, F: Fn(Action<f64>) -> Action<f64>> OnePort<f64> for Doubled<P, F> {
-    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
-        2.0 * self.0.respond(drive)
+impl<P: OnePort<f64>, F: Fn(Correction<f64>) -> Correction<f64>> OnePort<f64> for Doubled<P, F> {
+    fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+        2.0 * self.0.respond(sample)
     }
 
-    fn action(&self) -> Action<f64> {
-        (self.1)(self.0.action())
+    fn correction(&self) -> Correction<f64> {
+        (self.1)(self.0.correction())
     }
 }
 
 #[test]
 fn an_adaptor_that_forgets_or_changes_the_action_is_caught() {
-    let check = |told: fn(Action<f64>) -> Action<f64>| {
+    let check = |told: fn(Correction<f64>) -> Correction<f64>| {
         laws::adaptor(|port| Doubled(port, told), Samples::new(PERIOD))
     };
     assert_eq!(check(|inside| inside), Ok(()));
     // What a port without a stabilizer tells, the default of the trait.
-    let forgetful = check(|_| Action::none(0.0)).expect_err("broken");
+    let forgetful = check(|_| Correction::none(0.0)).expect_err("broken");
     assert_eq!((forgetful.law, forgetful.tick), (Law::HandsOn, 0));
     let law = |told| check(told).expect_err("broken").law;
-    assert_eq!(law(|inside| Action { effort: 2.0 * inside.effort, ..inside }), Law::HandsOn);
-    assert_eq!(law(|inside| Action { sum: 0.0, ..inside }), Law::HandsOn);
-    assert_eq!(law(|inside| Action { alpha: 0.0, ..inside }), Law::HandsOn);
-    assert_eq!(law(|inside| Action { shortfall: 0.0, ..inside }), Law::HandsOn);
-    assert_eq!(law(|inside| Action { accepted: false, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Correction { effort: 2.0 * inside.effort, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Correction { observed_energy: 0.0, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Correction { alpha: 0.0, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Correction { shortfall: 0.0, ..inside }), Law::HandsOn);
+    assert_eq!(law(|inside| Correction { accepted: false, ..inside }), Law::HandsOn);
 }
 
 #[test]
 fn no_stabilizer_changes_nothing_and_takes_all() {
-    for (drive, effort) in Samples::<SVector<f64, 3>>::new(PERIOD) {
-        let action = NoStabilizer.stabilize(&drive, effort);
-        assert_eq!((action.effort, action.sum, action.alpha), (effort, 0.0, 0.0));
-        assert!(action.shortfall == 0.0 && action.accepted);
+    for (sample, effort) in Samples::<SVector<f64, 3>>::new(PERIOD) {
+        let correction = NoStabilizer.stabilize(&sample, effort);
+        assert_eq!(
+            (correction.effort, correction.observed_energy, correction.alpha),
+            (effort, 0.0, 0.0)
+        );
+        assert!(correction.shortfall == 0.0 && correction.accepted);
     }
-    let action = NoStabilizer.stabilize(&Drive::new(PERIOD, f64::NAN, 0.0, 0.0, 0.0), f64::NAN);
-    assert!(action.effort.is_nan() && action.accepted);
+    let correction =
+        NoStabilizer.stabilize(&PortSample::new(PERIOD, f64::NAN, 0.0, 0.0, 0.0), f64::NAN);
+    assert!(correction.effort.is_nan() && correction.accepted);
 }
 
 /// A stabilizer that does as it is told.
 #[derive(Clone)]
 struct Told<F>(F);
 
-impl<F: Fn(&Drive<f64>, f64) -> Action<f64>> Stabilizer<f64> for Told<F> {
-    fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
-        (self.0)(drive, effort)
+impl<F: Fn(&PortSample<f64>, f64) -> Correction<f64>> Stabilizer<f64> for Told<F> {
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        (self.0)(sample, effort)
     }
 }
 
-fn broken(stabilize: impl Fn(&Drive<f64>, f64) -> Action<f64> + Clone) -> Law {
+fn broken(stabilize: impl Fn(&PortSample<f64>, f64) -> Correction<f64> + Clone) -> Law {
     laws::stabilizer(&Told(stabilize), Samples::new(PERIOD)).expect_err("broken").law
 }
 
 #[test]
 fn each_law_of_a_stabilizer_catches_its_breach() {
-    let sound = |_: &Drive<f64>, effort| Action::none(effort).checked();
+    let sound = |_: &PortSample<f64>, effort| Correction::none(effort).checked();
     laws::stabilizer(&Told(sound), Samples::new(PERIOD)).expect("nothing is a stabilizer too");
 
     assert_eq!(
-        broken(|_, f| Action { sum: f64::INFINITY, ..Action::none(f).checked() }),
+        broken(|_, f| Correction {
+            observed_energy: f64::INFINITY,
+            ..Correction::none(f).checked()
+        }),
         Law::Finite
     );
     assert_eq!(
-        broken(|_, f| Action { alpha: -1.0, ..Action::none(f).checked() }),
+        broken(|_, f| Correction { alpha: -1.0, ..Correction::none(f).checked() }),
         Law::NoNegativeDamping
     );
-    assert_eq!(broken(|d, f| Action::none(f - d.velocity).checked()), Law::Opposes);
-    assert_eq!(broken(|_, f| Action { sum: -1.0, ..Action::none(f).checked() }), Law::Served);
-    assert_eq!(broken(|_, f| Action::none(f)), Law::Rejects);
+    assert_eq!(broken(|d, f| Correction::none(f - d.velocity).checked()), Law::Opposes);
+    assert_eq!(
+        broken(|_, f| Correction { observed_energy: -1.0, ..Correction::none(f).checked() }),
+        Law::Served
+    );
+    assert_eq!(broken(|_, f| Correction::none(f)), Law::Rejects);
 }
 
 /// A stabilizer, candidate, port and plant with something wrong in its state.
@@ -236,38 +254,38 @@ struct Faulty<'a> {
 }
 
 impl Stabilizer<f64> for Faulty<'_> {
-    fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
         if let Some(shared) = self.shared {
             shared.set(shared.get() + 1.0);
-            return Action::none(effort + shared.get() * drive.velocity).checked();
+            return Correction::none(effort + shared.get() * sample.velocity).checked();
         }
         self.sum += effort;
         let accepted = self.sum.is_finite();
-        Action { accepted, ..Action::none(if accepted { effort } else { 0.0 }) }
+        Correction { accepted, ..Correction::none(if accepted { effort } else { 0.0 }) }
     }
 }
 
 impl LyapunovCandidate<f64> for Faulty<'_> {
-    fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
-        self.sum += drive.work;
-        drive.work + drive.period * 1e-9
+    fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
+        self.sum += sample.work;
+        sample.work + sample.period * 1e-9
     }
 }
 
 impl OnePort<f64> for Faulty<'_> {
-    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
-        1.0 / drive.velocity
+    fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+        1.0 / sample.velocity
     }
 }
 
 impl Plant<f64> for Faulty<'_> {
-    fn start(&self) -> Drive<f64> {
-        Drive::starting(PERIOD, 0.0, 0.0)
+    fn start(&self) -> PortSample<f64> {
+        PortSample::starting(PERIOD, 0.0, 0.0)
     }
 
-    fn advance(&mut self, effort: f64) -> Drive<f64> {
+    fn advance(&mut self, effort: f64) -> PortSample<f64> {
         self.sum += 1e-6;
-        Drive::new(PERIOD, self.sum, 0.0, 0.0, effort)
+        PortSample::new(PERIOD, self.sum, 0.0, 0.0, effort)
     }
 }
 
@@ -287,7 +305,7 @@ fn what_is_wrong_in_the_state_is_caught() {
 
 #[test]
 fn a_violation_reads_well() {
-    let told = Told(|d: &Drive<f64>, f| Action::none(f - d.velocity).checked());
+    let told = Told(|d: &PortSample<f64>, f| Correction::none(f - d.velocity).checked());
     let violation = laws::stabilizer(&told, Samples::new(PERIOD)).expect_err("broken");
     assert!(violation.to_string().starts_with("sample 0: the correction must not feed power"));
 }

@@ -1,9 +1,13 @@
 //! The loops composed by type.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Difference, Dissipation, ForceBound, Hold, Impedance, Lolc, OnePort,
-    Oscillator, ParameterError, Plant, Popc, PortEnergy, RungeKuttaNystrom4, Scalar, Stabilized,
-    Stepped, Store, Tank, Wall,
+    DampingLimit, Dissipation, Lolc, OnePort, ParameterError, Plant, Popc, PortEnergy, Scalar,
+    Stabilized,
+    bodies::{Body, Impedance, IntegratedPlant},
+    effects::{BackwardDifference, OnePortExt, ZeroOrderHold},
+    environments::Wall,
+    integrators::{Oscillator, RungeKuttaNystrom4},
+    stabilizers::{ForceBound, Tank, TankLimits},
 };
 
 use super::numbers::{
@@ -12,13 +16,14 @@ use super::numbers::{
 };
 
 /// A held wall behind the stabilizer.
-pub(crate) type Corrected<T> = Difference<Stabilized<Hold<Wall<T>, T>, Popc<T>, T>>;
+pub(crate) type Corrected<T> =
+    BackwardDifference<Stabilized<ZeroOrderHold<Wall<T>, T>, Popc<T>, T>>;
 
 /// A wall alone.
-pub(crate) type Plain<T> = Difference<Wall<T>>;
+pub(crate) type Plain<T> = BackwardDifference<Wall<T>>;
 
 /// A mass moved by the classical Runge-Kutta method.
-pub(crate) type Integrated<T> = Stepped<T, Oscillator<T>, RungeKuttaNystrom4>;
+pub(crate) type Integrated<T> = IntegratedPlant<T, Oscillator<T>, RungeKuttaNystrom4>;
 
 /// What moves, and what answers.
 #[derive(Clone, Copy, Debug)]
@@ -34,10 +39,10 @@ impl<B, P> Loop<B, P> {
         B: Plant<T>,
         P: OnePort<T>,
     {
-        let mut drive = self.plant.start();
+        let mut sample = self.plant.start();
         for position in positions {
-            drive = self.plant.advance(self.port.respond(&drive));
-            *position = drive.position;
+            sample = self.plant.advance(self.port.respond(&sample));
+            *position = sample.position;
         }
     }
 
@@ -49,10 +54,10 @@ impl<B, P> Loop<B, P> {
         P: OnePort<T> + Copy,
     {
         let Self { mut plant, mut port } = *self;
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         for position in positions {
-            drive = plant.advance(port.respond(&drive));
-            *position = drive.position;
+            sample = plant.advance(port.respond(&sample));
+            *position = sample.position;
         }
     }
 }
@@ -88,13 +93,14 @@ pub(crate) fn plain<T: Scalar>() -> Result<Loop<Body<T>, Plain<T>>, ParameterErr
 
 /// The plain loop with a body that is integrated.
 pub(crate) fn integrated<T: Scalar>() -> Result<Loop<Integrated<T>, Plain<T>>, ParameterError> {
-    let plant = Stepped::new(Oscillator::new(hand())?, RungeKuttaNystrom4, T::of(PERIOD), STEPS)?;
+    let plant =
+        IntegratedPlant::new(Oscillator::new(hand())?, RungeKuttaNystrom4, T::of(PERIOD), STEPS)?;
     Ok(Loop { plant: plant.starting(T::of(START), T::of(0.0)), port: wall()?.differenced() })
 }
 
 /// A wall behind a controller that credits a damper.
 pub(crate) type Credited<T> =
-    Difference<Stabilized<Wall<T>, Lolc<T, (PortEnergy, Dissipation<T>)>, T>>;
+    BackwardDifference<Stabilized<Wall<T>, Lolc<T, (PortEnergy, Dissipation<T>)>, T>>;
 
 pub(crate) fn credited<T: Scalar>() -> Result<Loop<Body<T>, Credited<T>>, ParameterError> {
     let candidate = (PortEnergy, Dissipation::of(T::of(DEVICE_DAMPING))?);
@@ -103,7 +109,7 @@ pub(crate) fn credited<T: Scalar>() -> Result<Loop<Body<T>, Credited<T>>, Parame
 }
 
 /// A wall behind a force bound.
-pub(crate) type Limited<T> = Difference<Stabilized<Wall<T>, ForceBound<T>, T>>;
+pub(crate) type Limited<T> = BackwardDifference<Stabilized<Wall<T>, ForceBound<T>, T>>;
 
 pub(crate) fn limited<T: Scalar>() -> Result<Loop<Body<T>, Limited<T>>, ParameterError> {
     let bound = ForceBound::new(T::of(BOUND_DAMPING))?.budgeted(T::of(BUDGET))?;
@@ -111,10 +117,10 @@ pub(crate) fn limited<T: Scalar>() -> Result<Loop<Body<T>, Limited<T>>, Paramete
 }
 
 /// A wall behind a tank.
-pub(crate) type Tanked<T> = Difference<Stabilized<Wall<T>, Tank<T, PortEnergy>, T>>;
+pub(crate) type Tanked<T> = BackwardDifference<Stabilized<Wall<T>, Tank<T, PortEnergy>, T>>;
 
 pub(crate) fn tanked<T: Scalar>() -> Result<Loop<Body<T>, Tanked<T>>, ParameterError> {
     let [start, floor, ceiling, power] = [BUDGET, 0.0, ROOM, POWER].map(T::of);
-    let tank = Tank::new(PortEnergy, Store { start, floor, ceiling, power })?;
+    let tank = Tank::new(PortEnergy, TankLimits { start, floor, ceiling, power })?;
     Ok(Loop { plant: exact()?, port: wall()?.stabilized(tank).differenced() })
 }

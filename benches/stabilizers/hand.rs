@@ -5,12 +5,12 @@ use super::{BOUND_DAMPING, CREDIT, MOST, STORE};
 macro_rules! hand {
     ($real:ident) => {
         pub(crate) mod $real {
-            use lyapunov::{Drive, laws::Samples};
+            use lyapunov::{PortSample, laws::Samples};
             use nalgebra::SVector;
 
             use super::{BOUND_DAMPING, CREDIT, MOST, STORE};
 
-            /// A drive and an effort.
+            /// A sample and an effort.
             #[derive(Clone, Copy)]
             pub(crate) struct Sample<const N: usize> {
                 period: $real,
@@ -18,21 +18,21 @@ macro_rules! hand {
                 displacement: [$real; N],
                 work: [$real; N],
                 effort: [$real; N],
-                #[expect(dead_code, reason = "told in a drive, and not looked at")]
+                #[expect(dead_code, reason = "told in a sample, and not looked at")]
                 rest: [[$real; N]; 2],
             }
 
             pub(crate) fn samples<const N: usize>(period: f64) -> Vec<Sample<N>> {
-                let sample =
-                    |(drive, effort): (Drive<SVector<$real, N>>, SVector<$real, N>)| Sample {
-                        period: drive.period,
-                        velocity: drive.velocity.into(),
-                        displacement: drive.displacement.into(),
-                        work: drive.work.into(),
+                let seen =
+                    |(sample, effort): (PortSample<SVector<$real, N>>, SVector<$real, N>)| Sample {
+                        period: sample.period,
+                        velocity: sample.velocity.into(),
+                        displacement: sample.displacement.into(),
+                        work: sample.work.into(),
                         effort: effort.into(),
-                        rest: [drive.position.into(), drive.acted.into()],
+                        rest: [sample.position.into(), sample.applied.into()],
                     };
-                Samples::new(period as $real).map(sample).collect()
+                Samples::new(period as $real).map(seen).collect()
             }
 
             #[derive(Clone, Copy)]
@@ -69,7 +69,7 @@ macro_rules! hand {
             }
 
             pub(crate) trait Tick<const N: usize> {
-                fn tick(&mut self, sample: &Sample<N>) -> Told<N>;
+                fn tick(&mut self, seen: &Sample<N>) -> Told<N>;
             }
 
             #[inline(never)]
@@ -78,8 +78,8 @@ macro_rules! hand {
                 samples: &[Sample<N>],
                 told: &mut [Told<N>],
             ) {
-                for (sample, told) in samples.iter().zip(told) {
-                    *told = stabilizer.tick(sample);
+                for (seen, told) in samples.iter().zip(told) {
+                    *told = stabilizer.tick(seen);
                 }
             }
 
@@ -123,10 +123,10 @@ macro_rules! hand {
                     &mut self,
                     decrease: $real,
                     square: $real,
-                    sample: &Sample<N>,
+                    seen: &Sample<N>,
                 ) -> Told<N> {
                     let before = self.sum;
-                    let told = self.correct(decrease, square, &sample.velocity, &sample.effort);
+                    let told = self.correct(decrease, square, &seen.velocity, &seen.effort);
                     if told.accepted {
                         return told;
                     }
@@ -145,9 +145,9 @@ macro_rules! hand {
 
             impl<const N: usize> Tick<N> for Popc {
                 #[inline(always)]
-                fn tick(&mut self, sample: &Sample<N>) -> Told<N> {
-                    let square = dot(&sample.velocity, &sample.velocity) * sample.period;
-                    self.0.tick(total(&sample.work), square, sample)
+                fn tick(&mut self, seen: &Sample<N>) -> Told<N> {
+                    let square = dot(&seen.velocity, &seen.velocity) * seen.period;
+                    self.0.tick(total(&seen.work), square, seen)
                 }
             }
 
@@ -159,11 +159,11 @@ macro_rules! hand {
 
             impl<const N: usize> Tick<N> for Lolc {
                 #[inline(always)]
-                fn tick(&mut self, sample: &Sample<N>) -> Told<N> {
-                    let square = dot(&sample.velocity, &sample.velocity) * sample.period;
+                fn tick(&mut self, seen: &Sample<N>) -> Told<N> {
+                    let square = dot(&seen.velocity, &seen.velocity) * seen.period;
                     let burnt = self.1 * square;
                     let credit = if burnt.is_finite() { burnt } else { 0.0 };
-                    self.0.tick(total(&sample.work) + credit, square, sample)
+                    self.0.tick(total(&seen.work) + credit, square, seen)
                 }
             }
 
@@ -194,18 +194,18 @@ macro_rules! hand {
 
             impl<const N: usize> Tick<N> for Bound {
                 #[inline(always)]
-                fn tick(&mut self, sample: &Sample<N>) -> Told<N> {
-                    let moved = dot(&sample.displacement, &sample.displacement);
-                    let change = total(&sample.work) + self.damping * (moved / sample.period);
+                fn tick(&mut self, seen: &Sample<N>) -> Told<N> {
+                    let moved = dot(&seen.displacement, &seen.displacement);
+                    let change = total(&seen.work) + self.damping * (moved / seen.period);
                     let booked = (self.energy + change).is_finite();
                     self.energy += if booked { change } else { 0.0 };
                     let sum = self.energy;
                     let share = (4.0 - 64.0 * $real::EPSILON) * self.damping;
-                    let most = (share * (if sum > 0.0 { sum } else { 0.0 } / sample.period)).sqrt();
-                    let size = dot(&sample.effort, &sample.effort).sqrt();
+                    let most = (share * (if sum > 0.0 { sum } else { 0.0 } / seen.period)).sqrt();
+                    let size = dot(&seen.effort, &seen.effort).sqrt();
                     let factor = if size > most { most / size } else { 1.0 };
                     let sound = booked && (size + most).is_finite();
-                    let (effort, accepted) = scaled(&sample.effort, factor, sound);
+                    let (effort, accepted) = scaled(&seen.effort, factor, sound);
                     let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
                     Told { effort, sum, alpha: 0.0, shortfall, accepted }
                 }
@@ -227,18 +227,18 @@ macro_rules! hand {
 
             impl<const N: usize> Tick<N> for Tank {
                 #[inline(always)]
-                fn tick(&mut self, sample: &Sample<N>) -> Told<N> {
-                    let work = total(&sample.work);
+                fn tick(&mut self, seen: &Sample<N>) -> Told<N> {
+                    let work = total(&seen.work);
                     let kept = if self.energy < self.room { self.energy } else { self.room };
                     let booked = (kept + work).is_finite();
                     self.energy = kept + if booked { work } else { 0.0 };
                     let sum = self.energy;
-                    let available = if sum > 0.0 { sum } else { 0.0 } / sample.period;
+                    let available = if sum > 0.0 { sum } else { 0.0 } / seen.period;
                     let most = if available < self.power { available } else { self.power };
-                    let given = -dot(&sample.effort, &sample.velocity);
+                    let given = -dot(&seen.effort, &seen.velocity);
                     let factor = if given > most { most / given } else { 1.0 };
-                    let sound = (given + sample.period + work).is_finite();
-                    let (effort, accepted) = scaled(&sample.effort, factor, sound);
+                    let sound = (given + seen.period + work).is_finite();
+                    let (effort, accepted) = scaled(&seen.effort, factor, sound);
                     let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
                     Told { effort, sum, alpha: 0.0, shortfall, accepted }
                 }

@@ -11,10 +11,16 @@ use std::time::{Duration, Instant};
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use lyapunov::{
-    Action, Aimed, Beyond, Coupled, Coupling, DampingLimit, Dissipation, Drive, ForceBound, Gate,
-    Lolc, OnePort, PathMemory, Plain, Popc, PortEnergy, ReferenceFollowing, Refine, Scalar, Signal,
-    SlopeBound, Spring, Stabilizer, Station, Storage, Store, Tank, Weights, Windowed,
+    Correction, DampingLimit, Dissipation, Lolc, OnePort, Popc, PortEnergy, PortSample, Scalar,
+    Signal, Stabilizer, StorageFunction,
+    accumulators::Plain,
+    candidates::{Gate, InContact},
+    environments::Spring,
     laws::Samples,
+    stabilizers::{
+        AxisWeights, CoupledPort, DirectedDamping, ForceBound, PathMemory, ReferenceFollowing,
+        SlopeBound, StabilizerExt, Tank, TankLimits, TwoPortSide, VirtualCoupling, WindowedCredit,
+    },
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -31,11 +37,11 @@ const STORE: [f64; 4] = [2e-3, 1e-3, 5e-3, 3.0];
 #[inline(never)]
 fn block<V: Signal>(
     stabilizer: &mut impl Stabilizer<V>,
-    samples: &[(Drive<V>, V)],
-    actions: &mut [Action<V>],
+    samples: &[(PortSample<V>, V)],
+    corrections: &mut [Correction<V>],
 ) {
-    for ((drive, effort), action) in samples.iter().zip(actions) {
-        *action = stabilizer.stabilize(drive, *effort);
+    for ((sample, effort), correction) in samples.iter().zip(corrections) {
+        *correction = stabilizer.stabilize(sample, *effort);
     }
 }
 
@@ -65,9 +71,9 @@ fn time<V: Signal>(
     mut stabilizer: impl Stabilizer<V>,
 ) {
     let samples: Vec<_> = Samples::<V>::new(V::Scalar::of(PERIOD)).collect();
-    let mut actions = vec![Action::none(V::zero()); samples.len()];
+    let mut corrections = vec![Correction::none(V::zero()); samples.len()];
     report(criterion, id, samples.len(), || {
-        block(black_box(&mut stabilizer), black_box(&samples), black_box(&mut actions));
+        block(black_box(&mut stabilizer), black_box(&samples), black_box(&mut corrections));
     });
 }
 
@@ -93,11 +99,11 @@ macro_rules! by_hand {
 
 /// Open beyond a surface on the first axis, or on the sum of several.
 #[derive(Clone, Copy, Debug)]
-struct Inside<T>(Beyond<T>);
+struct Inside<T>(InContact<T>);
 
 impl<V: Signal> Gate<V> for Inside<V::Scalar> {
-    fn open(&self, drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask {
-        drive.position.sum().above(self.0.position)
+    fn open(&self, sample: &PortSample<V>) -> <V::Scalar as Scalar>::Mask {
+        sample.position.sum().above(self.0.position)
     }
 }
 
@@ -106,8 +112,8 @@ struct Port<P>(P);
 
 impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Port<P> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, _effort: V) -> Action<V> {
-        Action::none(self.0.respond(drive))
+    fn stabilize(&mut self, sample: &PortSample<V>, _effort: V) -> Correction<V> {
+        Correction::none(self.0.respond(sample))
     }
 }
 
@@ -117,16 +123,16 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     let limit = DampingLimit::at(of(MOST)).expect(fine);
     let popc: Popc<V::Scalar> = Popc::new(PortEnergy, limit);
     let credit = Dissipation::of(of(CREDIT)).expect(fine);
-    let stored = |x: V, _v: V| x.pair(x);
-    let reference = (PortEnergy, Storage::starting(stored, V::zero(), V::zero()));
+    let stored = |x: V, _v: V| x.inner(x);
+    let reference = (PortEnergy, StorageFunction::starting(stored, V::zero(), V::zero()));
     let [start, floor, ceiling, power] = STORE.map(of);
-    let store = Store { start, floor, ceiling, power };
-    let windowed = popc.summed_in::<Windowed<_, Plain<_>, 16>>();
-    let weights = Weights::new(V::splat(of(0.5))).expect(fine);
+    let store = TankLimits { start, floor, ceiling, power };
+    let windowed = popc.summed_in::<WindowedCredit<_, Plain<_>, 16>>();
+    let weights = AxisWeights::new(V::splat(of(0.5))).expect(fine);
     time::<V>(criterion, ("popc", port), popc);
     time::<V>(criterion, ("lolc", port), Lolc::new((PortEnergy, credit), limit));
     time::<V>(criterion, ("bounded", port), popc.bounded(of(1e-3)).expect(fine));
-    let reset = popc.reset_at(Inside(Beyond { position: of(0.0) }));
+    let reset = popc.reset_at(Inside(InContact { position: of(0.0) }));
     time::<V>(criterion, ("contact-reset", port), reset);
     time::<V>(criterion, ("windowed", port), windowed);
     time::<V>(criterion, ("threshold", port), popc.above_velocity(of(0.01)).expect(fine));
@@ -137,10 +143,10 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     time::<V>(criterion, ("force-bound", port), ForceBound::new(of(BOUND_DAMPING)).expect(fine));
     time::<V>(criterion, ("slope-bound", port), SlopeBound::<V>::new(of(1e3)).expect(fine));
     time::<V>(criterion, ("tank", port), Tank::new(PortEnergy, store).expect(fine));
-    time::<V>(criterion, ("aimed", port), Aimed::new(popc, weights, limit));
-    time::<V>(criterion, ("station", port), Station::new(limit));
-    let coupling = Coupling { stiffness: of(1e3), damping: of(0.1), drag: of(5.0) };
-    let coupled = Coupled::new(Spring::<V>::new(of(1e4)).expect(fine), coupling).expect(fine);
+    time::<V>(criterion, ("aimed", port), DirectedDamping::new(popc, weights, limit));
+    time::<V>(criterion, ("station", port), TwoPortSide::new(limit));
+    let coupling = VirtualCoupling { stiffness: of(1e3), damping: of(0.1), drag: of(5.0) };
+    let coupled = CoupledPort::new(Spring::<V>::new(of(1e4)).expect(fine), coupling).expect(fine);
     time::<V>(criterion, ("coupling", port), Port(coupled));
 }
 

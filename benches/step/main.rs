@@ -12,7 +12,9 @@ use std::time::{Duration, Instant};
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
-use lyapunov::{Action, DampingLimit, Dissipation, Drive, Lolc, PortEnergy, Signal, Stabilizer};
+use lyapunov::{
+    Correction, DampingLimit, Dissipation, Lolc, PortEnergy, PortSample, Signal, Stabilizer,
+};
 use nalgebra::SVector;
 
 use samples::{DAMPING, LIMIT, Mix, STEPS, Sample};
@@ -37,22 +39,22 @@ fn time(group: &mut Group<'_>, id: &str, mut block: impl FnMut()) {
 #[inline(never)]
 fn generic<V: Signal>(
     stabilizer: &mut impl Stabilizer<V>,
-    samples: &[(Drive<V>, V)],
-    actions: &mut [Action<V>],
+    samples: &[(PortSample<V>, V)],
+    corrections: &mut [Correction<V>],
 ) {
-    for ((drive, effort), action) in samples.iter().zip(actions) {
-        *action = stabilizer.stabilize(drive, *effort);
+    for ((sample, effort), correction) in samples.iter().zip(corrections) {
+        *correction = stabilizer.stabilize(sample, *effort);
     }
 }
 
 fn time_generic<V: Signal>(
     group: &mut Group<'_>,
     mut stabilizer: impl Stabilizer<V>,
-    samples: &[(Drive<V>, V)],
+    samples: &[(PortSample<V>, V)],
 ) {
-    let mut actions = vec![Action::none(V::zero()); samples.len()];
+    let mut corrections = vec![Correction::none(V::zero()); samples.len()];
     time(group, "generic", || {
-        generic(black_box(&mut stabilizer), black_box(samples), black_box(&mut actions));
+        generic(black_box(&mut stabilizer), black_box(samples), black_box(&mut corrections));
     });
 }
 
@@ -143,30 +145,30 @@ macro_rules! scalars {
     };
 }
 
-fn scalar_drive<T: lyapunov::Scalar>(s: &Sample<T, 1>) -> (Drive<T>, T) {
-    let drive = Drive {
+fn scalar_drive<T: lyapunov::Scalar>(s: &Sample<T, 1>) -> (PortSample<T>, T) {
+    let sample = PortSample {
         period: s.period,
         position: s.position[0],
         velocity: s.velocity[0],
         displacement: s.displacement[0],
-        acted: s.acted[0],
+        applied: s.applied[0],
         work: s.work[0],
     };
-    (drive, s.effort[0])
+    (sample, s.effort[0])
 }
 
 fn vector_drive<T: lyapunov::Scalar, const N: usize>(
     s: &Sample<T, N>,
-) -> (Drive<SVector<T, N>>, SVector<T, N>) {
-    let drive = Drive {
+) -> (PortSample<SVector<T, N>>, SVector<T, N>) {
+    let sample = PortSample {
         period: s.period,
         position: s.position.into(),
         velocity: s.velocity.into(),
         displacement: s.displacement.into(),
-        acted: s.acted.into(),
+        applied: s.applied.into(),
         work: s.work.into(),
     };
-    (drive, s.effort.into())
+    (sample, s.effort.into())
 }
 
 fn step(criterion: &mut Criterion) {

@@ -45,7 +45,7 @@ pub(crate) struct Sample<T, const N: usize> {
     pub(crate) position: [T; N],
     pub(crate) velocity: [T; N],
     pub(crate) displacement: [T; N],
-    pub(crate) acted: [T; N],
+    pub(crate) applied: [T; N],
     pub(crate) work: [T; N],
     pub(crate) effort: [T; N],
 }
@@ -85,7 +85,7 @@ fn sample<T: Real, const N: usize>(seed: &mut u64, power: f64, work: f64) -> Sam
         position: [T::of(0.0); N],
         velocity: [T::of(velocity); N],
         displacement: [T::of(displacement); N],
-        acted: [T::of(work * share / displacement); N],
+        applied: [T::of(work * share / displacement); N],
         work: [T::of(work * share); N],
         effort: [T::of(power * share / velocity); N],
     }

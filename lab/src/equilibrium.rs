@@ -1,6 +1,6 @@
 //! Where a scene comes to rest.
 
-use lyapunov::{Kinematics, Time};
+use lyapunov::environments::{Kinematics, Time};
 
 use crate::scene::{Draft, Motion, StaticSpring};
 
@@ -54,7 +54,7 @@ fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     Some(0.5 * (low + high))
 }
 
-/// How far the plant would swing about `rest` if nothing else acted.
+/// How far the plant would swing about `rest` if nothing else applied.
 pub(crate) fn swing(scene: &Draft, rest: f64) -> f64 {
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let frequency = (last_pull(scene) / mass).sqrt();

@@ -4,14 +4,14 @@
 //! else's:
 //!
 //! ```
-//! use lyapunov::{Action, Drive, Stabilizer};
+//! use lyapunov::{Correction, PortSample, Stabilizer};
 //! use lyapunov_lab::{Rollout, Summary, paper};
 //!
 //! /// A damper that is always there, N·s/m.
 //! struct Damper(f64);
 //! impl Stabilizer<f64> for Damper {
-//!     fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
-//!         Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }
+//!     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+//!         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }
 //!     }
 //! }
 //!

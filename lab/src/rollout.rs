@@ -1,6 +1,6 @@
 //! The closed loop of a scene, tick by tick.
 
-use lyapunov::{Drive, OnePort, ParameterError, Plant, Scalar, Signal, Stabilizer};
+use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Signal, Stabilizer};
 
 use crate::building::Seen;
 use crate::family::Member;
@@ -17,7 +17,7 @@ pub struct Rollout<V: Signal = f64> {
     last: u64,
     assembly: Assembly<V>,
     seen: Seen<V>,
-    truth: Drive<V>,
+    truth: PortSample<V>,
 }
 
 impl<V: Space> Rollout<V> {

@@ -46,10 +46,10 @@ impl Row {
             f_ctl,
             f_out,
             f_act,
-            observer: tick.action.sum.lane(0),
-            alpha: tick.action.alpha.lane(0),
-            shortfall: tick.action.shortfall.lane(0),
-            accepted: Mask::all(tick.action.accepted),
+            observer: tick.correction.observed_energy.lane(0),
+            alpha: tick.correction.alpha.lane(0),
+            shortfall: tick.correction.shortfall.lane(0),
+            accepted: Mask::all(tick.correction.accepted),
         }
     }
 

@@ -1,6 +1,6 @@
 //! One servo tick of a rollout.
 
-use lyapunov::{Action, Drive, Mask, Scalar, Signal};
+use lyapunov::{Correction, Mask, PortSample, Scalar, Signal};
 
 use crate::Space;
 
@@ -13,13 +13,13 @@ pub struct Tick<V: Signal> {
     /// Time, s.
     pub time: f64,
     /// The plant's own sample, before anything measures it.
-    pub truth: Drive<V>,
+    pub truth: PortSample<V>,
     /// The sample as the stabilizer is told it.
-    pub measured: Drive<V>,
+    pub measured: PortSample<V>,
     /// The environment's effort, N.
     pub environment: V,
     /// What the stabilizer did.
-    pub action: Action<V>,
+    pub correction: Correction<V>,
     /// The effort commanded, after saturation, N.
     pub command: V,
     /// The effort that acts on the plant until the next tick, after delay, N.
@@ -40,12 +40,12 @@ pub struct Apart<V> {
 impl<V: Space> Tick<V> {
     /// The controller's effort as a damper, `α v`, N.
     pub fn control(&self) -> V {
-        self.measured.velocity.scale(self.action.alpha)
+        self.measured.velocity.scale(self.correction.alpha)
     }
 
     /// Whether the sample was accepted and everything that is told of the tick is finite, in the first lane.
     pub(crate) fn in_range(&self) -> bool {
-        let Action { sum, alpha, shortfall, accepted, .. } = self.action;
+        let Correction { observed_energy: sum, alpha, shortfall, accepted, .. } = self.correction;
         let signals = [
             self.truth.position,
             self.measured.position,

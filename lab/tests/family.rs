@@ -4,8 +4,12 @@ use approx::abs_diff_eq;
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Beyond, DampingLimit, Drive, ForceBound, Plain, Popc, PortEnergy, ReferenceFollowing, Refine,
-    Scalar, Stabilizer, Storage, Store, Tank, Windowed,
+    DampingLimit, Popc, PortEnergy, PortSample, Scalar, Stabilizer, StorageFunction,
+    accumulators::Plain,
+    candidates::InContact,
+    stabilizers::{
+        ForceBound, ReferenceFollowing, StabilizerExt, Tank, TankLimits, WindowedCredit,
+    },
 };
 use lyapunov_lab::family::{Member, Members};
 use lyapunov_lab::{AnyStabilizer, Rollout, Row, Scene};
@@ -42,10 +46,10 @@ fn by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
         "popc-bounded" => AnyStabilizer::new(popc.bounded(ENERGY).unwrap()),
         "popc-windowed" => {
             // A swing of 2π / 10 rad/s is 628.3 ticks, an eighth of it 78.5.
-            let sum = Windowed::<f64, Plain<f64>, 8>::of_ticks(79).unwrap();
+            let sum = WindowedCredit::<f64, Plain<f64>, 8>::of_ticks(79).unwrap();
             AnyStabilizer::new(popc.summed_by(sum))
         }
-        "popc-contact-reset" => AnyStabilizer::new(popc.reset_at(Beyond { position: 0.001 })),
+        "popc-contact-reset" => AnyStabilizer::new(popc.reset_at(InContact { position: 0.001 })),
         "popc-threshold" => AnyStabilizer::new(popc.above_velocity(1e-5 / PERIOD).unwrap()),
         "popc-spread" => AnyStabilizer::new(popc.spread_over(4).unwrap()),
         "popc-rising" => AnyStabilizer::new(popc.rising_over(4).unwrap()),
@@ -55,7 +59,7 @@ fn by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
         }
         "popc-reference" => {
             let stored = |x: f64, _v: f64| 10000.0 * (x - 0.001).max(0.0).powi(2);
-            let candidate = (PortEnergy, Storage::starting(stored, -0.04, 0.0));
+            let candidate = (PortEnergy, StorageFunction::starting(stored, -0.04, 0.0));
             let limit = DampingLimit::of_mass(0.4, 0.5, PERIOD).unwrap();
             AnyStabilizer::new(ReferenceFollowing::new(candidate, limit))
         }
@@ -63,8 +67,12 @@ fn by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
             AnyStabilizer::new(ForceBound::new(0.25).unwrap().budgeted(ENERGY).unwrap())
         }
         "tank" => {
-            let store =
-                Store { start: ENERGY, floor: 0.0, ceiling: 2.0 * ENERGY, power: f64::INFINITY };
+            let store = TankLimits {
+                start: ENERGY,
+                floor: 0.0,
+                ceiling: 2.0 * ENERGY,
+                power: f64::INFINITY,
+            };
             AnyStabilizer::new(Tank::new(PortEnergy, store).unwrap())
         }
         _ => return None,
@@ -136,8 +144,8 @@ fn a_budget_is_what_is_stored_at_the_start() {
     let scene = Scene::parse(&scene, "test").unwrap();
     let member: Member = "popc-budgeted".parse().unwrap();
     let mut budgeted = member.on::<f64>(&scene).unwrap();
-    let still = Drive::starting(PERIOD, 0.003, 0.0);
-    let sum = budgeted.stabilize(&still, 40.0).sum;
+    let still = PortSample::starting(PERIOD, 0.003, 0.0);
+    let sum = budgeted.stabilize(&still, 40.0).observed_energy;
     assert!(abs_diff_eq!(sum, 0.5 * 20000.0 * 0.002 * 0.002, epsilon = 1e-15), "{sum}");
 }
 
@@ -168,14 +176,14 @@ fn names_are_read_and_written() {
     }
 }
 
-fn first<L: Scalar>(drive: &Drive<L>) -> Drive<f64> {
-    Drive {
-        period: drive.period.lane(0),
-        position: drive.position.lane(0),
-        velocity: drive.velocity.lane(0),
-        displacement: drive.displacement.lane(0),
-        acted: drive.acted.lane(0),
-        work: drive.work.lane(0),
+fn first<L: Scalar>(sample: &PortSample<L>) -> PortSample<f64> {
+    PortSample {
+        period: sample.period.lane(0),
+        position: sample.position.lane(0),
+        velocity: sample.velocity.lane(0),
+        displacement: sample.displacement.lane(0),
+        applied: sample.applied.lane(0),
+        work: sample.work.lane(0),
     }
 }
 
@@ -186,11 +194,15 @@ fn lanes_and_scalars_are_set_alike() {
         let mut lanes = member.on::<AutoF64x8>(&scene).unwrap();
         let mut alone = member.on::<f64>(&scene).unwrap();
         member.on::<f32>(&scene).unwrap();
-        for (drive, effort) in Samples::<AutoF64x8>::new(AutoF64x8::of(PERIOD)).seeded(7) {
-            let together = lanes.stabilize(&drive, effort);
-            let action = alone.stabilize(&first(&drive), effort.lane(0));
-            let (ours, theirs) = (together.effort.lane(0), action.effort);
-            assert_eq!((ours, together.sum.lane(0)), (theirs, action.sum), "{member}");
+        for (sample, effort) in Samples::<AutoF64x8>::new(AutoF64x8::of(PERIOD)).seeded(7) {
+            let together = lanes.stabilize(&sample, effort);
+            let correction = alone.stabilize(&first(&sample), effort.lane(0));
+            let (ours, theirs) = (together.effort.lane(0), correction.effort);
+            assert_eq!(
+                (ours, together.observed_energy.lane(0)),
+                (theirs, correction.observed_energy),
+                "{member}"
+            );
         }
     }
 }

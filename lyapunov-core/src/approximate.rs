@@ -8,7 +8,7 @@
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
-use crate::{Action, DoubleDouble, Drive, Load, Scalar, Signal, State};
+use crate::{AdmittanceSample, Correction, DoubleDouble, PortSample, Scalar, Signal, State};
 
 /// Implements `approx`'s three traits for a type of which each field has them, all with the tolerance of the first bound.
 #[doc(hidden)]
@@ -77,14 +77,14 @@ macro_rules! approximate {
     };
 }
 
-approximate!(impl[V: Signal] Drive<V>, of V, V::Scalar {
-    period, position, velocity, displacement, acted, work
+approximate!(impl[V: Signal] PortSample<V>, of V, V::Scalar {
+    period, position, velocity, displacement, applied, work
 });
-approximate!(impl[V: Signal] Load<V>, of V, V::Scalar {
+approximate!(impl[V: Signal] AdmittanceSample<V>, of V, V::Scalar {
     period, momentum, effort, impulse, flow, work
 });
-approximate!(impl[V: Signal] Action<V>, of V, V::Scalar {
-    effort, sum, alpha, shortfall; same Action::accepted_alike
+approximate!(impl[V: Signal] Correction<V>, of V, V::Scalar {
+    effort, observed_energy, alpha, shortfall; same Correction::accepted_alike
 });
 approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
 

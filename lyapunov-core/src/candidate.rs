@@ -1,8 +1,8 @@
 //! The function whose decrease an observer sums.
 
-use crate::{Drive, Scalar, Signal};
+use crate::{PortSample, Scalar, Signal};
 
-/// A Lyapunov candidate `V`, known by what each drive lets it lose.
+/// A Lyapunov candidate `V`, known by what each sample lets it lose.
 ///
 /// The observer sum of a candidate is `L(n) = Σ −ΔV`, in joules: what the port absorbed plus what the
 /// candidate credits. `L ≥ 0` is good, `L < 0` a debt. (The paper's equation 7 wants the sum of `V̇` not
@@ -13,25 +13,25 @@ use crate::{Drive, Scalar, Signal};
 /// example 2 prints in its step 4. A term of one's own is one struct and one method:
 ///
 /// ```
-/// use lyapunov_core::{Drive, LyapunovCandidate};
+/// use lyapunov_core::{PortSample, LyapunovCandidate};
 /// /// The port's energy, with what quadratic drag must have burnt credited.
 /// struct Drag { coefficient: f64 } // N·s²/m²
 /// impl LyapunovCandidate<f64> for Drag {
-///     fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
-///         let v = drive.velocity;
-///         drive.work + self.coefficient * v.abs() * v * v * drive.period
+///     fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
+///         let v = sample.velocity;
+///         sample.work + self.coefficient * v.abs() * v * v * sample.period
 ///     }
 /// }
 /// ```
 pub trait LyapunovCandidate<V: Signal> {
-    /// `−ΔV` over the drive, J: positive where the port absorbed or a damper burnt energy.
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar;
+    /// `−ΔV` over the sample, J: positive where the port absorbed or a damper burnt energy.
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar;
 }
 
 impl<V: Signal, C: LyapunovCandidate<V> + ?Sized> LyapunovCandidate<V> for &mut C {
     #[inline(always)]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        (**self).decrease(drive)
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        (**self).decrease(sample)
     }
 }
 
@@ -41,8 +41,8 @@ where
     B: LyapunovCandidate<V>,
 {
     #[inline(always)]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        self.0.decrease(drive) + self.1.decrease(drive)
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        self.0.decrease(sample) + self.1.decrease(sample)
     }
 }
 
@@ -53,8 +53,8 @@ where
     C: LyapunovCandidate<V>,
 {
     #[inline(always)]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        self.0.decrease(drive) + self.1.decrease(drive) + self.2.decrease(drive)
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        self.0.decrease(sample) + self.1.decrease(sample) + self.2.decrease(sample)
     }
 }
 
@@ -65,8 +65,8 @@ pub struct PortEnergy;
 
 impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
     #[inline(always)]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        drive.work.sum()
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        sample.work.sum()
     }
 }
 
@@ -82,20 +82,20 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{Drive, LyapunovCandidate, Storage};
+/// use lyapunov_core::{PortSample, LyapunovCandidate, StorageFunction};
 /// // A hand of 0.3 kg with a spring of 50 N/m.
 /// let energy = |x: f64, v: f64| 0.5 * (0.3 * v * v + 50.0 * x * x);
-/// let mut candidate = Storage::starting(energy, 0.1, 0.0);
-/// let drive = Drive::new(1e-3, 0.0, 0.0, -0.1, 0.0);
-/// assert_abs_diff_eq!(candidate.decrease(&drive), 0.25, epsilon = 1e-12);
+/// let mut candidate = StorageFunction::starting(energy, 0.1, 0.0);
+/// let sample = PortSample::new(1e-3, 0.0, 0.0, -0.1, 0.0);
+/// assert_abs_diff_eq!(candidate.decrease(&sample), 0.25, epsilon = 1e-12);
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Storage<F, T> {
+pub struct StorageFunction<F, T> {
     function: F,
     last: T,
 }
 
-impl<F, T: Scalar> Storage<F, T> {
+impl<F, T: Scalar> StorageFunction<F, T> {
     /// `function` seen from the state the loop starts in.
     pub fn starting<V: Signal<Scalar = T>>(function: F, position: V, velocity: V) -> Self
     where
@@ -106,14 +106,14 @@ impl<F, T: Scalar> Storage<F, T> {
     }
 }
 
-impl<V, F> LyapunovCandidate<V> for Storage<F, V::Scalar>
+impl<V, F> LyapunovCandidate<V> for StorageFunction<F, V::Scalar>
 where
     V: Signal,
     F: Fn(V, V) -> V::Scalar,
 {
     #[inline(always)]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        let now = (self.function)(drive.position, drive.velocity);
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        let now = (self.function)(sample.position, sample.velocity);
         let decrease = self.last - now;
         self.last = V::Scalar::choose(now.finite(), now, self.last);
         decrease

@@ -1,11 +1,11 @@
 //! What a damper must have burnt, as a term of a candidate.
 
-use crate::{Drive, LyapunovCandidate, Mask, ParameterError, Requirement, Scalar, Signal};
+use crate::{LyapunovCandidate, Mask, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 /// When a term counts.
 pub trait Gate<V: Signal> {
-    /// Where the term counts for this drive.
-    fn open(&self, drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask;
+    /// Where the term counts for this sample.
+    fn open(&self, sample: &PortSample<V>) -> <V::Scalar as Scalar>::Mask;
 }
 
 /// The gate that is always open.
@@ -14,22 +14,22 @@ pub struct Always;
 
 impl<V: Signal> Gate<V> for Always {
     #[inline(always)]
-    fn open(&self, _drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask {
+    fn open(&self, _drive: &PortSample<V>) -> <V::Scalar as Scalar>::Mask {
         Mask::of(true)
     }
 }
 
 /// The gate that is open strictly beyond a surface: in contact with a one-sided wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beyond<T> {
+pub struct InContact<T> {
     /// Where the surface is, m.
     pub position: T,
 }
 
-impl<T: Scalar> Gate<T> for Beyond<T> {
+impl<T: Scalar> Gate<T> for InContact<T> {
     #[inline(always)]
-    fn open(&self, drive: &Drive<T>) -> T::Mask {
-        drive.position.above(self.position)
+    fn open(&self, sample: &PortSample<T>) -> T::Mask {
+        sample.position.above(self.position)
     }
 }
 
@@ -73,8 +73,8 @@ impl<T: Copy, G> Dissipation<T, G> {
 
 impl<V: Signal, G: Gate<V>> LyapunovCandidate<V> for Dissipation<V::Scalar, G> {
     #[inline(always)]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        let burnt = self.damping * (drive.velocity.pair(drive.velocity) * drive.period);
-        V::Scalar::choose(self.gate.open(drive) & burnt.finite(), burnt, Scalar::of(0.0))
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        let burnt = self.damping * (sample.velocity.inner(sample.velocity) * sample.period);
+        V::Scalar::choose(self.gate.open(sample) & burnt.finite(), burnt, Scalar::of(0.0))
     }
 }

@@ -249,12 +249,12 @@ impl Scalar for DoubleDouble {
     }
 
     #[inline]
-    fn tiny() -> Self {
+    fn smallest_normal() -> Self {
         Self { high: f64::MIN_POSITIVE, low: 0.0 }
     }
 
     #[inline]
-    fn least() -> Self {
+    fn smallest_positive() -> Self {
         Self { high: f64::from_bits(1), low: 0.0 }
     }
 

@@ -71,12 +71,12 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn tiny() -> Self {
+            fn smallest_normal() -> Self {
                 <$lanes as SimdValue>::splat($real::MIN_POSITIVE)
             }
 
             #[inline(always)]
-            fn least() -> Self {
+            fn smallest_positive() -> Self {
                 <$lanes as SimdValue>::splat($real::from_bits(1))
             }
 

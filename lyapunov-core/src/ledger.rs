@@ -3,22 +3,22 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use crate::{Accumulator, Drive, Scalar, Signal};
+use crate::{Accumulator, PortSample, Scalar, Signal};
 
 /// Which work a ledger books.
 pub trait Work: Copy + Debug {
-    /// The drive that the candidate's terms see, given the effort of the port behind the stabilizer.
-    fn drive<V: Signal>(drive: &Drive<V>, effort: V) -> Drive<V>;
+    /// The sample that the candidate's terms see, given the effort of the port behind the stabilizer.
+    fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V>;
 
     /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
     /// the sum between the two.
     fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T;
 }
 
-/// The work that really crossed the port: the effort that acted times the displacement.
+/// The work that really crossed the port: the effort that applied times the displacement.
 ///
 /// `L(n) = L(n−1) + f_act(n−1) Δx(n) + credit`. Under a held effort this is exact, the controller's own
-/// damping included, so nothing is assumed about what a correction achieved: it shows in the next drive.
+/// damping included, so nothing is assumed about what a correction achieved: it shows in the next sample.
 /// This is the default; hold-exact port energy is due to Stramigioli and co-workers (IEEE Transactions on
 /// Robotics 21(4), 2005).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,8 +26,8 @@ pub struct Held;
 
 impl Work for Held {
     #[inline(always)]
-    fn drive<V: Signal>(drive: &Drive<V>, _effort: V) -> Drive<V> {
-        *drive
+    fn sample<V: Signal>(sample: &PortSample<V>, _effort: V) -> PortSample<V> {
+        *sample
     }
 
     #[inline(always)]
@@ -46,9 +46,9 @@ pub struct Sampled;
 
 impl Work for Sampled {
     #[inline(always)]
-    fn drive<V: Signal>(drive: &Drive<V>, effort: V) -> Drive<V> {
-        let displacement = drive.velocity.scale(drive.period);
-        Drive::new(drive.period, drive.position, drive.velocity, displacement, effort)
+    fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V> {
+        let displacement = sample.velocity.scale(sample.period);
+        PortSample::new(sample.period, sample.position, sample.velocity, displacement, effort)
     }
 
     #[inline(always)]
@@ -91,17 +91,17 @@ impl<W: Work, A> Ledger<W, A> {
 
     /// Forgets what is stored above `most` joules.
     #[inline]
-    pub fn forget_above<T: Scalar>(&mut self, most: T)
+    pub fn limit_credit<T: Scalar>(&mut self, most: T)
     where
         A: Accumulator<T>,
     {
         self.sum.lower(most);
     }
 
-    /// The drive that the candidate's terms see, given the effort of the port behind the stabilizer.
+    /// The sample that the candidate's terms see, given the effort of the port behind the stabilizer.
     #[inline(always)]
-    pub fn drive<V: Signal>(&self, drive: &Drive<V>, effort: V) -> Drive<V> {
-        W::drive(drive, effort)
+    pub fn sample<V: Signal>(&self, sample: &PortSample<V>, effort: V) -> PortSample<V> {
+        W::sample(sample, effort)
     }
 
     /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns

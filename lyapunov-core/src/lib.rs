@@ -1,7 +1,7 @@
 //! The traits of a stabilized sampled loop, and the parts that every stabilizer is made of.
 //!
 //! A **port** carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
-//! A [`Plant`] moves and tells a [`Drive`]: what moved, and which effort really acted. A [`OnePort`] answers
+//! A [`Plant`] moves and tells a [`PortSample`]: what moved, and which effort really applied. A [`OnePort`] answers
 //! with the next effort. In between a [`Stabilizer`] watches an [`Observer`]: the sum of what a
 //! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. An [`Integrator`] follows the [`Dynamics`] of a plant through
 //! its period; those of a mass are [`Mechanics`]. Everything is generic over the [`Scalar`] (`f32`,
@@ -9,31 +9,31 @@
 //! an allocator, and does not panic. [`laws`] checks parts of one's own.
 //!
 //! Only impedance causality is here: motion in, effort out. The names leave room for the other: what is said of
-//! a `Drive` and an effort would be said of a load and a flow.
+//! a `PortSample` and an effort would be said of a load and a flow.
 //!
 //! Not here: scheduling, clocks, threads, names of signals at run time, graphs of blocks. The caller calls.
 #![no_std]
 
 mod accumulator;
-mod action;
+mod admittance_sample;
 #[cfg(feature = "approx")]
 mod approximate;
 mod candidate;
+mod correction;
 mod dissipation;
 mod double_double;
-mod drive;
 mod dynamics;
 mod integrator;
 pub mod lanes;
 pub mod laws;
 mod ledger;
-mod load;
 mod lyapunov_function;
 mod mechanics;
 mod observer;
 mod one_port;
 mod parameter;
 mod plant;
+mod port_sample;
 mod scalar;
 mod signal;
 mod stabilizer;
@@ -44,21 +44,21 @@ mod state;
 pub use approx;
 
 pub use accumulator::{Accumulator, Compensated, Plain, Wide, Widen};
-pub use action::Action;
-pub use candidate::{LyapunovCandidate, PortEnergy, Storage};
-pub use dissipation::{Always, Beyond, Dissipation, Gate};
+pub use admittance_sample::AdmittanceSample;
+pub use candidate::{LyapunovCandidate, PortEnergy, StorageFunction};
+pub use correction::Correction;
+pub use dissipation::{Always, Dissipation, Gate, InContact};
 pub use double_double::DoubleDouble;
-pub use drive::Drive;
 pub use dynamics::Dynamics;
 pub use integrator::Integrator;
 pub use ledger::{Held, Ledger, Sampled, Work};
-pub use load::Load;
 pub use lyapunov_function::LyapunovFunction;
 pub use mechanics::Mechanics;
 pub use observer::Observer;
 pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
 pub use plant::Plant;
+pub use port_sample::PortSample;
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;
 pub use stabilizer::{Stabilized, Stabilizer};

@@ -1,16 +1,18 @@
 //! The observer: a candidate, a kind of work and a sum.
 
-use crate::{Accumulator, Drive, Held, Ledger, LyapunovCandidate, Plain, Scalar, Signal, Work};
+use crate::{
+    Accumulator, Held, Ledger, LyapunovCandidate, Plain, PortSample, Scalar, Signal, Work,
+};
 
 /// Sums the decrease of a Lyapunov candidate at a port (the paper's equation 8, in joules).
 ///
 /// A pure observer: it touches nothing. A stabilizer is an observer with a controller behind it.
 ///
 /// ```
-/// use lyapunov_core::{Drive, Observer, PortEnergy};
+/// use lyapunov_core::{PortSample, Observer, PortEnergy};
 /// let mut observer = Observer::of(PortEnergy);
-/// let start = Drive::starting(1e-3, 0.0, 0.0);
-/// let moved = Drive::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N acted over 0.1 mm
+/// let start = PortSample::starting(1e-3, 0.0, 0.0);
+/// let moved = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm
 /// observer.observe(&start, -2.0);
 /// assert_eq!(observer.observe(&moved, -3.0), -2e-4); // the port gave 0.2 mJ away
 /// ```
@@ -35,26 +37,26 @@ impl<C, W: Work, A> Observer<C, W, A> {
         Observer { candidate: self.candidate, ledger: Ledger::new() }
     }
 
-    /// What the drive lets the candidate lose, J; `effort` is what the port behind the observer answers to
+    /// What the sample lets the candidate lose, J; `effort` is what the port behind the observer answers to
     /// it, N.
     #[inline(always)]
-    pub fn decrease<V: Signal>(&mut self, drive: &Drive<V>, effort: V) -> V::Scalar
+    pub fn decrease<V: Signal>(&mut self, sample: &PortSample<V>, effort: V) -> V::Scalar
     where
         C: LyapunovCandidate<V>,
     {
-        self.candidate.decrease(&self.ledger.drive(drive, effort))
+        self.candidate.decrease(&self.ledger.sample(sample, effort))
     }
 
-    /// Books what the drive tells; returns the observer sum `L(n)`, J. A decrease that is not finite, or
+    /// Books what the sample tells; returns the observer sum `L(n)`, J. A decrease that is not finite, or
     /// that the sum has no room for, is left out.
     #[inline(always)]
-    pub fn observe<V: Signal>(&mut self, drive: &Drive<V>, effort: V) -> V::Scalar
+    pub fn observe<V: Signal>(&mut self, sample: &PortSample<V>, effort: V) -> V::Scalar
     where
         C: LyapunovCandidate<V>,
         A: Accumulator<V::Scalar>,
     {
         let zero = V::Scalar::of(0.0);
-        let decrease = self.decrease(drive, effort);
+        let decrease = self.decrease(sample, effort);
         let fits = self.ledger.fits(decrease);
         self.ledger.book(V::Scalar::choose(fits, decrease, zero), zero)
     }

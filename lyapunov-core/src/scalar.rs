@@ -86,10 +86,10 @@ pub trait Scalar:
     fn real(self, index: usize) -> Self::Real;
 
     /// The smallest positive normal number: the least `v² T` that a stabilizer divides by.
-    fn tiny() -> Self;
+    fn smallest_normal() -> Self;
 
     /// The smallest positive number.
-    fn least() -> Self;
+    fn smallest_positive() -> Self;
 
     /// The largest finite number.
     fn largest() -> Self;
@@ -188,12 +188,12 @@ macro_rules! real {
             }
 
             #[inline(always)]
-            fn tiny() -> Self {
+            fn smallest_normal() -> Self {
                 $real::MIN_POSITIVE
             }
 
             #[inline(always)]
-            fn least() -> Self {
+            fn smallest_positive() -> Self {
                 $real::from_bits(1)
             }
 

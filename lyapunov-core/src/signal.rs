@@ -15,7 +15,7 @@ use crate::Scalar;
 /// use lyapunov_core::Signal;
 /// use nalgebra::Vector3;
 /// let (force, velocity) = (Vector3::new(1.0, 2.0, 0.0), Vector3::new(0.5, 0.25, 9.0));
-/// assert_eq!(force.pair(velocity), 1.0);
+/// assert_eq!(force.inner(velocity), 1.0);
 /// ```
 pub trait Signal:
     Copy + Debug + PartialEq + Zero + Add<Output = Self> + Sub<Output = Self> + 'static
@@ -55,7 +55,7 @@ pub trait Signal:
 
     /// The power product `Σ aᵢ bᵢ`: effort paired with flow, in watts.
     #[inline(always)]
-    fn pair(self, other: Self) -> Self::Scalar {
+    fn inner(self, other: Self) -> Self::Scalar {
         self.times(other).sum()
     }
 
@@ -73,7 +73,7 @@ pub trait Signal:
     #[inline(always)]
     fn finite(self) -> <Self::Scalar as Scalar>::Mask {
         // Zero times a finite number is zero, times anything else NaN, which is below nothing.
-        self.scale(Self::Scalar::zero()).sum().below(Self::Scalar::tiny())
+        self.scale(Self::Scalar::zero()).sum().below(Self::Scalar::smallest_normal())
     }
 }
 

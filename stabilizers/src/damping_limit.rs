@@ -29,7 +29,7 @@ impl<T: Scalar> DampingLimit<T> {
     }
 
     /// The limit of a mobility, `cap / (stiffness · period)` in m/(N·s), for admittance causality
-    /// ([`Load`](lyapunov_core::Load)): `stiffness` is the largest that the device is held with, N/m.
+    /// ([`AdmittanceSample`](lyapunov_core::AdmittanceSample)): `stiffness` is the largest that the device is held with, N/m.
     ///
     /// A held velocity `β f` against a spring `k` multiplies its force by `1 − β k T` on each tick, as a held damper does
     /// with the velocity of a mass: `1 / k` stands where `m` stood.

@@ -1,10 +1,11 @@
 //! Forces no larger than the device's own damper can pay for.
 
 use lyapunov_core::{
-    Accumulator, Action, Drive, ParameterError, Plain, Requirement, Scalar, Signal, Stabilizer,
+    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
+    Stabilizer,
 };
 
-use crate::{Account, Refine};
+use crate::{LimitCredit, StabilizerExt};
 
 /// Force bounding: `|F(n)| ≤ √(4 b E(n) / T)`, `E(n) = E₀ + Σ (f_act(n−1) · Δx(n) + b |Δx(n)|² / T)`.
 ///
@@ -19,15 +20,15 @@ use crate::{Account, Refine};
 /// velocity, and at rest it is as good as in motion. It needs a damping that is surely there, and a force that acts over
 /// the next period: one that acts late may leave the account below 0, which is told as shortfall. The first touch after
 /// little motion is soft, for the account starts at `E₀` ([`budgeted`](Self::budgeted)). What a long free motion
-/// burnt allows large forces later: see [`Refine::bounded`] and [`Refine::reset_at`].
+/// burnt allows large forces later: see [`StabilizerExt::bounded`] and [`StabilizerExt::reset_at`].
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_core::{PortSample, Stabilizer};
 /// use lyapunov_stabilizers::ForceBound;
 /// let mut bound = ForceBound::new(0.1)?.budgeted(1e-3)?; // N·s/m, J
-/// let action = bound.stabilize(&Drive::starting(1e-3, 0.0, 0.0), 5.0);
-/// assert_abs_diff_eq!(action.effort, 0.4_f64.sqrt(), epsilon = 1e-12); // √(4 · 0.1 · 1e-3 / 1e-3) N
+/// let correction = bound.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), 5.0);
+/// assert_abs_diff_eq!(correction.effort, 0.4_f64.sqrt(), epsilon = 1e-12); // √(4 · 0.1 · 1e-3 / 1e-3) N
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -63,33 +64,33 @@ impl<T: Scalar, A: Accumulator<T>> ForceBound<T, A> {
     }
 }
 
-impl<T, A> Refine for ForceBound<T, A> {}
+impl<T, A> StabilizerExt for ForceBound<T, A> {}
 
-impl<T: Scalar, A: Accumulator<T>> Account<T> for ForceBound<T, A> {
+impl<T: Scalar, A: Accumulator<T>> LimitCredit<T> for ForceBound<T, A> {
     #[inline]
-    fn forget_above(&mut self, most: T) {
+    fn limit_credit(&mut self, most: T) {
         self.energy.lower(most);
     }
 }
 
 impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for ForceBound<V::Scalar, A> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        let moved = drive.displacement.pair(drive.displacement);
-        let change = drive.work.sum() + self.damping * (moved / drive.period);
+        let moved = sample.displacement.inner(sample.displacement);
+        let change = sample.work.sum() + self.damping * (moved / sample.period);
         let booked = (self.energy.value() + change).finite();
         self.energy.add(V::Scalar::choose(booked, change, zero));
         let sum = self.energy.value();
         // A little less than the bound: with the rounding of what follows the account stays at or above 0.
         let share = V::Scalar::of(4.0) - V::Scalar::of(64.0) * V::Scalar::epsilon();
-        let most = (share * self.damping * (sum.larger(zero) / drive.period)).sqrt();
-        let size = effort.pair(effort).sqrt();
+        let most = (share * self.damping * (sum.larger(zero) / sample.period)).sqrt();
+        let size = effort.inner(effort).sqrt();
         let factor = V::Scalar::choose(size.above(most), most / size, one);
         let accepted = booked & (size + most).finite() & effort.finite();
-        Action {
+        Correction {
             effort: V::choose(accepted, effort.scale(factor), V::zero()),
-            sum,
+            observed_energy: sum,
             alpha: zero,
             shortfall: (-sum).larger(zero),
             accepted,

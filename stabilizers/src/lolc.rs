@@ -1,11 +1,11 @@
 //! The Lyapunov observer/controller.
 
 use lyapunov_core::{
-    Accumulator, Action, Drive, Held, Ledger, LyapunovCandidate, Mask, Observer, ParameterError,
-    Plain, Requirement, Sampled, Scalar, Signal, Stabilizer, Work,
+    Accumulator, Correction, Held, Ledger, LyapunovCandidate, Mask, Observer, ParameterError,
+    Plain, PortSample, Requirement, Sampled, Scalar, Signal, Stabilizer, Work,
 };
 
-use crate::{Account, DampingLimit};
+use crate::{DampingLimit, LimitCredit};
 
 /// The Lyapunov observer/controller of Jafari, Etoundi and Chong.
 ///
@@ -21,18 +21,18 @@ use crate::{Account, DampingLimit};
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
 /// code. A sample is rejected where its sum, `v² T` and corrected effort do not add up to a finite number: it
-/// gives a zero effort, the action says so, and the ledger books its decrease if that is finite, as the past it
+/// gives a zero effort, the correction says so, and the ledger books its decrease if that is finite, as the past it
 /// tells of did happen.
 ///
 /// ```
-/// use lyapunov_core::{Dissipation, Drive, PortEnergy, Stabilizer};
+/// use lyapunov_core::{Dissipation, PortSample, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Lolc};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T
 /// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper burns
 /// let mut lolc = Lolc::new(candidate, limit);
-/// let drive = Drive::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N acted over 0.1 mm: a debt of 0.2 mJ
-/// let action = lolc.stabilize(&drive, 0.5);
-/// assert!(action.sum < 0.0 && action.effort > 0.5 && action.shortfall == 0.0);
+/// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// let correction = lolc.stabilize(&sample, 0.5);
+/// assert!(correction.observed_energy < 0.0 && correction.effort > 0.5 && correction.shortfall == 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -75,12 +75,12 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// `energy` below 0, infinite or NaN.
     ///
     /// ```
-    /// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+    /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
     /// use lyapunov_stabilizers::{DampingLimit, Popc};
     /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
-    /// let drive = Drive::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // a spring pushes out: it gives 0.2 mJ
-    /// assert!({ popc }.stabilize(&drive, 2.0).alpha > 0.0);
-    /// assert_eq!(popc.budgeted(1e-3)?.stabilize(&drive, 2.0).alpha, 0.0);
+    /// let sample = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // a spring pushes out: it gives 0.2 mJ
+    /// assert!({ popc }.stabilize(&sample, 2.0).alpha > 0.0);
+    /// assert_eq!(popc.budgeted(1e-3)?.stabilize(&sample, 2.0).alpha, 0.0);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
@@ -99,10 +99,10 @@ impl<T, C, W, A> Lolc<T, C, W, A> {
     }
 }
 
-impl<T: Scalar, C, W: Work, A: Accumulator<T>> Account<T> for Lolc<T, C, W, A> {
+impl<T: Scalar, C, W: Work, A: Accumulator<T>> LimitCredit<T> for Lolc<T, C, W, A> {
     #[inline]
-    fn forget_above(&mut self, most: T) {
-        self.observer.ledger.forget_above(most);
+    fn limit_credit(&mut self, most: T) {
+        self.observer.ledger.limit_credit(most);
     }
 }
 
@@ -114,22 +114,26 @@ where
     A: Accumulator<V::Scalar>,
 {
     #[inline(always)]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let before = self.observer.ledger;
-        let sample = Sample {
-            decrease: self.observer.decrease(drive, effort),
-            square: drive.velocity.pair(drive.velocity) * drive.period,
-            velocity: drive.velocity,
+        let terms = Terms {
+            decrease: self.observer.decrease(sample, effort),
+            square: sample.velocity.inner(sample.velocity) * sample.period,
+            velocity: sample.velocity,
             effort,
         };
-        let action = self.correct(sample);
-        if action.accepted.all() { action } else { self.reject(before, sample, action.accepted) }
+        let correction = self.correct(terms);
+        if correction.accepted.all() {
+            correction
+        } else {
+            self.reject(before, terms, correction.accepted)
+        }
     }
 }
 
 /// What one step works on.
 #[derive(Clone, Copy)]
-struct Sample<V: Signal> {
+struct Terms<V: Signal> {
     decrease: V::Scalar,
     square: V::Scalar,
     velocity: V,
@@ -138,10 +142,10 @@ struct Sample<V: Signal> {
 
 impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     #[inline(always)]
-    fn correct<V: Signal<Scalar = T>>(&mut self, sample: Sample<V>) -> Action<V> {
-        let Sample { decrease, square, velocity, effort } = sample;
+    fn correct<V: Signal<Scalar = T>>(&mut self, terms: Terms<V>) -> Correction<V> {
+        let Terms { decrease, square, velocity, effort } = terms;
         let limit = self.limit.most();
-        let moving = T::choose(square.above(T::tiny()), square, T::zero());
+        let moving = T::choose(square.above(T::smallest_normal()), square, T::zero());
         let most = -limit * moving;
         let sum = self.observer.ledger.book(decrease, most);
         // Debts are negative here, and -0 where there is none, which makes alpha +0.
@@ -151,31 +155,31 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         // checks it by, and of v² T in any order. The divisor stays normal: 0 would give NaN, and a subnormal one
         // takes several times as long.
         let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
-        let alpha = (paid / (square * -margin).smaller(-T::tiny())).smaller(limit);
+        let alpha = (paid / (square * -margin).smaller(-T::smallest_normal())).smaller(limit);
         let effort = effort + velocity.scale(alpha);
         let accepted = (sum + square + effort.sum()).finite();
-        Action { effort, sum, alpha, shortfall: paid - debt, accepted }
+        Correction { effort, observed_energy: sum, alpha, shortfall: paid - debt, accepted }
     }
 
     /// The step again, with everything that is not sound left out.
     ///
     /// A way of its own, because in the step it would be five more choices on every tick for what hardly ever
-    /// happens; inlined, because a call would keep the sum and the action in memory instead of registers.
+    /// happens; inlined, because a call would keep the sum and the correction in memory instead of registers.
     #[inline(always)]
     fn reject<V: Signal<Scalar = T>>(
         &mut self,
         before: Ledger<W, A>,
-        sample: Sample<V>,
+        terms: Terms<V>,
         accepted: T::Mask,
-    ) -> Action<V> {
-        let booked = accepted | before.fits(sample.decrease);
-        let sound = Sample {
-            decrease: T::choose(booked, sample.decrease, T::zero()),
-            square: T::choose(accepted, sample.square, T::zero()),
-            velocity: V::choose(accepted, sample.velocity, V::zero()),
-            effort: V::choose(accepted, sample.effort, V::zero()),
+    ) -> Correction<V> {
+        let booked = accepted | before.fits(terms.decrease);
+        let sound = Terms {
+            decrease: T::choose(booked, terms.decrease, T::zero()),
+            square: T::choose(accepted, terms.square, T::zero()),
+            velocity: V::choose(accepted, terms.velocity, V::zero()),
+            effort: V::choose(accepted, terms.effort, V::zero()),
         };
         self.observer.ledger = before;
-        Action { accepted, ..self.correct(sound) }
+        Correction { accepted, ..self.correct(sound) }
     }
 }

@@ -1,6 +1,6 @@
 //! The null stabilizer.
 
-use lyapunov_core::{Action, Drive, Signal, Stabilizer};
+use lyapunov_core::{Correction, PortSample, Signal, Stabilizer};
 
 /// No stabilizer: every effort goes through as it came, one that is not finite too.
 ///
@@ -12,17 +12,17 @@ use lyapunov_core::{Action, Drive, Signal, Stabilizer};
 /// every sample and keeps no law that is about rejection.
 ///
 /// ```
-/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_core::{PortSample, Stabilizer};
 /// use lyapunov_stabilizers::NoStabilizer;
-/// let action = NoStabilizer.stabilize(&Drive::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 5.0);
-/// assert_eq!((action.effort, action.sum, action.alpha), (5.0, 0.0, 0.0));
+/// let correction = NoStabilizer.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 5.0);
+/// assert_eq!((correction.effort, correction.observed_energy, correction.alpha), (5.0, 0.0, 0.0));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NoStabilizer;
 
 impl<V: Signal> Stabilizer<V> for NoStabilizer {
     #[inline(always)]
-    fn stabilize(&mut self, _drive: &Drive<V>, effort: V) -> Action<V> {
-        Action::none(effort)
+    fn stabilize(&mut self, _drive: &PortSample<V>, effort: V) -> Correction<V> {
+        Correction::none(effort)
     }
 }

@@ -1,8 +1,8 @@
 //! Forces on the way out no larger than those on the way in.
 
-use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Stabilizer};
+use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar, Stabilizer};
 
-use crate::Refine;
+use crate::StabilizerExt;
 
 /// Memory-based passivation: what pressing in took is kept place by place, and letting go gives no more there. One axis, one
 /// side: the environment lies beyond a surface and pushes against `+x`, like a wall.
@@ -19,14 +19,14 @@ use crate::Refine;
 /// F(n) ≤ max(0, (A(x − l, x) − D(n)) / l)              where v < 0;  l = max(|v| T, a cell)
 /// ```
 ///
-/// The port's energy is never below `−D`, whatever the motion and whatever acted: each stretch gives what it took or less, and the
+/// The port's energy is never below `−D`, whatever the motion and whatever applied: each stretch gives what it took or less, and the
 /// rest is in `D`. `D` is not 0 where a motion turns round within a period, or is faster than the last velocity; it is told as
 /// shortfall, and `sum` is `−D`. Unlike the passivity observer it does not let what was absorbed elsewhere pay; so it acts
 /// in the first contact, with small cuts, and never pushes. Efforts are only made smaller, and only on the way out.
 ///
 /// Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014) keep the pressing path in a memory that the position
 /// addresses, and bound the releasing path by it. Derived here are the cells' energies, the look ahead of a period under a held
-/// force, and the debt. Left out are their moving objects and several axes. Beyond the last cell, which reaches on without an
+/// force, and the debt. Left out are their moving objects and several axes. InContact the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
 /// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a
@@ -34,12 +34,12 @@ use crate::Refine;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_core::{PortSample, Stabilizer};
 /// use lyapunov_stabilizers::PathMemory;
 /// let mut memory = PathMemory::<f64, 32>::beyond(0.0, 3.2e-3)?; // cells of 0.1 mm
-/// let pressed = Drive::new(1e-3, 1e-3, 1.0, 1e-3, 2.0); // 2 N over the first millimetre
+/// let pressed = PortSample::new(1e-3, 1e-3, 1.0, 1e-3, 2.0); // 2 N over the first millimetre
 /// assert_eq!(memory.stabilize(&pressed, 8.0).effort, 8.0);
-/// let back = Drive::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 2.0);
+/// let back = PortSample::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 2.0);
 /// let effort: f64 = memory.stabilize(&back, 7.2).effort;
 /// assert_abs_diff_eq!(effort, 2.0, epsilon = 1e-9);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -96,16 +96,16 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     }
 }
 
-impl<T, const N: usize> Refine for PathMemory<T, N> {}
+impl<T, const N: usize> StabilizerExt for PathMemory<T, N> {}
 
 impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<T>, effort: T) -> Action<T> {
+    fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
-        let sound = drive.finite();
-        let moved = T::choose(sound, drive.displacement, zero);
-        let work = T::choose(sound, drive.work, zero);
-        let now = T::choose(sound, drive.position - self.surface, zero);
+        let sound = sample.finite();
+        let moved = T::choose(sound, sample.displacement, zero);
+        let work = T::choose(sound, sample.work, zero);
+        let now = T::choose(sound, sample.position - self.surface, zero);
         let before = now - moved;
 
         let (inwards, outwards) = (moved.above(zero), moved.below(zero));
@@ -115,14 +115,14 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
         let mean = (work / moved).larger(zero);
         self.write(before, now, T::choose(mean.finite(), mean, zero), inwards);
 
-        let leaving = drive.velocity.below(zero) & now.above(zero) & sound;
-        let ahead = (-drive.velocity * drive.period).larger(self.cell);
+        let leaving = sample.velocity.below(zero) & now.above(zero) & sound;
+        let ahead = (-sample.velocity * sample.period).larger(self.cell);
         let most = ((self.allowance(now - ahead, now) - self.debt) / ahead).larger(zero);
         let bounded = T::choose(leaving, effort.smaller(most), effort);
         let accepted = sound & effort.finite() & most.finite();
-        Action {
+        Correction {
             effort: T::choose(accepted, bounded, zero),
-            sum: -self.debt,
+            observed_energy: -self.debt,
             alpha: zero,
             shortfall: self.debt,
             accepted,

@@ -1,9 +1,9 @@
 //! A sum for each axis.
 
-use lyapunov_core::{Action, Drive, Mask, Scalar, Stabilizer};
+use lyapunov_core::{Correction, Mask, PortSample, Scalar, Stabilizer};
 use nalgebra::SVector;
 
-use crate::Account;
+use crate::LimitCredit;
 
 /// A stabilizer for each axis of a port, each with a sum and a damping of its own.
 ///
@@ -13,25 +13,25 @@ use crate::Account;
 /// for another, which is right where the axes are motors of their own and their energies cannot pass from one
 /// to the other; where they can, through a surface that is not along an axis, it may act without need.
 ///
-/// The action of a tick is that of all axes. `effort` is theirs, axis by axis. `sum` is the least of the sums, so
+/// The correction of a tick is that of all axes. `effort` is theirs, axis by axis. `sum` is the least of the sums, so
 /// that it is below 0 where any axis is in debt. `shortfall` adds theirs up. `alpha` is the damping that would burn
 /// on the whole motion what theirs burn, `Σ αᵢ vᵢ² / Σ vᵢ²`, and never more than the largest of them.
 /// `accepted` is true where every axis accepted; an axis whose sample is not sound gives no effort, the others do.
 /// [`axes`](Self::axes) lends the single ones.
 ///
 /// ```
-/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, PerAxis, Popc};
 /// use nalgebra::Vector2;
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let (velocity, displacement) = (Vector2::new(0.1, 0.1), Vector2::new(1e-4, 1e-4));
-/// let acted = Vector2::new(10.0, -9.0); // +1 mJ on x, −0.9 mJ on y
-/// let drive = Drive::new(1e-3, Vector2::zeros(), velocity, displacement, acted);
+/// let applied = Vector2::new(10.0, -9.0); // +1 mJ on x, −0.9 mJ on y
+/// let sample = PortSample::new(1e-3, Vector2::zeros(), velocity, displacement, applied);
 /// let effort = Vector2::new(0.5, 0.5);
 /// let mut one_sum = popc;
-/// assert_eq!(one_sum.stabilize(&drive, effort).alpha, 0.0);
-/// let action = PerAxis::of([popc; 2]).stabilize(&drive, effort);
-/// assert!(action.sum < 0.0 && action.effort.x == 0.5 && action.effort.y > 0.5);
+/// assert_eq!(one_sum.stabilize(&sample, effort).alpha, 0.0);
+/// let correction = PerAxis::of([popc; 2]).stabilize(&sample, effort);
+/// assert!(correction.observed_energy < 0.0 && correction.effort.x == 0.5 && correction.effort.y > 0.5);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -52,11 +52,11 @@ impl<S, const N: usize> PerAxis<S, N> {
 }
 
 /// Each axis keeps `most`, so all of them N times that.
-impl<T: Scalar, S: Account<T>, const N: usize> Account<T> for PerAxis<S, N> {
+impl<T: Scalar, S: LimitCredit<T>, const N: usize> LimitCredit<T> for PerAxis<S, N> {
     #[inline]
-    fn forget_above(&mut self, most: T) {
+    fn limit_credit(&mut self, most: T) {
         for axis in &mut self.axes {
-            axis.forget_above(most);
+            axis.limit_credit(most);
         }
     }
 }
@@ -65,35 +65,35 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
     #[inline]
     fn stabilize(
         &mut self,
-        drive: &Drive<SVector<T, N>>,
+        sample: &PortSample<SVector<T, N>>,
         effort: SVector<T, N>,
-    ) -> Action<SVector<T, N>> {
+    ) -> Correction<SVector<T, N>> {
         let mut out = SVector::zeros();
         let (mut burnt, mut square) = (T::zero(), T::zero());
         let (mut sum, mut most) = (T::largest(), T::zero());
         let (mut shortfall, mut accepted) = (T::zero(), Mask::of(true));
         for (axis, stabilizer) in self.axes.iter_mut().enumerate() {
-            let drive = Drive {
-                period: drive.period,
-                position: drive.position[axis],
-                velocity: drive.velocity[axis],
-                displacement: drive.displacement[axis],
-                acted: drive.acted[axis],
-                work: drive.work[axis],
+            let sample = PortSample {
+                period: sample.period,
+                position: sample.position[axis],
+                velocity: sample.velocity[axis],
+                displacement: sample.displacement[axis],
+                applied: sample.applied[axis],
+                work: sample.work[axis],
             };
-            let action = stabilizer.stabilize(&drive, effort[axis]);
-            out[axis] = action.effort;
+            let correction = stabilizer.stabilize(&sample, effort[axis]);
+            out[axis] = correction.effort;
             // Where a sample is not accepted nothing is burnt, and its velocity may be anything.
-            let moving = T::choose(action.accepted, drive.velocity, T::zero());
-            let own = moving * moving * drive.period;
-            square += T::choose(action.accepted, own, T::zero());
-            burnt += T::choose(action.accepted, action.alpha * own, T::zero());
-            (sum, most) = (sum.smaller(action.sum), most.larger(action.alpha));
-            shortfall += action.shortfall;
-            accepted = accepted & action.accepted;
+            let moving = T::choose(correction.accepted, sample.velocity, T::zero());
+            let own = moving * moving * sample.period;
+            square += T::choose(correction.accepted, own, T::zero());
+            burnt += T::choose(correction.accepted, correction.alpha * own, T::zero());
+            (sum, most) = (sum.smaller(correction.observed_energy), most.larger(correction.alpha));
+            shortfall += correction.shortfall;
+            accepted = accepted & correction.accepted;
         }
         let alpha = mean(burnt, square, most);
-        Action { effort: out, sum, alpha, shortfall, accepted }
+        Correction { effort: out, observed_energy: sum, alpha, shortfall, accepted }
     }
 }
 
@@ -101,7 +101,7 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
 #[inline]
 fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
     let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
-    let mean = burnt / (square * margin).larger(T::tiny());
-    let moving = square.above(T::tiny());
+    let mean = burnt / (square * margin).larger(T::smallest_normal());
+    let moving = square.above(T::smallest_normal());
     T::choose(moving & mean.finite(), mean, T::zero()).smaller(most)
 }

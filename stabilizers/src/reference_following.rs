@@ -1,6 +1,6 @@
 //! Energy that follows a reference.
 
-use lyapunov_core::{Held, Plain, PortEnergy, Storage};
+use lyapunov_core::{Held, Plain, PortEnergy, StorageFunction};
 
 use crate::Lolc;
 
@@ -12,17 +12,18 @@ use crate::Lolc;
 /// contact, and serves it there at once; with the spring's own energy as the reference it is seen on the tick on which
 /// it happens, and many small corrections take the place of one large one. Ryu, Preusche, Hannaford and Hirzinger
 /// (IEEE Transactions on Control Systems Technology 13(5), 2005) let the energy follow a reference for this reason.
-/// Here the reference is a function of the state, which makes it a [`Storage`] term of the candidate. It must be what an
+/// Here the reference is a function of the state, which makes it a [`StorageFunction`] term of the candidate. It must be what an
 /// ideal environment stores: one that is too large makes the controller act without need.
 ///
 /// ```
-/// use lyapunov_core::{PortEnergy, Storage};
+/// use lyapunov_core::{PortEnergy, StorageFunction};
 /// use lyapunov_stabilizers::{DampingLimit, ReferenceFollowing};
 /// let stored = |x: f64, _v: f64| 0.5 * 1000.0 * x.max(0.0) * x.max(0.0); // a wall of 1 kN/m
-/// let candidate = (PortEnergy, Storage::starting(stored, -0.01, 0.0));
+/// let candidate = (PortEnergy, StorageFunction::starting(stored, -0.01, 0.0));
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
 /// let following: ReferenceFollowing<f64, _> = ReferenceFollowing::new(candidate, limit);
 /// # let _ = following;
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
-pub type ReferenceFollowing<T, F, A = Plain<T>> = Lolc<T, (PortEnergy, Storage<F, T>), Held, A>;
+pub type ReferenceFollowing<T, F, A = Plain<T>> =
+    Lolc<T, (PortEnergy, StorageFunction<F, T>), Held, A>;

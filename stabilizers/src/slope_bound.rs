@@ -1,10 +1,11 @@
 //! Forces that change no faster with the displacement than a given slope.
 
 use lyapunov_core::{
-    Accumulator, Action, Drive, ParameterError, Plain, Requirement, Scalar, Signal, Stabilizer,
+    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
+    Stabilizer,
 };
 
-use crate::Refine;
+use crate::StabilizerExt;
 
 /// An input-to-state stable controller: the force `F` follows the effort `f`, axis by axis, with changes in the sector of a
 /// largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
@@ -38,11 +39,11 @@ use crate::Refine;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{Drive, Stabilizer};
+/// use lyapunov_core::{PortSample, Stabilizer};
 /// use lyapunov_stabilizers::SlopeBound;
 /// let mut bound = SlopeBound::of_damping(0.5, 1e-3)?; // μ = 2 b / T = 1 kN/m
-/// bound.stabilize(&Drive::starting(1e-3, 0.0, 0.1), 0.0);
-/// let pressed = Drive::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// bound.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
+/// let pressed = PortSample::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
 /// let effort: f64 = bound.stabilize(&pressed, 5.0).effort; // 50 kN/m
 /// assert_abs_diff_eq!(effort, 0.1, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -94,7 +95,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
     }
 }
 
-impl<V: Signal, A> Refine for SlopeBound<V, A> {}
+impl<V: Signal, A> StabilizerExt for SlopeBound<V, A> {}
 
 /// `value` as far as it is between 0 and `end`.
 #[inline(always)]
@@ -104,25 +105,25 @@ fn within<T: Scalar>(value: T, end: T) -> T {
 
 impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let zero = V::Scalar::of(0.0);
-        let work = drive.work.sum();
+        let work = sample.work.sum();
         let booked = (self.energy.value() + work).finite();
         self.energy.add(V::Scalar::choose(booked, work, zero));
         let sum = self.energy.value();
 
         let change = effort - self.asked.unwrap_or(effort);
-        let followed = change.zip(drive.displacement.scale(self.slope), within);
-        let creep = self.creep * drive.period;
+        let followed = change.zip(sample.displacement.scale(self.slope), within);
+        let creep = self.creep * sample.period;
         let held = (self.held + (change - followed))
             .zip(effort, |held, asked| within(held - held.larger(-creep).smaller(creep), asked));
-        let sound = effort.finite() & drive.displacement.finite() & (held.sum() + creep).finite();
+        let sound = effort.finite() & sample.displacement.finite() & (held.sum() + creep).finite();
         self.held = V::choose(sound, held, self.held);
         self.asked = Some(V::choose(sound, effort, self.asked.unwrap_or(V::zero())));
         let accepted = booked & sound;
-        Action {
+        Correction {
             effort: V::choose(accepted, effort - held, V::zero()),
-            sum,
+            observed_energy: sum,
             alpha: zero,
             shortfall: (-sum).larger(zero),
             accepted,

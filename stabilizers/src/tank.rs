@@ -1,15 +1,15 @@
 //! An energy tank.
 
 use lyapunov_core::{
-    Accumulator, Action, Drive, Held, LyapunovCandidate, Observer, ParameterError, Plain,
+    Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
     Requirement, Scalar, Signal, Stabilizer,
 };
 
-use crate::{Account, Refine};
+use crate::{LimitCredit, StabilizerExt};
 
 /// What a [`Tank`] may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Store<T> {
+pub struct TankLimits<T> {
     /// What is in it at the start, J.
     pub start: T,
     /// What is never handed out, J.
@@ -34,11 +34,11 @@ pub struct Store<T> {
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
-/// use lyapunov_stabilizers::{Store, Tank};
-/// let store = Store { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{TankLimits, Tank};
+/// let store = TankLimits { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
 /// let mut tank = Tank::new(PortEnergy, store)?;
-/// let outwards = Drive::new(1e-3, 0.0, -0.1, 0.0, 0.0);
+/// let outwards = PortSample::new(1e-3, 0.0, -0.1, 0.0, 0.0);
 /// let effort: f64 = tank.stabilize(&outwards, 4.0).effort; // 0.4 W asked, 0.1 mJ over 1 ms to give
 /// assert_abs_diff_eq!(effort, 1.0, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -55,8 +55,8 @@ impl<T: Scalar, C> Tank<T, C> {
     ///
     /// # Errors
     /// `floor` below 0 or not finite; `start` below `floor` or not finite; `ceiling` below `start`; `power` below 0.
-    pub fn new(candidate: C, store: Store<T>) -> Result<Self, ParameterError> {
-        let Store { start, floor, ceiling, power } = store;
+    pub fn new(candidate: C, store: TankLimits<T>) -> Result<Self, ParameterError> {
+        let TankLimits { start, floor, ceiling, power } = store;
         let floor = Requirement::NonNegative.check("tank floor", floor)?;
         let held = Requirement::NonNegative.check("tank start above its floor", start - floor)?;
         Requirement::Limit.check("tank ceiling above its start", ceiling - start)?;
@@ -67,12 +67,12 @@ impl<T: Scalar, C> Tank<T, C> {
     }
 }
 
-impl<T, C, A> Refine for Tank<T, C, A> {}
+impl<T, C, A> StabilizerExt for Tank<T, C, A> {}
 
-impl<T: Scalar, C, A: Accumulator<T>> Account<T> for Tank<T, C, A> {
+impl<T: Scalar, C, A: Accumulator<T>> LimitCredit<T> for Tank<T, C, A> {
     #[inline]
-    fn forget_above(&mut self, most: T) {
-        self.observer.ledger.forget_above(most);
+    fn limit_credit(&mut self, most: T) {
+        self.observer.ledger.limit_credit(most);
     }
 }
 
@@ -83,17 +83,17 @@ where
     A: Accumulator<V::Scalar>,
 {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        self.observer.ledger.forget_above(self.room);
-        let sum = self.observer.observe(drive, effort);
-        let most = (sum.larger(zero) / drive.period).smaller(self.power);
-        let given = -effort.pair(drive.velocity);
+        self.observer.ledger.limit_credit(self.room);
+        let sum = self.observer.observe(sample, effort);
+        let most = (sum.larger(zero) / sample.period).smaller(self.power);
+        let given = -effort.inner(sample.velocity);
         let factor = V::Scalar::choose(given.above(most), most / given, one);
-        let accepted = (given + drive.period + drive.work.sum()).finite() & effort.finite();
-        Action {
+        let accepted = (given + sample.period + sample.work.sum()).finite() & effort.finite();
+        Correction {
             effort: V::choose(accepted, effort.scale(factor), V::zero()),
-            sum,
+            observed_energy: sum,
             alpha: zero,
             shortfall: (-sum).larger(zero),
             accepted,

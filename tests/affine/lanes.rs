@@ -2,9 +2,13 @@
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::{
-    Adapt, AffinePlant, ArmEnergy, ControlAffine, DampingLimit, Decay, LegEnergy, Lolc,
-    LyapunovFunction, MotorEnergy, OnePort, Plant, QuadraticForm, RungeKutta4, Scalar,
-    StateFeedback, UprightEnergy, VanDerPol, decrease_of,
+    DampingLimit, Lolc, OnePort, Plant, Scalar,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{
+        AffinePlant, ArmEnergy, ControlAffine, Decay, LegEnergy, LyapunovFunction, MotorEnergy,
+        QuadraticForm, StateFeedback, UprightEnergy, VanDerPol, decrease_of,
+    },
 };
 use nalgebra::SVector;
 
@@ -36,11 +40,11 @@ where
         .delayed::<4>(4)
         .expect("a delay")
         .stabilized(Lolc::new((decrease_of(function, start), decay), limit));
-    let (mut drive, mut path) = (plant.start(), Vec::new());
+    let (mut sample, mut path) = (plant.start(), Vec::new());
     for _ in 0..400 {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         path.extend(plant.state().iter().copied());
-        path.push(port.action().alpha);
+        path.push(port.correction().alpha);
     }
     path
 }

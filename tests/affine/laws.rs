@@ -3,7 +3,8 @@
 use lyapunov::lanes::{AutoF32x8, WideF64x4};
 use lyapunov::laws::{self, Law};
 use lyapunov::{
-    ArmEnergy, LegEnergy, LyapunovFunction, MotorEnergy, QuadraticForm, Scalar, UprightEnergy,
+    Scalar,
+    models::{ArmEnergy, LegEnergy, LyapunovFunction, MotorEnergy, QuadraticForm, UprightEnergy},
 };
 use nalgebra::{SVector, Vector2};
 

@@ -1,9 +1,13 @@
 //! Loops that lose their footing without a stabilizer and keep it with one, from many starts, in `f64` and `f32`.
 
 use lyapunov::{
-    Action, Adapt, AffinePlant, ArmEnergy, ControlAffine, DampingLimit, Decay, LegEnergy, Lolc,
-    LyapunovFunction, MotorEnergy, OnePort, Plant, QuadraticForm, RungeKutta4, Scalar,
-    StateFeedback, UprightEnergy, VanDerPol, WithState, decrease_of,
+    Correction, DampingLimit, Lolc, OnePort, Plant, Scalar,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{
+        AffinePlant, ArmEnergy, ControlAffine, Decay, LegEnergy, LyapunovFunction, MotorEnergy,
+        QuadraticForm, StateFeedback, UprightEnergy, VanDerPol, WithState, decrease_of,
+    },
 };
 use nalgebra::SVector;
 
@@ -50,15 +54,15 @@ impl<P, F> Loop<P, F> {
         let decay = Decay::new(function, of(self.decay)).expect("a rate");
         let mut port = port.stabilized(Lolc::new((decrease_of(function, start), decay), limit));
         let began = plant.value().lane(0);
-        let (mut drive, mut run) = (plant.start(), Run { largest: 1.0, last: 1.0 });
+        let (mut sample, mut run) = (plant.start(), Run { largest: 1.0, last: 1.0 });
         for _ in 0..self.ticks {
-            drive = plant.advance(port.respond(&drive));
+            sample = plant.advance(port.respond(&sample));
             run.last = plant.value().lane(0) / began;
             if !run.last.is_finite() || run.last > 1e12 {
                 return Run { largest: f64::INFINITY, last: f64::INFINITY };
             }
             run.largest = run.largest.max(run.last);
-            let Action { alpha, .. } = port.action();
+            let Correction { alpha, .. } = port.correction();
             assert!(alpha.lane(0) <= limit.most().lane(0));
         }
         run

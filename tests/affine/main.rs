@@ -10,8 +10,11 @@ mod refused;
 mod truth;
 
 use lyapunov::{
-    AdmittanceDevice, DcMotor, Ground, InvertedPendulum, Limb, MotorParts, ProstheticLeg, Scalar,
-    TwoLinkArm,
+    Scalar,
+    models::{
+        AdmittanceDevice, DcMotor, Ground, InvertedPendulum, MotorParts, ProstheticLeg, RigidLink,
+        TwoLinkArm,
+    },
 };
 use nalgebra::SVector;
 
@@ -53,12 +56,12 @@ fn device<T: Scalar>() -> AdmittanceDevice<T> {
 }
 
 fn arm<T: Scalar>() -> TwoLinkArm<T> {
-    let [upper, lower] = [(2.0, 0.4), (1.0, 0.3)].map(|(m, l)| Limb::rod(T::of(m), T::of(l)));
+    let [upper, lower] = [(2.0, 0.4), (1.0, 0.3)].map(|(m, l)| RigidLink::rod(T::of(m), T::of(l)));
     TwoLinkArm::new(upper, lower).expect("an arm")
 }
 
 fn leg<T: Scalar>() -> ProstheticLeg<T> {
-    let [thigh, shank] = [(4.0, 0.4), (2.5, 0.45)].map(|(m, l)| Limb::rod(T::of(m), T::of(l)));
+    let [thigh, shank] = [(4.0, 0.4), (2.5, 0.45)].map(|(m, l)| RigidLink::rod(T::of(m), T::of(l)));
     let ground = Ground { stiffness: T::of(2e4), damping: T::of(0.5), drag: T::of(0.2) };
     ProstheticLeg::new(thigh, shank, [T::of(0.3), T::of(-0.6)], ground).expect("a leg")
 }

@@ -2,8 +2,9 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    AffinePlant, DampingLimit, Lolc, Measured, Plant, RungeKutta4, Scalar, Stabilizer,
-    UprightEnergy, WithState, decrease_of,
+    DampingLimit, Lolc, Plant, Scalar, Stabilizer,
+    integrators::RungeKutta4,
+    models::{AffinePlant, MeasuredPlant, UprightEnergy, WithState, decrease_of},
 };
 use nalgebra::{Vector1, Vector2};
 
@@ -17,7 +18,7 @@ fn measured_drives_are_the_plants_with_the_integral_by_trapezoids() {
     let mut plant = AffinePlant::new(pendulum(), energy, RungeKutta4, period, 1)
         .expect("a plant")
         .starting(start);
-    let mut port = Measured::new(pendulum(), energy, period, start).expect("a port");
+    let mut port = MeasuredPlant::new(pendulum(), energy, period, start).expect("a port");
     let limit = DampingLimit::of_mass(0.5, 0.08, period).expect("a limit");
     let (mut one, mut other) = (
         Lolc::new(decrease_of(energy, start), limit),
@@ -30,15 +31,15 @@ fn measured_drives_are_the_plants_with_the_integral_by_trapezoids() {
     for _ in 0..3000 {
         let state = plant.state();
         let wanted = 6.0 * state[0] - 0.1 * state[1] + 0.1 * draw.next();
-        let action = one.stabilize(&told, WithState::of_input(Vector1::new(wanted)));
+        let correction = one.stabilize(&told, WithState::of_input(Vector1::new(wanted)));
         let same = other.stabilize(&truth, WithState::of_input(Vector1::new(wanted)));
         // Sums by differences of V see only the states, so the two stabilizers are one.
-        assert_eq!(action.sum.to_bits(), same.sum.to_bits());
-        assert_eq!(action.effort, same.effort);
-        injected += usize::from(action.alpha > 0.0);
-        truth = plant.advance(action.effort);
-        told = port.tell(plant.state(), -action.effort.input);
-        assert_eq!((told.velocity, told.acted), (truth.velocity, truth.acted));
+        assert_eq!(correction.observed_energy.to_bits(), same.observed_energy.to_bits());
+        assert_eq!(correction.effort, same.effort);
+        injected += usize::from(correction.alpha > 0.0);
+        truth = plant.advance(correction.effort);
+        told = port.tell(plant.state(), -correction.effort.input);
+        assert_eq!((told.velocity, told.applied), (truth.velocity, truth.applied));
         let apart = (told.displacement.input - truth.displacement.input).norm();
         // T³ ÿ / 12, with an ÿ of some thousands at most while the damper switches.
         assert!(apart < 1e-9 * 1e3, "{apart:e}");
@@ -49,7 +50,8 @@ fn measured_drives_are_the_plants_with_the_integral_by_trapezoids() {
 #[test]
 fn after_a_state_that_is_not_finite_the_next_spans_the_gap() {
     let energy = UprightEnergy::new(pendulum::<f64>(), 6.0).expect("an energy");
-    let mut port = Measured::new(pendulum(), energy, 0.01, Vector2::new(0.1, 1.0)).expect("a port");
+    let mut port =
+        MeasuredPlant::new(pendulum(), energy, 0.01, Vector2::new(0.1, 1.0)).expect("a port");
     let none = Vector1::new(0.0);
     let bad = port.tell(Vector2::new(f64::NAN, 1.0), none);
     assert!(!bad.finite());

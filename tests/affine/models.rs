@@ -2,8 +2,12 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    AffinePlant, ArmEnergy, ControlAffine, LegEnergy, Limb, LyapunovFunction, MotorEnergy, Plant,
-    QuadraticForm, RungeKutta4, TwoLinkArm, UprightEnergy, VanDerPol, WithState,
+    Plant,
+    integrators::RungeKutta4,
+    models::{
+        AffinePlant, ArmEnergy, ControlAffine, LegEnergy, LyapunovFunction, MotorEnergy,
+        QuadraticForm, RigidLink, TwoLinkArm, UprightEnergy, VanDerPol, WithState,
+    },
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector3, Vector4};
 
@@ -42,7 +46,7 @@ fn van_der_pol_goes_to_the_published_limit_cycle() {
 /// Near upright and without friction the angle is θ₀ cosh(√(g / l) t).
 #[test]
 fn the_pendulum_falls_as_its_linearisation_does() {
-    let pendulum = lyapunov::InvertedPendulum::new(0.5, 0.4, 0.0).expect("a pendulum");
+    let pendulum = lyapunov::models::InvertedPendulum::new(0.5, 0.4, 0.0).expect("a pendulum");
     let energy = UprightEnergy::new(pendulum, 6.0).expect("an energy");
     let lean = 1e-7;
     let mut plant = AffinePlant::new(pendulum, energy, RungeKutta4, 1e-3, 1)
@@ -60,7 +64,7 @@ fn the_pendulum_falls_as_its_linearisation_does() {
 #[test]
 fn the_admittance_device_moves_as_its_map_does() {
     let (stiffness, mass, period) = (1000.0_f64, 0.2, 1e-3);
-    let device = lyapunov::AdmittanceDevice::new(stiffness).expect("a device");
+    let device = lyapunov::models::AdmittanceDevice::new(stiffness).expect("a device");
     let energy = device.energy(mass).expect("an energy");
     let start = Vector2::new(5e-3, 0.0);
     let mut plant =
@@ -132,7 +136,7 @@ fn points(state: Vector4<f64>, [one, two]: [(f64, f64); 2]) -> (f64, f64) {
 #[test]
 fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_what_mechanics_keeps() {
     let parts = [(1.5, 0.4), (0.8, 0.3)];
-    let [upper, lower] = parts.map(|(mass, length)| Limb::point(mass, length));
+    let [upper, lower] = parts.map(|(mass, length)| RigidLink::point(mass, length));
     let hanging = TwoLinkArm::new(upper, lower).expect("an arm");
     let energy = ArmEnergy::new(hanging, [0.0; 2]).expect("an energy");
     let mut draw = Draw(5);
@@ -172,7 +176,7 @@ fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_what_mechanics_keeps(
 /// A stiff arm of rods is one rod: `M₁₁` of the stretched arm is that of the rod about its end.
 #[test]
 fn two_like_rods_in_line_are_one_rod() {
-    let half = Limb::rod(1.0, 0.5);
+    let half = RigidLink::rod(1.0, 0.5);
     let arm = TwoLinkArm::new(half, half).expect("an arm");
     let energy = ArmEnergy::new(arm.horizontal(), [0.0; 2]).expect("an energy");
     let rate = Vector4::new(0.3, 0.0, 1.0, 0.0);
@@ -234,7 +238,7 @@ fn the_ground_under_the_leg_only_burns() {
 #[test]
 fn in_the_air_the_leg_is_an_arm() {
     let leg = leg::<f64>();
-    let arm = TwoLinkArm::new(Limb::rod(4.0, 0.4), Limb::rod(2.5, 0.45)).expect("an arm");
+    let arm = TwoLinkArm::new(RigidLink::rod(4.0, 0.4), RigidLink::rod(2.5, 0.45)).expect("an arm");
     let (state, posture) = (Vector4::new(0.3, -0.9, 1.0, -2.0), Vector4::new(0.3, -0.6, 0.0, 0.0));
     assert!(leg.depth(state) < 0.0);
     assert!((leg.drift(state) - arm.drift(state + posture)).norm() < 1e-12);

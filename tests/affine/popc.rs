@@ -2,8 +2,10 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    AffinePlant, Body, ControlAffine, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate,
-    Plant, Popc, PortEnergy, QuadraticForm, RungeKutta4, Stabilizer, WithState, decrease_of,
+    DampingLimit, Lolc, LyapunovCandidate, Plant, Popc, PortEnergy, PortSample, Stabilizer,
+    bodies::{Body, Impedance},
+    integrators::RungeKutta4,
+    models::{AffinePlant, ControlAffine, QuadraticForm, WithState, decrease_of},
 };
 use nalgebra::{Vector1, Vector2};
 
@@ -54,25 +56,25 @@ fn a_stabilizer_at_the_port_is_popc_on_its_numbers_bit_for_bit() {
         .starting(Vector1::new(0.2));
     let (mut at_port, mut alone): (Popc<f64>, Popc<f64>) =
         (Popc::new(PortEnergy, limit()), Popc::new(PortEnergy, limit()));
-    let (mut drive, mut draw) = (plant.start(), Draw(1));
+    let (mut sample, mut draw) = (plant.start(), Draw(1));
     let mut injected = 0;
     for _ in 0..5000 {
         let wanted = 3.0 * draw.next();
-        let action = at_port.stabilize(&drive, WithState::of_input(Vector1::new(wanted)));
-        let scalar = Drive::new(
-            drive.period,
-            drive.position.input[0],
-            drive.velocity.input[0],
-            drive.displacement.input[0],
-            drive.acted.input[0],
+        let correction = at_port.stabilize(&sample, WithState::of_input(Vector1::new(wanted)));
+        let scalar = PortSample::new(
+            sample.period,
+            sample.position.input[0],
+            sample.velocity.input[0],
+            sample.displacement.input[0],
+            sample.applied.input[0],
         );
         let same = alone.stabilize(&scalar, wanted);
-        assert_eq!(action.sum.to_bits(), same.sum.to_bits());
-        assert_eq!(action.alpha.to_bits(), same.alpha.to_bits());
-        assert_eq!(action.effort.input[0].to_bits(), same.effort.to_bits());
-        assert_eq!(action.shortfall.to_bits(), same.shortfall.to_bits());
-        injected += usize::from(action.alpha > 0.0);
-        drive = plant.advance(action.effort);
+        assert_eq!(correction.observed_energy.to_bits(), same.observed_energy.to_bits());
+        assert_eq!(correction.alpha.to_bits(), same.alpha.to_bits());
+        assert_eq!(correction.effort.input[0].to_bits(), same.effort.to_bits());
+        assert_eq!(correction.shortfall.to_bits(), same.shortfall.to_bits());
+        injected += usize::from(correction.alpha > 0.0);
+        sample = plant.advance(correction.effort);
     }
     assert!(injected > 100, "{injected}");
 }
@@ -87,11 +89,11 @@ fn a_free_mass_is_the_body_that_moves_exactly() {
     let mut draw = Draw(2);
     for _ in 0..5000 {
         let effort = 3.0 * draw.next();
-        let drive = plant.advance(WithState::of_input(Vector1::new(effort)));
+        let sample = plant.advance(WithState::of_input(Vector1::new(effort)));
         let exact = body.advance(effort);
-        assert_abs_diff_eq!(drive.position.input[0], exact.position, epsilon = 1e-12);
-        assert_abs_diff_eq!(drive.velocity.input[0], exact.velocity, epsilon = 1e-12);
-        assert_abs_diff_eq!(drive.work.input[0], exact.work, epsilon = 1e-14);
+        assert_abs_diff_eq!(sample.position.input[0], exact.position, epsilon = 1e-12);
+        assert_abs_diff_eq!(sample.velocity.input[0], exact.velocity, epsilon = 1e-12);
+        assert_abs_diff_eq!(sample.work.input[0], exact.work, epsilon = 1e-14);
     }
 }
 
@@ -104,8 +106,8 @@ fn what_v_loses_is_the_work_of_the_input_where_there_is_no_drift() {
     let mut candidate = decrease_of(kinetic(), start);
     let mut draw = Draw(3);
     for _ in 0..5000 {
-        let drive = plant.advance(WithState::of_input(Vector1::new(3.0 * draw.next())));
-        let (told, worked) = (candidate.decrease(&drive), PortEnergy.decrease(&drive));
+        let sample = plant.advance(WithState::of_input(Vector1::new(3.0 * draw.next())));
+        let (told, worked) = (candidate.decrease(&sample), PortEnergy.decrease(&sample));
         assert!(abs_diff_eq!(told, worked, epsilon = 1e-15), "{told:e} is not {worked:e}");
     }
 }
@@ -120,10 +122,10 @@ fn with_curved_fields_the_two_part_by_order_four() {
             .expect("a plant")
             .starting(start);
         let mut candidate = decrease_of(circle, start);
-        let drive = plant.advance(WithState::of_input(Vector2::new(0.7, -0.4)));
-        let worked = PortEnergy.decrease(&drive);
+        let sample = plant.advance(WithState::of_input(Vector2::new(0.7, -0.4)));
+        let worked = PortEnergy.decrease(&sample);
         assert!(worked.abs() > 0.01);
-        (candidate.decrease(&drive) - worked).abs()
+        (candidate.decrease(&sample) - worked).abs()
     };
     let ratio = apart(4) / apart(8);
     assert!(ratio > 12.0 && ratio < 40.0, "{ratio}");
@@ -136,11 +138,11 @@ fn stabilized_by_both_the_same_free_mass_moves_the_same() {
         let mut plant = AffinePlant::new(FreeMass, kinetic(), RungeKutta4, 1e-3, 1)
             .expect("a plant")
             .starting(start);
-        let (mut drive, mut draw) = (plant.start(), Draw(4));
+        let (mut sample, mut draw) = (plant.start(), Draw(4));
         let mut path = Vec::new();
         for _ in 0..1000 {
             let wanted = WithState::of_input(Vector1::new(-draw.next().abs()));
-            drive = plant.advance(stabilizer.stabilize(&drive, wanted).effort);
+            sample = plant.advance(stabilizer.stabilize(&sample, wanted).effort);
             path.push(plant.state()[0]);
         }
         path

@@ -1,9 +1,13 @@
 //! What cannot be is refused, by name.
 
 use lyapunov::{
-    AdmittanceDevice, AffinePlant, ArmEnergy, DcMotor, Decay, Ground, InvertedPendulum, LegEnergy,
-    Limb, Measured, MotorEnergy, MotorParts, ParameterError, ProstheticLeg, QuadraticForm,
-    RungeKutta4, TwoLinkArm, UprightEnergy, VanDerPol,
+    ParameterError,
+    integrators::RungeKutta4,
+    models::{
+        AdmittanceDevice, AffinePlant, ArmEnergy, DcMotor, Decay, Ground, InvertedPendulum,
+        LegEnergy, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg, QuadraticForm, RigidLink,
+        TwoLinkArm, UprightEnergy, VanDerPol,
+    },
 };
 use nalgebra::Vector2;
 
@@ -31,9 +35,9 @@ fn parameters_are_refused_by_name() {
     assert_eq!(name(DcMotor::new(MotorParts { inductance: 0.0, ..parts })), "inductance");
     assert_eq!(name(MotorEnergy::new(motor::<f64>(), 0.0, 0.1)), "stiffness");
     assert_eq!(name(MotorEnergy::new(motor::<f64>(), 1.0, -0.1)), "damping");
-    let rod = Limb::rod(1.0, 0.5);
-    assert_eq!(name(TwoLinkArm::new(Limb { mass: 0.0, ..rod }, rod)), "mass");
-    assert_eq!(name(TwoLinkArm::new(rod, Limb { centre: -0.1, ..rod })), "centre");
+    let rod = RigidLink::rod(1.0, 0.5);
+    assert_eq!(name(TwoLinkArm::new(RigidLink { mass: 0.0, ..rod }, rod)), "mass");
+    assert_eq!(name(TwoLinkArm::new(rod, RigidLink { centre: -0.1, ..rod })), "centre");
     assert_eq!(name(ArmEnergy::new(arm::<f64>(), [1.0, -1.0])), "stiffness");
     let ground = Ground { stiffness: 1e4, damping: 0.5, drag: 0.2 };
     let stand = |posture, ground| ProstheticLeg::new(rod, rod, posture, ground);
@@ -56,6 +60,6 @@ fn forms_periods_and_rates_are_refused_by_name() {
         |period, steps| name(AffinePlant::new(oscillator, circle, RungeKutta4, period, steps));
     assert_eq!(moved(0.0, 1), "period");
     assert_eq!(moved(0.01, 0), "steps");
-    assert_eq!(name(Measured::new(oscillator, circle, f64::NAN, Vector2::zeros())), "period");
+    assert_eq!(name(MeasuredPlant::new(oscillator, circle, f64::NAN, Vector2::zeros())), "period");
     assert_eq!(name(Decay::new(circle, -1.0)), "rate");
 }

@@ -3,8 +3,12 @@
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::laws::{self, Samples};
 use lyapunov::{
-    AffinePlant, ArmEnergy, ControlAffine, Decay, Drive, LyapunovCandidate, LyapunovFunction,
-    Plant, PortEnergy, RungeKutta4, UprightEnergy, WithFlow, WithState, decrease_of,
+    LyapunovCandidate, Plant, PortEnergy, PortSample,
+    integrators::RungeKutta4,
+    models::{
+        AffinePlant, ArmEnergy, ControlAffine, Decay, LyapunovFunction, UprightEnergy, WithFlow,
+        WithState, decrease_of,
+    },
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector4};
 
@@ -44,18 +48,18 @@ fn flow_work_and_drift_of_a_pendulum_are_those_of_a_fine_integration() {
         let at = plant.state();
         let torque = -8.0 * at[0] - 0.3 * at[1] + draw.next();
         let (truth, swept, drifted) = fine([at[0], at[1]], torque, 0.01);
-        let drive = plant.advance(WithState::of_input(Vector1::new(-torque)));
-        assert_abs_diff_eq!(drive.position.state[0], truth[0], epsilon = 1e-8);
-        assert_abs_diff_eq!(drive.position.state[1], truth[1], epsilon = 1e-7);
+        let sample = plant.advance(WithState::of_input(Vector1::new(-torque)));
+        assert_abs_diff_eq!(sample.position.state[0], truth[0], epsilon = 1e-8);
+        assert_abs_diff_eq!(sample.position.state[1], truth[1], epsilon = 1e-7);
         assert!(
-            abs_diff_eq!(drive.velocity.input[0], truth[1], epsilon = 1e-7),
+            abs_diff_eq!(sample.velocity.input[0], truth[1], epsilon = 1e-7),
             "the flow is the rate"
         );
-        assert_abs_diff_eq!(drive.displacement.input[0], swept, epsilon = 1e-8);
-        let worked = PortEnergy.decrease(&drive);
+        assert_abs_diff_eq!(sample.displacement.input[0], swept, epsilon = 1e-8);
+        let worked = PortEnergy.decrease(&sample);
         assert_abs_diff_eq!(worked, -torque * swept, epsilon = 1e-7);
         // V̇ = L_f V + y u, over the tick.
-        let lost = candidate.decrease(&drive);
+        let lost = candidate.decrease(&sample);
         assert!(
             abs_diff_eq!(lost, worked - drifted, epsilon = 1e-7),
             "{lost} is not {worked} - {drifted}"
@@ -92,18 +96,18 @@ fn decreases_telescope_and_decay_is_a_debit() {
         let at = plant.state();
         drives.push(plant.advance(WithState::of_input(Vector1::new(8.0 * at[0] + 0.3 * at[1]))));
     }
-    let value = |drive: &Drive<WithState<f64, 2, 1>>| energy.value(drive.position.state);
+    let value = |sample: &PortSample<WithState<f64, 2, 1>>| energy.value(sample.position.state);
     let candidate = decrease_of(energy, start);
     laws::decrease(&candidate, value, drives.iter().copied(), 0.0).expect("telescopes");
-    laws::candidate(&candidate, drives.iter().map(|&drive| (drive, drive.acted)))
+    laws::candidate(&candidate, drives.iter().map(|&sample| (sample, sample.applied)))
         .expect("a candidate");
     let decay = Decay::new(energy, 3.0).expect("a rate");
     let broken = laws::decrease(&(candidate, decay), value, drives.iter().copied(), 0.1);
     assert_eq!(broken.expect_err("a debit").law, laws::Law::AddsUp);
     let (mut asked, mut by_hand) = (decay, 0.0);
-    let told: f64 = drives.iter().map(|drive| asked.decrease(drive)).sum();
-    for drive in &drives {
-        by_hand -= 3.0 * energy.value(drive.position.state) * 0.01;
+    let told: f64 = drives.iter().map(|sample| asked.decrease(sample)).sum();
+    for sample in &drives {
+        by_hand -= 3.0 * energy.value(sample.position.state) * 0.01;
     }
     assert!(abs_diff_eq!(told, by_hand, epsilon = 1e-12) && told < 0.0);
 }
@@ -114,11 +118,11 @@ fn a_rate_adds_up_as_well_as_it_is_integrated() {
     #[derive(Clone, Copy)]
     struct ByRate;
     impl LyapunovCandidate<WithState<f64, 2, 1>> for ByRate {
-        fn decrease(&mut self, drive: &Drive<WithState<f64, 2, 1>>) -> f64 {
+        fn decrease(&mut self, sample: &PortSample<WithState<f64, 2, 1>>) -> f64 {
             let energy = UprightEnergy::new(pendulum(), STIFFNESS).expect("an energy");
-            let state = drive.position.state;
-            let rate = energy.gradient(state).dot(&pendulum().rate(state, -drive.acted.input));
-            -rate * drive.period
+            let state = sample.position.state;
+            let rate = energy.gradient(state).dot(&pendulum().rate(state, -sample.applied.input));
+            -rate * sample.period
         }
     }
     let energy = UprightEnergy::new(pendulum(), STIFFNESS).expect("an energy");
@@ -130,7 +134,7 @@ fn a_rate_adds_up_as_well_as_it_is_integrated() {
         let at = plant.state();
         drives.push(plant.advance(WithState::of_input(Vector1::new(8.0 * at[0] + 0.1 * at[1]))));
     }
-    let value = |drive: &Drive<WithState<f64, 2, 1>>| energy.value(drive.position.state);
+    let value = |sample: &PortSample<WithState<f64, 2, 1>>| energy.value(sample.position.state);
     laws::decrease(&ByRate, value, drives.iter().copied(), 0.05).expect("within a twentieth");
     laws::decrease(&ByRate, value, drives, 1e-4).expect_err("but not as by differences");
 }
@@ -138,9 +142,9 @@ fn a_rate_adds_up_as_well_as_it_is_integrated() {
 #[test]
 fn affine_plants_keep_the_laws_of_a_plant_and_the_integrator_its_own() {
     fn small<const N: usize, const M: usize>()
-    -> impl Iterator<Item = (Drive<WithState<f64, N, M>>, WithState<f64, N, M>)> {
-        Samples::new(1e-3).map(|(drive, effort): (_, WithState<f64, N, M>)| {
-            (drive, WithState::of_input(SVector::from(effort.input.data.0[0].map(|e| e * 1e-4))))
+    -> impl Iterator<Item = (PortSample<WithState<f64, N, M>>, WithState<f64, N, M>)> {
+        Samples::new(1e-3).map(|(sample, effort): (_, WithState<f64, N, M>)| {
+            (sample, WithState::of_input(SVector::from(effort.input.data.0[0].map(|e| e * 1e-4))))
         })
     }
     let energy = UprightEnergy::new(pendulum(), STIFFNESS).expect("an energy");

@@ -3,7 +3,10 @@
 use std::collections::VecDeque;
 
 use lyapunov::{
-    Accumulator, Beyond, Compensated, Drive, Plain, Refine, Stabilizer, Wide, Windowed,
+    PortSample, Stabilizer,
+    accumulators::{Accumulator, Compensated, Plain, Wide},
+    candidates::InContact,
+    stabilizers::{StabilizerExt, WindowedCredit},
 };
 
 use crate::support::{Dice, PERIOD, popc};
@@ -50,7 +53,7 @@ fn windowed<A: Accumulator<f64>>(slot: u32) {
     for seed in 0..50 {
         let energies = energies(seed);
         let truth = first_in_first_out(&energies, 6, slot as usize);
-        let mut sum = Windowed::<f64, A, 6>::of_ticks(slot).expect("a window");
+        let mut sum = WindowedCredit::<f64, A, 6>::of_ticks(slot).expect("a window");
         for (energy, truth) in energies.iter().zip(truth) {
             sum.add(*energy);
             assert_eq!(sum.value(), truth);
@@ -69,7 +72,7 @@ fn a_window_spends_the_oldest_first() {
 #[test]
 fn a_window_in_single_precision() {
     let energies = energies(9);
-    let mut sum = Windowed::<f32, Wide<f32>, 6>::zero();
+    let mut sum = WindowedCredit::<f32, Wide<f32>, 6>::zero();
     for (energy, truth) in energies.iter().zip(first_in_first_out(&energies, 6, 1)) {
         sum.add(*energy as f32);
         assert_eq!(f64::from(sum.value()), truth);
@@ -89,11 +92,11 @@ fn sums_are_lowered_to_the_bit() {
     }
     check::<Plain<f64>>();
     check::<Compensated<f64>>();
-    check::<Windowed<f64, Plain<f64>, 4>>();
+    check::<WindowedCredit<f64, Plain<f64>, 4>>();
 }
 
-fn drive(position: f64, work: f64) -> Drive<f64> {
-    Drive { work, ..Drive::new(PERIOD, position, 0.1, 1e-4, 0.0) }
+fn sample(position: f64, work: f64) -> PortSample<f64> {
+    PortSample { work, ..PortSample::new(PERIOD, position, 0.1, 1e-4, 0.0) }
 }
 
 #[test]
@@ -102,13 +105,13 @@ fn a_bounded_credit_follows_the_recursion() {
     let mut sum = 0f64;
     for energy in energies(4) {
         sum = sum.min(0.02) + energy;
-        assert_eq!(bounded.stabilize(&drive(0.0, energy), 0.0).sum, sum);
+        assert_eq!(bounded.stabilize(&sample(0.0, energy), 0.0).observed_energy, sum);
     }
 }
 
 #[test]
 fn a_contact_starts_without_credit_and_keeps_its_debt() {
-    let mut reset = popc().reset_at(Beyond { position: 0.0 });
+    let mut reset = popc().reset_at(InContact { position: 0.0 });
     let (mut sum, mut inside) = (0f64, false);
     let mut dice = Dice::of(3);
     for energy in energies(6) {
@@ -118,7 +121,7 @@ fn a_contact_starts_without_credit_and_keeps_its_debt() {
         }
         inside = position > 0.0;
         sum += energy;
-        assert_eq!(reset.stabilize(&drive(position, energy), 0.0).sum, sum);
+        assert_eq!(reset.stabilize(&sample(position, energy), 0.0).observed_energy, sum);
     }
 }
 
@@ -134,5 +137,5 @@ fn what_cannot_be_right_is_refused() {
     assert!(popc::<f64>().spread_over::<f64>(0).is_err());
     assert!(popc::<f64>().rising_over::<f64>(0).is_err());
     assert!(popc::<f64>().rate_limited::<f64>(-1.0).is_err());
-    assert!(Windowed::<f64, Plain<f64>, 4>::of_ticks(0).is_err());
+    assert!(WindowedCredit::<f64, Plain<f64>, 4>::of_ticks(0).is_err());
 }

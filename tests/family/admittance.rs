@@ -3,7 +3,10 @@
 //! The hand is a spring of 1 kN/m. The device moves exactly as it is told, one tick late, which is a loop that gains energy.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Adapt, DampingLimit, Drive, Load, OnePort, Popc, PortEnergy, Refine, Stabilizer};
+use lyapunov::{
+    AdmittanceSample, DampingLimit, OnePort, Popc, PortEnergy, PortSample, Stabilizer,
+    effects::OnePortExt, stabilizers::StabilizerExt,
+};
 
 use crate::support::PERIOD;
 
@@ -18,9 +21,9 @@ struct VirtualMass {
 }
 
 impl OnePort<f64> for VirtualMass {
-    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
+    fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
         // The displacement of a load is its impulse.
-        self.flow += drive.displacement / self.mass;
+        self.flow += sample.displacement / self.mass;
         self.flow
     }
 }
@@ -41,12 +44,12 @@ impl Hand {
         -STIFFNESS * self.position
     }
 
-    fn advance(&mut self, flow: f64) -> Load<f64> {
+    fn advance(&mut self, flow: f64) -> AdmittanceSample<f64> {
         let before = self.force();
         self.position += flow * PERIOD;
         let impulse = 0.5 * (before + self.force()) * PERIOD;
         self.momentum += impulse;
-        Load::new(PERIOD, self.momentum, self.force(), impulse, flow)
+        AdmittanceSample::new(PERIOD, self.momentum, self.force(), impulse, flow)
     }
 }
 
@@ -54,10 +57,10 @@ impl Hand {
 fn run(mut port: impl OnePort<f64>) -> f64 {
     let mut hand = Hand { position: START, momentum: 0.0 };
     let (start, mut most) = (hand.energy(), 0f64);
-    let mut load = Load::starting(PERIOD, hand.force());
+    let mut load = AdmittanceSample::starting(PERIOD, hand.force());
     let mut crossed = 0.0;
     for tick in 0..2000 {
-        load = hand.advance(port.respond(&Drive::from(load)));
+        load = hand.advance(port.respond(&PortSample::from(load)));
         crossed += load.work;
         // What crosses the port is what the spring loses: ∫ f v dt under a held flow, exactly.
         let lost = start - hand.energy();
@@ -98,15 +101,15 @@ fn stabilized_it_stays_bounded() {
     assert!(most <= 1.0, "{most}");
 }
 
-/// A load gives what a drive gives with effort and flow exchanged.
+/// A load gives what a sample gives with effort and flow exchanged.
 #[test]
 fn a_load_is_a_drive_read_the_other_way() {
     let mut popc = Popc::new(PortEnergy, limit());
-    let load = Load::new(PERIOD, 0.3, -2.0, -2.0 * PERIOD, 0.1);
-    let action = popc.stabilize(&Drive::from(load), 0.5);
+    let load = AdmittanceSample::new(PERIOD, 0.3, -2.0, -2.0 * PERIOD, 0.1);
+    let correction = popc.stabilize(&PortSample::from(load), 0.5);
     // A debt of 0.2 mJ is burnt by β f² T: β = 2e-4 / (4 · 1e-3) = 0.05 m/(N·s).
-    assert_abs_diff_eq!(action.alpha, 0.05, epsilon = 1e-12);
-    assert_abs_diff_eq!(action.effort, 0.5 - 0.05 * 2.0, epsilon = 1e-12);
+    assert_abs_diff_eq!(correction.alpha, 0.05, epsilon = 1e-12);
+    assert_abs_diff_eq!(correction.effort, 0.5 - 0.05 * 2.0, epsilon = 1e-12);
 }
 
 /// `1 − β k T`: half of `1 / (k T)` halves the force on every tick, twice of it turns it round for ever.

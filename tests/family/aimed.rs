@@ -3,17 +3,17 @@
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF32x4;
 use lyapunov::{
-    Aimed, Along, DampingLimit, Drive, Inertia, Metric, Popc, PortEnergy, Scalar, Stabilizer,
-    Weights,
+    DampingLimit, Popc, PortEnergy, PortSample, Scalar, Stabilizer,
+    stabilizers::{AlongDirection, AxisWeights, DirectedDamping, InertiaMetric, Metric},
 };
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use crate::support::{Dice, PERIOD, limit, popc};
 
-fn drive(velocity: Vector3<f64>, debt: f64) -> Drive<Vector3<f64>> {
+fn sample(velocity: Vector3<f64>, debt: f64) -> PortSample<Vector3<f64>> {
     let work = Vector3::new(-debt, 0.0, 0.0);
     let zero = Vector3::zeros();
-    Drive { work, ..Drive::new(PERIOD, zero, velocity, velocity * PERIOD, zero) }
+    PortSample { work, ..PortSample::new(PERIOD, zero, velocity, velocity * PERIOD, zero) }
 }
 
 #[test]
@@ -21,26 +21,27 @@ fn along_a_direction_and_by_weights() {
     let mut dice = Dice::of(12);
     let direction = Vector3::new(1.0, -2.0, 2.0);
     let weights = Vector3::new(1.0, 0.25, 0.0);
-    let along = Along::new(direction * 1e200).expect("a direction");
+    let along = AlongDirection::new(direction * 1e200).expect("a direction");
     for _ in 0..1000 {
         let velocity: Vector3<f64> = dice.signal(0.5);
-        let (drive, effort) = (drive(velocity, 1e-6), dice.signal::<Vector3<f64>>(3.0));
-        let burnt = |correction: Vector3<f64>| correction.dot(&velocity) * PERIOD;
+        let (sample, effort) = (sample(velocity, 1e-6), dice.signal::<Vector3<f64>>(3.0));
+        let burnt = |added: Vector3<f64>| added.dot(&velocity) * PERIOD;
 
-        let mut one = Aimed::new(popc(), along, limit());
-        let action = one.stabilize(&drive, effort);
-        let correction = action.effort - effort;
-        assert!(correction.cross(&direction).norm() < 1e-12);
-        assert_abs_diff_eq!(burnt(correction) + action.shortfall, 1e-6, epsilon = 1e-15);
-        let told = action.alpha * velocity.norm_squared() * PERIOD;
-        assert_abs_diff_eq!(burnt(correction), told, epsilon = 1e-15);
+        let mut one = DirectedDamping::new(popc(), along, limit());
+        let correction = one.stabilize(&sample, effort);
+        let added = correction.effort - effort;
+        assert!(added.cross(&direction).norm() < 1e-12);
+        assert_abs_diff_eq!(burnt(added) + correction.shortfall, 1e-6, epsilon = 1e-15);
+        let told = correction.alpha * velocity.norm_squared() * PERIOD;
+        assert_abs_diff_eq!(burnt(added), told, epsilon = 1e-15);
 
-        let mut other = Aimed::new(popc(), Weights::new(weights).expect("weights"), limit());
-        let action = other.stabilize(&drive, effort);
-        let correction = action.effort - effort;
-        let ratio = correction.x / velocity.x;
-        assert!((correction - velocity.component_mul(&weights) * ratio).norm() < 1e-12);
-        assert_abs_diff_eq!(burnt(correction) + action.shortfall, 1e-6, epsilon = 1e-15);
+        let mut other =
+            DirectedDamping::new(popc(), AxisWeights::new(weights).expect("weights"), limit());
+        let correction = other.stabilize(&sample, effort);
+        let added = correction.effort - effort;
+        let ratio = added.x / velocity.x;
+        assert!((added - velocity.component_mul(&weights) * ratio).norm() < 1e-12);
+        assert_abs_diff_eq!(burnt(added) + correction.shortfall, 1e-6, epsilon = 1e-15);
     }
 }
 
@@ -59,7 +60,7 @@ fn coupled_axes_are_slowed_in_proportion() {
     for scale in [1e-150, 1e-3, 1.0, 1e150] {
         for _ in 0..300 {
             let inertia = inertia(&mut dice, scale);
-            let metric = Inertia::new(inertia).expect("an inertia");
+            let metric = InertiaMetric::new(inertia).expect("an inertia");
             let cap = 0.5;
             let most = DampingLimit::of_mass(cap, metric.norm(), PERIOD).expect("a limit");
             let velocity: Vector3<f64> = dice.signal(0.5);
@@ -70,19 +71,19 @@ fn coupled_axes_are_slowed_in_proportion() {
             // A small debt is paid in full, a large one up to the share `cap` of the speed.
             for (debt, paid) in [(0.1 * energy, true), (1e3 * energy, false)] {
                 // The stabilizer inside is not what limits.
-                let mut free = Aimed::new(
+                let mut free = DirectedDamping::new(
                     Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY).expect("none")),
                     metric,
                     most,
                 );
-                let action = free.stabilize(&drive(velocity, debt), Vector3::zeros());
-                let slower = solve(action.effort * PERIOD);
+                let correction = free.stabilize(&sample(velocity, debt), Vector3::zeros());
+                let slower = solve(correction.effort * PERIOD);
                 let share = slower.dot(&velocity) / velocity.norm_squared();
                 assert!((slower - velocity * share).norm() < 1e-6 * velocity.norm(), "{scale:e}");
                 assert!(share <= cap * (1.0 + 1e-6));
-                let burnt = action.effort.dot(&velocity) * PERIOD;
-                assert_abs_diff_eq!(burnt + action.shortfall, debt, epsilon = 1e-9 * debt);
-                assert_eq!(action.shortfall <= 1e-9 * debt, paid);
+                let burnt = correction.effort.dot(&velocity) * PERIOD;
+                assert_abs_diff_eq!(burnt + correction.shortfall, debt, epsilon = 1e-9 * debt);
+                assert_eq!(correction.shortfall <= 1e-9 * debt, paid);
             }
         }
     }
@@ -92,8 +93,8 @@ fn coupled_axes_are_slowed_in_proportion() {
 #[test]
 fn a_diagonal_is_a_weight_for_each_axis() {
     let (weights, velocity) = (Vector3::new(1.0, 0.25, 0.5), Vector3::new(0.1, -0.2, 0.3));
-    let metric = Inertia::new(Matrix3::from_diagonal(&(weights * 8.0))).expect("an inertia");
-    assert_eq!(metric.apply(velocity), Weights::new(weights).expect("weights").apply(velocity));
+    let metric = InertiaMetric::new(Matrix3::from_diagonal(&(weights * 8.0))).expect("an inertia");
+    assert_eq!(metric.apply(velocity), AxisWeights::new(weights).expect("weights").apply(velocity));
     assert_eq!(metric.norm(), 8.0);
 
     let of = |lane: usize| inertia(&mut Dice::of(lane as u64), 1.0).map(|entry| entry as f32);
@@ -101,17 +102,17 @@ fn a_diagonal_is_a_weight_for_each_axis() {
         AutoF32x4::from([0, 1, 2, 3].map(|lane| of(lane)[(row, column)]))
     });
     let spread = SVector::from_fn(|axis, _| AutoF32x4::of(velocity[axis]));
-    let together = Inertia::new(lanes).expect("an inertia").apply(spread);
+    let together = InertiaMetric::new(lanes).expect("an inertia").apply(spread);
     for lane in 0..4 {
         let own = velocity.map(|axis| axis as f32);
-        let alone = Inertia::new(of(lane)).expect("an inertia").apply(own);
+        let alone = InertiaMetric::new(of(lane)).expect("an inertia").apply(own);
         assert_eq!(together.map(|axis| axis.lane(lane)), alone.map(f64::from));
     }
 }
 
 #[test]
 fn an_inertia_is_above_nothing_in_every_direction() {
-    let of = |matrix: [[f64; 3]; 3]| Inertia::new(Matrix3::from(matrix));
+    let of = |matrix: [[f64; 3]; 3]| InertiaMetric::new(Matrix3::from(matrix));
     assert!(of([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
     assert!(of([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
     assert!(of([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
@@ -126,24 +127,27 @@ fn an_inertia_is_above_nothing_in_every_direction() {
 /// Where nothing moves along the direction nothing can be burnt, and where little does, no more than the limit.
 #[test]
 fn what_cannot_be_burnt_is_told() {
-    let along = Along::new(Vector3::z()).expect("a direction");
+    let along = AlongDirection::new(Vector3::z()).expect("a direction");
     let most = DampingLimit::at(10.0).expect("a limit");
-    let mut aimed = Aimed::new(popc(), along, most);
-    let action = aimed.stabilize(&drive(Vector3::new(0.1, 0.1, 0.0), 1e-6), Vector3::zeros());
-    assert_eq!((action.effort, action.alpha, action.shortfall), (Vector3::zeros(), 0.0, 1e-6));
-    let action = aimed.stabilize(&drive(Vector3::new(0.1, 0.1, 1e-3), 0.0), Vector3::zeros());
-    assert!((action.effort - Vector3::new(0.0, 0.0, 1e-2)).norm() < 1e-15);
-    assert_abs_diff_eq!(action.shortfall, 1e-6 - 10.0 * 1e-6 * PERIOD, epsilon = 1e-18);
+    let mut aimed = DirectedDamping::new(popc(), along, most);
+    let correction = aimed.stabilize(&sample(Vector3::new(0.1, 0.1, 0.0), 1e-6), Vector3::zeros());
+    assert_eq!(
+        (correction.effort, correction.alpha, correction.shortfall),
+        (Vector3::zeros(), 0.0, 1e-6)
+    );
+    let correction = aimed.stabilize(&sample(Vector3::new(0.1, 0.1, 1e-3), 0.0), Vector3::zeros());
+    assert!((correction.effort - Vector3::new(0.0, 0.0, 1e-2)).norm() < 1e-15);
+    assert_abs_diff_eq!(correction.shortfall, 1e-6 - 10.0 * 1e-6 * PERIOD, epsilon = 1e-18);
 }
 
 #[test]
 fn metrics_are_between_nothing_and_all() {
-    assert!(Weights::new(Vector3::new(1.0, 1.1, 0.0)).is_err());
-    assert!(Weights::new(Vector3::new(1.0, -0.1, 0.0)).is_err());
-    assert!(Weights::new(f64::NAN).is_err());
-    assert!(Along::new(Vector3::<f64>::zeros()).is_err());
-    assert!(Along::new(Vector3::new(1.0, f64::NAN, 0.0)).is_err());
-    let unit = Along::new(Vector3::new(0.0, 3.0, 4.0)).expect("a direction");
+    assert!(AxisWeights::new(Vector3::new(1.0, 1.1, 0.0)).is_err());
+    assert!(AxisWeights::new(Vector3::new(1.0, -0.1, 0.0)).is_err());
+    assert!(AxisWeights::new(f64::NAN).is_err());
+    assert!(AlongDirection::new(Vector3::<f64>::zeros()).is_err());
+    assert!(AlongDirection::new(Vector3::new(1.0, f64::NAN, 0.0)).is_err());
+    let unit = AlongDirection::new(Vector3::new(0.0, 3.0, 4.0)).expect("a direction");
     let image = unit.apply(Vector3::new(9.0, 5.0, 10.0));
     assert!((image - Vector3::new(0.0, 6.6, 8.8)).norm() < 1e-14);
 }

@@ -1,7 +1,10 @@
 //! The bound keeps the account, and no larger one would.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Drive, ForceBound, Refine, Stabilizer};
+use lyapunov::{
+    PortSample, Stabilizer,
+    stabilizers::{ForceBound, StabilizerExt},
+};
 use nalgebra::Vector3;
 
 use crate::support::{Dice, PERIOD};
@@ -23,17 +26,17 @@ fn worst(force: Vector3<f64>) -> Vector3<f64> {
 fn least(factor: f64, mut motion: impl FnMut(Vector3<f64>) -> Vector3<f64>) -> f64 {
     let mut bound = ForceBound::new(DAMPING).and_then(|it| it.budgeted(BUDGET)).expect("a bound");
     let mut dice = Dice::of(2);
-    let mut drive = Drive::starting(PERIOD, Vector3::zeros(), Vector3::zeros());
+    let mut sample = PortSample::starting(PERIOD, Vector3::zeros(), Vector3::zeros());
     let (mut energy, mut size, mut least) = (BUDGET, BUDGET, BUDGET);
     for _ in 0..2000 {
         let wanted: Vector3<f64> = dice.signal(1e4);
-        let force = bound.stabilize(&drive, wanted).effort * factor;
+        let force = bound.stabilize(&sample, wanted).effort * factor;
         let moved = motion(force);
         energy += change(force, moved);
         // Two sums of the same, in another order.
         size += 2.0 * change(Vector3::zeros(), moved);
         least = least.min(energy + 16.0 * f64::EPSILON * size);
-        drive = Drive::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, force);
+        sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, force);
     }
     least
 }
@@ -58,17 +61,19 @@ fn the_bound_is_tight() {
 fn the_bound_is_the_closed_form() {
     for energy in [0.0, 1e-9, 1e-3, 4.0] {
         let bound = ForceBound::new(DAMPING).and_then(|it| it.budgeted(energy));
-        let action = bound.expect("a bound").stabilize(&Drive::starting(PERIOD, 0.0, 0.0), -1e6);
+        let correction =
+            bound.expect("a bound").stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), -1e6);
         let closed = (4.0 * DAMPING * energy / PERIOD).sqrt();
         assert!(
-            abs_diff_eq!(action.effort, -closed, epsilon = 1e-13 * closed),
+            abs_diff_eq!(correction.effort, -closed, epsilon = 1e-13 * closed),
             "{}",
-            action.effort
+            correction.effort
         );
         let single = ForceBound::new(DAMPING as f32).and_then(|it| it.budgeted(energy as f32));
-        let action =
-            single.expect("a bound").stabilize(&Drive::<f32>::starting(1e-3, 0.0, 0.0), -1e6_f32);
-        assert_abs_diff_eq!(f64::from(action.effort), -closed, epsilon = 1e-5 * closed);
+        let correction = single
+            .expect("a bound")
+            .stabilize(&PortSample::<f32>::starting(1e-3, 0.0, 0.0), -1e6_f32);
+        assert_abs_diff_eq!(f64::from(correction.effort), -closed, epsilon = 1e-5 * closed);
     }
 }
 
@@ -82,18 +87,18 @@ fn a_held_spring_on_a_damped_mass_stays_bounded() {
         let mut bound = ForceBound::new(DAMPING).and_then(|it| it.budgeted(stored));
         let bound = bound.as_mut().expect("a bound");
         let (mut x, mut v, mut most) = (start, 0.0, 0f64);
-        let mut drive = Drive::starting(PERIOD, x, v);
+        let mut sample = PortSample::starting(PERIOD, x, v);
         let decay = (-DAMPING * PERIOD / mass).exp();
         for _ in 0..3000 {
             let wanted = stiffness * x;
-            let force = if bounded { bound.stabilize(&drive, wanted).effort } else { wanted };
+            let force = if bounded { bound.stabilize(&sample, wanted).effort } else { wanted };
             // m v' = −b v − F under a held F, in closed form.
             let rest = -force / DAMPING;
             let next = rest + (v - rest) * decay;
             let moved = rest * PERIOD + (v - rest) * (1.0 - decay) * mass / DAMPING;
             (x, v) = (x + moved, next);
             most = most.max(0.5 * mass * v * v);
-            drive = Drive::new(PERIOD, x, moved / PERIOD, moved, force);
+            sample = PortSample::new(PERIOD, x, moved / PERIOD, moved, force);
         }
         (most, stored)
     };
@@ -108,7 +113,7 @@ fn a_held_spring_on_a_damped_mass_stays_bounded() {
 fn with_a_bounded_credit() {
     let bound = ForceBound::new(DAMPING).expect("a bound");
     let mut bound = bound.bounded(1e-4).expect("a bound");
-    let free = Drive::new(PERIOD, 0.0, 0.5, 0.5 * PERIOD, 0.0);
+    let free = PortSample::new(PERIOD, 0.0, 0.5, 0.5 * PERIOD, 0.0);
     for _ in 0..1000 {
         bound.stabilize(&free, 0.0);
     }

@@ -3,8 +3,13 @@
 use lyapunov::lanes::{AutoF32x4, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Aimed, Beyond, DriftCompensated, Drive, ForceBound, PathMemory, Plain, PortEnergy, Refine,
-    Scalar, SlopeBound, Stabilizer, Station, Store, Tank, WaveTransform, Weights, Windowed,
+    PortEnergy, PortSample, Scalar, Stabilizer,
+    accumulators::Plain,
+    candidates::InContact,
+    stabilizers::{
+        AxisWeights, DirectedDamping, DriftCompensated, ForceBound, PathMemory, SlopeBound,
+        StabilizerExt, Tank, TankLimits, TwoPortSide, WaveTransform, WindowedCredit,
+    },
 };
 
 use crate::support::{PERIOD, limit, popc};
@@ -13,19 +18,19 @@ use crate::support::{PERIOD, limit, popc};
 fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
     let of = T::of;
     let popc = popc::<T>();
-    let store = Store { start: of(2e-3), floor: of(0.0), ceiling: of(5e-3), power: of(3.0) };
+    let store = TankLimits { start: of(2e-3), floor: of(0.0), ceiling: of(5e-3), power: of(3.0) };
     Some(match number {
         0 => Box::new(popc.bounded(of(1e-3)).expect("one")),
-        1 => Box::new(popc.reset_at(Beyond { position: of(0.0) })),
-        2 => Box::new(popc.summed_in::<Windowed<T, Plain<T>, 8>>()),
+        1 => Box::new(popc.reset_at(InContact { position: of(0.0) })),
+        2 => Box::new(popc.summed_in::<WindowedCredit<T, Plain<T>, 8>>()),
         3 => Box::new(popc.above_velocity(of(0.01)).expect("one")),
         4 => Box::new(popc.spread_over(5).expect("one")),
         5 => Box::new(popc.rising_over(5).expect("one")),
         6 => Box::new(popc.rate_limited::<T>(of(100.0)).expect("one")),
         7 => Box::new(ForceBound::new(of(0.1)).expect("one")),
         8 => Box::new(Tank::new(PortEnergy, store).expect("one")),
-        9 => Box::new(Aimed::new(popc, Weights::new(of(0.5)).expect("one"), limit())),
-        10 => Box::new(Station::new(limit())),
+        9 => Box::new(DirectedDamping::new(popc, AxisWeights::new(of(0.5)).expect("one"), limit())),
+        10 => Box::new(TwoPortSide::new(limit())),
         11 => Box::new(DriftCompensated::<_, T>::new(popc, of(0.1)).expect("one")),
         12 => Box::new(
             SlopeBound::<T>::new(of(1e3)).and_then(|it| it.creeping(of(5.0))).expect("one"),
@@ -35,15 +40,15 @@ fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
     })
 }
 
-fn lane<L: Scalar, T: Scalar>(drive: &Drive<L>, lane: usize) -> Drive<T> {
+fn lane<L: Scalar, T: Scalar>(sample: &PortSample<L>, lane: usize) -> PortSample<T> {
     let of = |value: L| T::of(value.lane(lane));
-    Drive {
-        period: of(drive.period),
-        position: of(drive.position),
-        velocity: of(drive.velocity),
-        displacement: of(drive.displacement),
-        acted: of(drive.acted),
-        work: of(drive.work),
+    PortSample {
+        period: of(sample.period),
+        position: of(sample.position),
+        velocity: of(sample.velocity),
+        displacement: of(sample.displacement),
+        applied: of(sample.applied),
+        work: of(sample.work),
     }
 }
 
@@ -51,13 +56,13 @@ fn alike<L: Scalar, T: Scalar>() {
     for number in 0.. {
         let Some(mut lanes) = build::<L>(number) else { break };
         let mut scalars: Vec<_> = (0..L::LANES).filter_map(|_| build::<T>(number)).collect();
-        for (drive, effort) in Samples::<L>::new(L::of(PERIOD)).seeded(3) {
-            let together = lanes.stabilize(&drive, effort);
+        for (sample, effort) in Samples::<L>::new(L::of(PERIOD)).seeded(3) {
+            let together = lanes.stabilize(&sample, effort);
             for (index, scalar) in scalars.iter_mut().enumerate() {
-                let alone = scalar.stabilize(&lane(&drive, index), T::of(effort.lane(index)));
+                let alone = scalar.stabilize(&lane(&sample, index), T::of(effort.lane(index)));
                 for (a, b) in [
                     (together.effort, alone.effort),
-                    (together.sum, alone.sum),
+                    (together.observed_energy, alone.observed_energy),
                     (together.alpha, alone.alpha),
                     (together.shortfall, alone.shortfall),
                 ] {

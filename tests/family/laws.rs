@@ -3,9 +3,14 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    Aimed, Along, Always, Compensated, ForceBound, PathMemory, PerAxis, Plain, PortEnergy,
-    ReferenceFollowing, Refine, Scalar, Signal, SlopeBound, Station, Storage, Store, Tank, Weights,
-    Windowed,
+    PortEnergy, Scalar, Signal, StorageFunction,
+    accumulators::{Compensated, Plain},
+    candidates::Always,
+    stabilizers::{
+        AlongDirection, AxisWeights, DirectedDamping, ForceBound, PathMemory, PerAxis,
+        ReferenceFollowing, SlopeBound, StabilizerExt, Tank, TankLimits, TwoPortSide,
+        WindowedCredit,
+    },
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -15,9 +20,9 @@ fn samples<V: Signal>() -> impl Iterator<Item = Samples<V>> {
     (0..8).map(|seed| Samples::new(V::Scalar::of(PERIOD)).seeded(seed))
 }
 
-fn store<T: Scalar>() -> Store<T> {
+fn store<T: Scalar>() -> TankLimits<T> {
     let [start, floor, ceiling, power] = [2e-3, 1e-3, 5e-3, 3.0].map(T::of);
-    Store { start, floor, ceiling, power }
+    TankLimits { start, floor, ceiling, power }
 }
 
 fn alike<V: Signal>() {
@@ -29,9 +34,12 @@ fn alike<V: Signal>() {
         check(laws::stabilizer(&popc.budgeted(of(1e-3)).expect("a budget"), samples));
         check(laws::stabilizer(&popc.bounded(of(1e-3)).expect("a bound"), samples));
         check(laws::stabilizer(&popc.reset_at(Always), samples));
-        check(laws::stabilizer(&popc.summed_in::<Windowed<_, Plain<_>, 8>>(), samples));
-        check(laws::stabilizer(&popc.summed_in::<Windowed<_, Compensated<_>, 8>>(), samples));
-        check(laws::stabilizer(&popc.sampled().summed_in::<Windowed<_, Plain<_>, 8>>(), samples));
+        check(laws::stabilizer(&popc.summed_in::<WindowedCredit<_, Plain<_>, 8>>(), samples));
+        check(laws::stabilizer(&popc.summed_in::<WindowedCredit<_, Compensated<_>, 8>>(), samples));
+        check(laws::stabilizer(
+            &popc.sampled().summed_in::<WindowedCredit<_, Plain<_>, 8>>(),
+            samples,
+        ));
         check(laws::stabilizer(&popc.above_velocity(of(0.01)).expect("a threshold"), samples));
         check(laws::stabilizer(&popc.spread_over(5).expect("ticks"), samples));
         check(laws::stabilizer(&popc.rising_over(5).expect("ticks"), samples));
@@ -41,14 +49,14 @@ fn alike<V: Signal>() {
             .and_then(|it| it.above_velocity(of(0.01))?.spread_over(3)?.rising_over(4))
             .and_then(|it| it.rate_limited::<V>(of(1e3)));
         check(laws::stabilizer(&all.expect("a chain"), samples));
-        let stored = |x: V, _v: V| x.pair(x);
-        let candidate = (PortEnergy, Storage::starting(stored, V::zero(), V::zero()));
+        let stored = |x: V, _v: V| x.inner(x);
+        let candidate = (PortEnergy, StorageFunction::starting(stored, V::zero(), V::zero()));
         check(laws::stabilizer(&ReferenceFollowing::new(candidate, limit()), samples));
-        let along = Along::new(axes).expect("a direction");
-        check(laws::stabilizer(&Aimed::new(popc, along, limit()), samples));
-        let weights = Weights::new(axes).expect("weights");
-        check(laws::stabilizer(&Aimed::new(popc, weights, limit()), samples));
-        check(laws::stabilizer(&Station::new(limit()), samples));
+        let along = AlongDirection::new(axes).expect("a direction");
+        check(laws::stabilizer(&DirectedDamping::new(popc, along, limit()), samples));
+        let weights = AxisWeights::new(axes).expect("weights");
+        check(laws::stabilizer(&DirectedDamping::new(popc, weights, limit()), samples));
+        check(laws::stabilizer(&TwoPortSide::new(limit()), samples));
 
         let bound = ForceBound::new(of(0.1)).and_then(|bound| bound.budgeted(of(1e-3)));
         check(laws::limiter(&bound.expect("a bound"), samples));

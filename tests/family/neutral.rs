@@ -1,14 +1,17 @@
 //! What is set so that it does nothing changes no bit.
 
 use lyapunov::laws::Samples;
-use lyapunov::{DriftCompensated, Refine, Scalar, Signal, Stabilizer};
+use lyapunov::{
+    Scalar, Signal, Stabilizer,
+    stabilizers::{DriftCompensated, StabilizerExt},
+};
 use nalgebra::Vector3;
 
 use crate::support::{PERIOD, popc};
 
 fn same<V: Signal>(mut one: impl Stabilizer<V>, mut other: impl Stabilizer<V>) {
-    for (drive, effort) in Samples::<V>::new(V::Scalar::of(PERIOD)).seeded(5) {
-        let (a, b) = (one.stabilize(&drive, effort), other.stabilize(&drive, effort));
+    for (sample, effort) in Samples::<V>::new(V::Scalar::of(PERIOD)).seeded(5) {
+        let (a, b) = (one.stabilize(&sample, effort), other.stabilize(&sample, effort));
         assert_eq!(format!("{a:?}"), format!("{b:?}"));
     }
 }

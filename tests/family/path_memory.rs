@@ -1,7 +1,9 @@
 //! What was pressed in comes out place by place, and no more.
 
 use approx::abs_diff_eq;
-use lyapunov::{Drive, Impedance, OnePort, PathMemory, Stabilizer, Wall};
+use lyapunov::{
+    OnePort, PortSample, Stabilizer, bodies::Impedance, environments::Wall, stabilizers::PathMemory,
+};
 
 use crate::support::{Dice, HELD, PERIOD, swing};
 
@@ -16,10 +18,10 @@ fn memory() -> PathMemory<f64, 64> {
 #[test]
 fn a_held_spring_gives_what_it_took_cell_by_cell() {
     let mut port = Wall::new(0.1 / CELL, 0.0).expect("a wall").stabilized(memory());
-    let mut drive = Drive::starting(PERIOD, 0.0, 0.0);
+    let mut sample = PortSample::starting(PERIOD, 0.0, 0.0);
     let (mut energy, mut debts) = (0.0, 0);
     for tick in 0..80i32 {
-        let force = port.respond(&drive);
+        let force = port.respond(&sample);
         let at = f64::from(if tick <= 40 { tick } else { 80 - tick });
         // Turned round within a period, it gives the force of the next cell once, and a cell later that much less.
         let expected = match tick {
@@ -33,9 +35,9 @@ fn a_held_spring_gives_what_it_took_cell_by_cell() {
         );
         let inwards = if tick < 40 { CELL } else { -CELL };
         energy += force * inwards;
-        debts += i32::from(port.action().shortfall > 1e-12);
-        let position = drive.position + inwards;
-        drive = Drive::new(PERIOD, position, inwards / PERIOD, inwards, force);
+        debts += i32::from(port.correction().shortfall > 1e-12);
+        let position = sample.position + inwards;
+        sample = PortSample::new(PERIOD, position, inwards / PERIOD, inwards, force);
     }
     assert!(debts == 1 && energy.abs() < 1e-12, "{debts} debts, {energy:e} J");
 }
@@ -46,10 +48,10 @@ fn energy_is_kept_stretch_by_stretch() {
     const STEP: f64 = 1e-6;
     for seed in 0..50 {
         let (mut memory, mut dice) = (memory(), Dice::of(seed));
-        let (mut at, mut drive) = (0i32, Drive::starting(PERIOD, 0.0, 0.0));
+        let (mut at, mut sample) = (0i32, PortSample::starting(PERIOD, 0.0, 0.0));
         let (mut path, mut beyond) = (vec![0.0f64; 20_000], 0.0f64);
         for _ in 0..500 {
-            let force = memory.stabilize(&drive, dice.within(20.0)).effort;
+            let force = memory.stabilize(&sample, dice.within(20.0)).effort;
             let to = (at + dice.within(300.0) as i32).clamp(-1000, 9_000);
             for micron in at.min(to)..at.max(to) {
                 let place = &mut path[(micron + 1000) as usize];
@@ -66,9 +68,9 @@ fn energy_is_kept_stretch_by_stretch() {
             let moved = f64::from(to - at) * STEP;
             at = to;
             let position = f64::from(at) * STEP;
-            drive = Drive::new(PERIOD, position, moved / PERIOD, moved, force);
+            sample = PortSample::new(PERIOD, position, moved / PERIOD, moved, force);
         }
-        let told = memory.stabilize(&drive, 0.0).shortfall;
+        let told = memory.stabilize(&sample, 0.0).shortfall;
         let held: f64 = path.iter().sum();
         assert!(held - beyond >= -told - 1e-12, "{beyond:e} J beyond {held:e} J, {told:e} J told");
     }
@@ -91,10 +93,10 @@ fn a_wall_that_a_hold_makes_active_settles() {
 fn nothing_pays_elsewhere() {
     let mut memory = memory();
     // A long way under no force, then much energy far inside.
-    memory.stabilize(&Drive::new(PERIOD, 3e-3, 3.0, 3e-3, 0.0), 0.0);
-    memory.stabilize(&Drive::new(PERIOD, 4e-3, 1.0, 1e-3, 50.0), 0.0);
+    memory.stabilize(&PortSample::new(PERIOD, 3e-3, 3.0, 3e-3, 0.0), 0.0);
+    memory.stabilize(&PortSample::new(PERIOD, 4e-3, 1.0, 1e-3, 50.0), 0.0);
     let mut effort = |from: f64| {
-        let back = Drive::new(PERIOD, from, -0.2, 0.0, 0.0);
+        let back = PortSample::new(PERIOD, from, -0.2, 0.0, 0.0);
         memory.stabilize(&back, 10.0).effort
     };
     assert_eq!(effort(3.9e-3), 10.0);

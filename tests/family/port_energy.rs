@@ -6,9 +6,13 @@ use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    Aimed, Along, Drive, ForceBound, Gate, Mask, PathMemory, PerAxis, Plain, PortEnergy,
-    ReferenceFollowing, Refine, Scalar, Signal, SlopeBound, Stabilizer, Storage, Store, Tank,
-    Windowed,
+    Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
+    accumulators::Plain,
+    candidates::Gate,
+    stabilizers::{
+        AlongDirection, DirectedDamping, ForceBound, PathMemory, PerAxis, ReferenceFollowing,
+        SlopeBound, StabilizerExt, Tank, TankLimits, WindowedCredit,
+    },
 };
 use nalgebra::Vector3;
 
@@ -17,9 +21,9 @@ use crate::support::{Dice, PERIOD, limit, popc};
 const TICKS: usize = 300;
 
 /// What a stabilizer counts besides the work of the port, J.
-type Credit<V> = fn(&Drive<V>) -> f64;
+type Credit<V> = fn(&PortSample<V>) -> f64;
 
-fn none<V: Signal>(_: &Drive<V>) -> f64 {
+fn none<V: Signal>(_: &PortSample<V>) -> f64 {
     0.0
 }
 
@@ -32,7 +36,7 @@ fn holds<V: Signal>(
 ) -> TestCaseResult {
     let of = V::Scalar::of;
     let mut dice = Dice::of(seed);
-    let (mut position, mut acted) = (V::zero(), V::zero());
+    let (mut position, mut applied) = (V::zero(), V::zero());
     let (mut account, mut size) = (budget, budget);
     for tick in 0..TICKS {
         let still = dice.within(1.0) > 0.8;
@@ -40,19 +44,23 @@ fn holds<V: Signal>(
         let moved = if still { V::zero() } else { dice.signal(strength) };
         position = position + moved;
         let velocity = moved.map(|it| it / of(PERIOD));
-        let drive = Drive::new(of(PERIOD), position, velocity, moved, acted);
-        let works = drive.work.map(Scalar::magnitude).sum().lane(0);
-        let credited = credit(&drive);
-        account += drive.work.sum().lane(0) + credited;
+        let sample = PortSample::new(of(PERIOD), position, velocity, moved, applied);
+        let works = sample.work.map(Scalar::magnitude).sum().lane(0);
+        let credited = credit(&sample);
+        account += sample.work.sum().lane(0) + credited;
         size += works + credited.abs();
-        let action = stabilizer.stabilize(&drive, dice.signal(20.0));
-        let burnt = (action.alpha * (velocity.pair(velocity) * of(PERIOD))).lane(0);
-        let kept = account + burnt + action.shortfall.lane(0);
+        let correction = stabilizer.stabilize(&sample, dice.signal(20.0));
+        let burnt = (correction.alpha * (velocity.inner(velocity) * of(PERIOD))).lane(0);
+        let kept = account + burnt + correction.shortfall.lane(0);
         let rounding = TICKS as f64 * V::Scalar::epsilon().lane(0) * size;
-        prop_assert!(action.accepted.all(), "tick {tick}");
+        prop_assert!(correction.accepted.all(), "tick {tick}");
         prop_assert!(kept >= -rounding, "{kept:e} J on tick {tick}");
         // An actuator that now and then does not do all it is told.
-        acted = if dice.within(1.0) > 0.5 { action.effort.limited(of(8.0)) } else { action.effort };
+        applied = if dice.within(1.0) > 0.5 {
+            correction.effort.limited(of(8.0))
+        } else {
+            correction.effort
+        };
     }
     Ok(())
 }
@@ -62,16 +70,16 @@ fn holds<V: Signal>(
 struct Half;
 
 impl<V: Signal> Gate<V> for Half {
-    fn open(&self, drive: &Drive<V>) -> <V::Scalar as Scalar>::Mask {
-        drive.position.sum().above(V::Scalar::of(0.0))
+    fn open(&self, sample: &PortSample<V>) -> <V::Scalar as Scalar>::Mask {
+        sample.position.sum().above(V::Scalar::of(0.0))
     }
 }
 
 const DAMPING: f64 = 0.1;
 
-fn damper<V: Signal>(drive: &Drive<V>) -> f64 {
-    let moved = drive.displacement.pair(drive.displacement);
-    (V::Scalar::of(DAMPING) * (moved / drive.period)).lane(0)
+fn damper<V: Signal>(sample: &PortSample<V>) -> f64 {
+    let moved = sample.displacement.inner(sample.displacement);
+    (V::Scalar::of(DAMPING) * (moved / sample.period)).lane(0)
 }
 
 fn alike<V: Signal>(seed: u64) -> TestCaseResult {
@@ -82,18 +90,18 @@ fn alike<V: Signal>(seed: u64) -> TestCaseResult {
     holds::<V>(seed, popc.budgeted(of(1e-3)).expect(fine), 1e-3, none)?;
     holds::<V>(seed, popc.bounded(of(1e-4)).expect(fine), 0.0, none)?;
     holds::<V>(seed, popc.reset_at(Half), 0.0, none)?;
-    holds::<V>(seed, popc.summed_in::<Windowed<_, Plain<_>, 16>>(), 0.0, none)?;
+    holds::<V>(seed, popc.summed_in::<WindowedCredit<_, Plain<_>, 16>>(), 0.0, none)?;
     holds::<V>(seed, popc.above_velocity(of(0.01)).expect(fine), 0.0, none)?;
     holds::<V>(seed, popc.spread_over(5).expect(fine), 0.0, none)?;
     holds::<V>(seed, popc.rising_over(5).expect(fine), 0.0, none)?;
     holds::<V>(seed, popc.rate_limited::<V>(of(500.0)).expect(fine), 0.0, none)?;
-    let along = Along::new(V::splat(of(1.0))).expect(fine);
-    holds::<V>(seed, Aimed::new(popc, along, limit()), 0.0, none)?;
+    let along = AlongDirection::new(V::splat(of(1.0))).expect(fine);
+    holds::<V>(seed, DirectedDamping::new(popc, along, limit()), 0.0, none)?;
     let bound = ForceBound::new(of(DAMPING)).and_then(|it| it.budgeted(of(1e-3)));
     holds::<V>(seed, bound.expect(fine), 1e-3, damper)?;
     let slope = SlopeBound::<V>::new(of(500.0)).and_then(|it| it.creeping(of(2.0)));
     holds::<V>(seed, slope.expect(fine), 0.0, none)?;
-    let store = Store { start: of(2e-3), floor: of(1e-3), ceiling: of(4e-3), power: of(0.5) };
+    let store = TankLimits { start: of(2e-3), floor: of(1e-3), ceiling: of(4e-3), power: of(0.5) };
     holds::<V>(seed, Tank::new(PortEnergy, store).expect(fine), 1e-3, none)
 }
 
@@ -130,11 +138,11 @@ fn above_a_reference() {
     const STIFFNESS: f64 = 500.0;
     try_all(|seed| {
         let stored = |x: f64, _v: f64| 0.5 * STIFFNESS * x * x;
-        let candidate = (PortEnergy, Storage::starting(stored, 0.0, 0.0));
+        let candidate = (PortEnergy, StorageFunction::starting(stored, 0.0, 0.0));
         let following = ReferenceFollowing::new(candidate, limit());
-        let change = |drive: &Drive<f64>| {
-            let before = drive.position - drive.displacement;
-            0.5 * STIFFNESS * (before * before - drive.position * drive.position)
+        let change = |sample: &PortSample<f64>| {
+            let before = sample.position - sample.displacement;
+            0.5 * STIFFNESS * (before * before - sample.position * sample.position)
         };
         holds(seed, following, 0.0, change)
     });

@@ -1,7 +1,9 @@
 //! Energy that follows a reference, on a held spring that is pressed and let go at a steady speed.
 
 use approx::abs_diff_eq;
-use lyapunov::{Drive, Popc, PortEnergy, ReferenceFollowing, Stabilizer, Storage};
+use lyapunov::{
+    Popc, PortEnergy, PortSample, Stabilizer, StorageFunction, stabilizers::ReferenceFollowing,
+};
 
 use crate::support::{PERIOD, limit, popc};
 
@@ -11,15 +13,15 @@ const TICKS: usize = 100;
 
 /// The corrections on each tick of pressing in and of letting go.
 fn corrections(mut stabilizer: impl Stabilizer<f64>) -> Vec<f64> {
-    let (mut x, mut drive) = (0.0, Drive::starting(PERIOD, 0.0, SPEED));
+    let (mut x, mut sample) = (0.0, PortSample::starting(PERIOD, 0.0, SPEED));
     (0..2 * TICKS)
         .map(|tick| {
             let velocity = if tick < TICKS { SPEED } else { -SPEED };
             let force = STIFFNESS * x;
-            let effort = stabilizer.stabilize(&drive, force).effort;
+            let effort = stabilizer.stabilize(&sample, force).effort;
             let moved = velocity * PERIOD;
             x += moved;
-            drive = Drive::new(PERIOD, x, velocity, moved, effort);
+            sample = PortSample::new(PERIOD, x, velocity, moved, effort);
             effort - force
         })
         .collect()
@@ -29,7 +31,7 @@ fn corrections(mut stabilizer: impl Stabilizer<f64>) -> Vec<f64> {
 #[test]
 fn corrections_are_half_a_tick_of_spring() {
     let stored = |x: f64, _v: f64| 0.5 * STIFFNESS * x * x;
-    let candidate = (PortEnergy, Storage::starting(stored, 0.0, 0.0));
+    let candidate = (PortEnergy, StorageFunction::starting(stored, 0.0, 0.0));
     let following = corrections(ReferenceFollowing::new(candidate, limit()));
     let half = 0.5 * STIFFNESS * SPEED * PERIOD;
     for (tick, correction) in following.iter().enumerate() {

@@ -1,7 +1,7 @@
-//! How a correction comes, at a port that is moved steadily and on which nothing but the correction acts.
+//! How a added comes, at a port that is moved steadily and on which nothing but the added acts.
 
 use approx::relative_eq;
-use lyapunov::{Drive, Refine, Signal, Stabilizer};
+use lyapunov::{PortSample, Signal, Stabilizer, stabilizers::StabilizerExt};
 use nalgebra::Vector3;
 
 use crate::support::{Dice, PERIOD, popc};
@@ -11,11 +11,11 @@ const SPEED: f64 = 0.1;
 /// The energies burnt on each tick after a debt of `debt`, J.
 fn payments(mut stabilizer: impl Stabilizer<f64>, debt: f64) -> Vec<f64> {
     let moved = SPEED * PERIOD;
-    let mut drive = Drive { work: -debt, ..Drive::new(PERIOD, 0.0, SPEED, moved, 0.0) };
+    let mut sample = PortSample { work: -debt, ..PortSample::new(PERIOD, 0.0, SPEED, moved, 0.0) };
     (0..20)
         .map(|_| {
-            let effort = stabilizer.stabilize(&drive, 0.0).effort;
-            drive = Drive::new(PERIOD, 0.0, SPEED, moved, effort);
+            let effort = stabilizer.stabilize(&sample, 0.0).effort;
+            sample = PortSample::new(PERIOD, 0.0, SPEED, moved, effort);
             effort * moved
         })
         .collect()
@@ -67,43 +67,50 @@ fn on_no_axis_faster_and_never_along_the_motion() {
     let (mut dice, mut last) = (Dice::of(8), Vector3::<f64>::zeros());
     for _ in 0..5000 {
         let velocity: Vector3<f64> = dice.signal(0.2);
-        let drive = Drive {
+        let sample = PortSample {
             work: dice.signal(1e-4),
-            ..Drive::new(PERIOD, Vector3::zeros(), velocity, velocity * PERIOD, Vector3::zeros())
+            ..PortSample::new(
+                PERIOD,
+                Vector3::zeros(),
+                velocity,
+                velocity * PERIOD,
+                Vector3::zeros(),
+            )
         };
         let effort: Vector3<f64> = dice.signal(5.0);
-        let correction = limited.stabilize(&drive, effort).effort - effort;
+        let added = limited.stabilize(&sample, effort).effort - effort;
         for axis in 0..3 {
-            let (now, before) = (correction[axis], last[axis]);
+            let (now, before) = (added[axis], last[axis]);
             assert!(now.abs() <= before.abs() + 0.2 + 1e-12);
             assert!(now * before > 0.0 || now.abs() <= 0.2 + 1e-12);
             assert!(now * velocity[axis] >= -1e-12);
         }
-        last = correction;
+        last = added;
     }
 }
 
 #[test]
 fn below_the_threshold_a_debt_waits() {
     let mut popc = popc().above_velocity(0.05).expect("a threshold");
-    let still = |velocity: f64| Drive { work: -1e-5, ..Drive::starting(PERIOD, 0.0, velocity) };
+    let still =
+        |velocity: f64| PortSample { work: -1e-5, ..PortSample::starting(PERIOD, 0.0, velocity) };
     for tick in 1..=3 {
-        let action = popc.stabilize(&still(0.049), 1.0);
-        assert_eq!((action.effort, action.alpha), (1.0, 0.0));
+        let correction = popc.stabilize(&still(0.049), 1.0);
+        assert_eq!((correction.effort, correction.alpha), (1.0, 0.0));
         assert!(relative_eq!(
-            action.shortfall,
+            correction.shortfall,
             1e-5 * f64::from(tick),
             epsilon = 1e-18,
             max_relative = 1e-12
         ));
     }
-    let action = popc.stabilize(&still(-0.05), 1.0);
-    assert!(action.effort < 1.0 && action.shortfall == 0.0);
+    let correction = popc.stabilize(&still(-0.05), 1.0);
+    assert!(correction.effort < 1.0 && correction.shortfall == 0.0);
     assert!(relative_eq!(
-        (action.effort - 1.0) * -0.05 * PERIOD,
+        (correction.effort - 1.0) * -0.05 * PERIOD,
         4e-5,
         epsilon = 1e-18,
         max_relative = 1e-12
     ));
-    assert!(Signal::finite(action.sum));
+    assert!(Signal::finite(correction.observed_energy));
 }

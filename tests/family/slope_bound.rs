@@ -3,7 +3,11 @@
 use std::f64::consts::PI;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Drive, OnePort, Popc, Scalar, SlopeBound, Spring, Stabilizer, Wall};
+use lyapunov::{
+    OnePort, Popc, PortSample, Scalar, Stabilizer,
+    environments::{Spring, Wall},
+    stabilizers::SlopeBound,
+};
 use nalgebra::Vector3;
 
 use crate::support::{Dice, HELD, PERIOD, popc, swing};
@@ -19,9 +23,9 @@ fn bound() -> SlopeBound<f64> {
 fn run(mut bound: SlopeBound<f64>, ticks: &[(f64, f64)]) -> Vec<f64> {
     let mut last = ticks[0].0;
     let follow = |&(position, effort): &(f64, f64)| {
-        let drive = Drive::new(PERIOD, position, 0.0, position - last, 0.0);
+        let sample = PortSample::new(PERIOD, position, 0.0, position - last, 0.0);
         last = position;
-        bound.stabilize(&drive, effort).effort
+        bound.stabilize(&sample, effort).effort
     };
     ticks.iter().map(follow).collect()
 }
@@ -31,11 +35,11 @@ fn changes_are_in_the_sector_or_towards_nothing() {
     let mut bound = SlopeBound::<Vector3<f64>>::new(SLOPE).expect("a slope");
     let mut dice = Dice::of(8);
     let (mut before, mut rises) = (Vector3::zeros(), 0);
-    bound.stabilize(&Drive::starting(PERIOD, before, before), before);
+    bound.stabilize(&PortSample::starting(PERIOD, before, before), before);
     for _ in 0..20_000 {
         let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(5.0));
-        let drive = Drive::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, before);
-        let force = bound.stabilize(&drive, asked).effort;
+        let sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, before);
+        let force = bound.stabilize(&sample, asked).effort;
         for axis in 0..3 {
             let (change, most) = (force[axis] - before[axis], SLOPE * moved[axis]);
             let inside = change * most >= -1e-12 && change.abs() <= most.abs() + 1e-12;
@@ -60,10 +64,11 @@ fn what_is_in_the_sector_passes() {
         let (mut dice, mut position) = (Dice::of(4), T::of(2e-3));
         for _ in 0..100_000 {
             let next = T::of(dice.within(3e-3));
-            let drive = Drive::new(T::of(PERIOD), next, T::of(0.0), next - position, T::of(0.0));
+            let sample =
+                PortSample::new(T::of(PERIOD), next, T::of(0.0), next - position, T::of(0.0));
             position = next;
             let asked = T::of(0.9 * SLOPE) * position;
-            assert_eq!(bound.stabilize(&drive, asked).effort, asked);
+            assert_eq!(bound.stabilize(&sample, asked).effort, asked);
         }
     }
     check::<f64>();
@@ -109,15 +114,15 @@ struct Pump {
 }
 
 impl OnePort<f64> for Pump {
-    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
-        let inwards = drive.displacement > 0.0;
+    fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+        let inwards = sample.displacement > 0.0;
         match (inwards, self.out) {
             (true, true) => self.asked = 0.0,
             (true, false) => self.asked += 1e3,
             _ => {}
         }
         self.out = !inwards;
-        self.bound.stabilize(drive, self.asked).effort
+        self.bound.stabilize(sample, self.asked).effort
     }
 }
 
@@ -141,10 +146,14 @@ fn what_it_may_cost_and_what_bounds_it() {
 fn less_conservative_than_popc() {
     struct Corrections<S>(S, f64);
     impl<S: Stabilizer<f64>> Stabilizer<f64> for &mut Corrections<S> {
-        fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> lyapunov::Action<f64> {
-            let action = self.0.stabilize(drive, effort);
-            self.1 = self.1.max((action.effort - effort).abs());
-            action
+        fn stabilize(
+            &mut self,
+            sample: &PortSample<f64>,
+            effort: f64,
+        ) -> lyapunov::Correction<f64> {
+            let correction = self.0.stabilize(sample, effort);
+            self.1 = self.1.max((correction.effort - effort).abs());
+            correction
         }
     }
     let spring = || Spring::new(0.9 * SLOPE).expect("a spring").at(1e-3);

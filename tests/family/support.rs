@@ -1,6 +1,9 @@
 //! Numbers to try, and ports to try them on.
 
-use lyapunov::{Body, DampingLimit, Impedance, OnePort, Plant, Popc, PortEnergy, Scalar, Signal};
+use lyapunov::{
+    DampingLimit, OnePort, Plant, Popc, PortEnergy, Scalar, Signal,
+    bodies::{Body, Impedance},
+};
 
 pub(crate) const PERIOD: f64 = 1e-3;
 
@@ -40,12 +43,12 @@ pub(crate) const HELD: Impedance<f64> = Impedance { mass: 0.2, damping: 1.0, sti
 /// How far from the origin `hand` comes at most over `ticks` from 1 mm on, and over the last tenth of them; it ends beyond 1 km.
 pub(crate) fn swing(hand: Impedance<f64>, mut port: impl OnePort<f64>, ticks: usize) -> (f64, f64) {
     let mut body = Body::<f64>::new(hand, PERIOD).expect("a body").starting(1e-3, 0.0);
-    let (mut drive, mut most, mut late) = (body.start(), 0f64, 0f64);
+    let (mut sample, mut most, mut late) = (body.start(), 0f64, 0f64);
     for tick in 0..ticks {
-        drive = body.advance(port.respond(&drive));
-        most = most.max(drive.position.abs());
+        sample = body.advance(port.respond(&sample));
+        most = most.max(sample.position.abs());
         if tick >= ticks - ticks / 10 {
-            late = late.max(drive.position.abs());
+            late = late.max(sample.position.abs());
         }
         if most > 1e3 {
             return (most, most);

@@ -1,31 +1,34 @@
 //! A tank gives what is in it, and not faster than it may.
 
 use approx::assert_abs_diff_eq;
-use lyapunov::{Drive, PortEnergy, Stabilizer, Store, Tank};
+use lyapunov::{
+    PortEnergy, PortSample, Stabilizer,
+    stabilizers::{Tank, TankLimits},
+};
 
 use crate::support::{Dice, PERIOD};
 
-const STORE: Store<f64> = Store { start: 2e-3, floor: 5e-4, ceiling: 3e-3, power: 0.5 };
+const STORE: TankLimits<f64> = TankLimits { start: 2e-3, floor: 5e-4, ceiling: 3e-3, power: 0.5 };
 
 #[test]
 fn follows_its_recursion() {
     let mut tank = Tank::new(PortEnergy, STORE).expect("a tank");
     let (mut dice, mut energy) = (Dice::of(1), STORE.start);
-    let mut acted = 0.0;
+    let mut applied = 0.0;
     for _ in 0..5000 {
         let velocity = dice.within(0.2);
-        let drive = Drive::new(PERIOD, 0.0, velocity, velocity * PERIOD, acted);
-        energy = energy.min(STORE.ceiling) + acted * velocity * PERIOD;
+        let sample = PortSample::new(PERIOD, 0.0, velocity, velocity * PERIOD, applied);
+        energy = energy.min(STORE.ceiling) + applied * velocity * PERIOD;
         let wanted = dice.within(20.0);
-        let action = tank.stabilize(&drive, wanted);
+        let correction = tank.stabilize(&sample, wanted);
         let available = (energy - STORE.floor).max(0.0);
         let most = (available / PERIOD).min(STORE.power);
         let asked = -wanted * velocity;
         let allowed = if asked > most { wanted * most / asked } else { wanted };
-        assert_abs_diff_eq!(action.effort, allowed, epsilon = 1e-9 * wanted.abs());
-        assert_abs_diff_eq!(action.sum, energy - STORE.floor, epsilon = 1e-12);
-        assert_abs_diff_eq!(action.shortfall, (STORE.floor - energy).max(0.0), epsilon = 1e-12);
-        acted = action.effort;
+        assert_abs_diff_eq!(correction.effort, allowed, epsilon = 1e-9 * wanted.abs());
+        assert_abs_diff_eq!(correction.observed_energy, energy - STORE.floor, epsilon = 1e-12);
+        assert_abs_diff_eq!(correction.shortfall, (STORE.floor - energy).max(0.0), epsilon = 1e-12);
+        applied = correction.effort;
     }
 }
 
@@ -33,14 +36,14 @@ fn follows_its_recursion() {
 #[test]
 fn keeps_its_floor_in_a_steady_motion() {
     let mut tank = Tank::new(PortEnergy, STORE).expect("a tank");
-    let mut drive = Drive::starting(PERIOD, 0.0, -0.3);
+    let mut sample = PortSample::starting(PERIOD, 0.0, -0.3);
     let mut given = 0.0;
     for _ in 0..1000 {
-        let action = tank.stabilize(&drive, 50.0);
+        let correction = tank.stabilize(&sample, 50.0);
         let moved = -0.3 * PERIOD;
-        drive = Drive::new(PERIOD, 0.0, -0.3, moved, action.effort);
-        assert!(action.effort * 0.3 <= STORE.power * (1.0 + 1e-12));
-        given -= action.effort * moved;
+        sample = PortSample::new(PERIOD, 0.0, -0.3, moved, correction.effort);
+        assert!(correction.effort * 0.3 <= STORE.power * (1.0 + 1e-12));
+        given -= correction.effort * moved;
     }
     let available = STORE.start - STORE.floor;
     assert!(given <= available * (1.0 + 1e-12) && given > 0.999 * available);
@@ -49,9 +52,9 @@ fn keeps_its_floor_in_a_steady_motion() {
 #[test]
 fn what_cannot_be_right_is_refused() {
     let refused = |store| Tank::new(PortEnergy, store).is_err();
-    assert!(refused(Store { start: 0.0, ..STORE }));
-    assert!(refused(Store { floor: -1.0, ..STORE }));
-    assert!(refused(Store { ceiling: 1e-3, ..STORE }));
-    assert!(refused(Store { power: -1.0, ..STORE }));
-    assert!(!refused(Store { ceiling: f64::INFINITY, power: f64::INFINITY, ..STORE }));
+    assert!(refused(TankLimits { start: 0.0, ..STORE }));
+    assert!(refused(TankLimits { floor: -1.0, ..STORE }));
+    assert!(refused(TankLimits { ceiling: 1e-3, ..STORE }));
+    assert!(refused(TankLimits { power: -1.0, ..STORE }));
+    assert!(!refused(TankLimits { ceiling: f64::INFINITY, power: f64::INFINITY, ..STORE }));
 }

@@ -6,8 +6,10 @@ use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    Action, Body, Channel, ConstantDelay, DampingLimit, DriftCompensated, Drive, Impedance, Load,
-    Lossy, Plant, Stabilizer, Station, VaryingDelay,
+    AdmittanceSample, Correction, DampingLimit, Plant, PortSample, Stabilizer,
+    bodies::{Body, Impedance},
+    channels::{Channel, ConstantDelay, LossyChannel, VaryingDelay},
+    stabilizers::{DriftCompensated, TwoPortSide},
 };
 
 use crate::support::{Dice, PERIOD, limit};
@@ -32,9 +34,9 @@ fn channels(seed: u64) -> Vec<Box<dyn Channel<Message>>> {
         Box::new(constant(60)),
         Box::new(varying(3)),
         Box::new(varying(40)),
-        Box::new(Lossy::new(constant(10), 0.3, seed, SILENCE).expect("one")),
-        Box::new(Lossy::new(varying(40), 0.9, seed, SILENCE).expect("one")),
-        Box::new(Lossy::new(constant(1), 1.0, seed, SILENCE).expect("one")),
+        Box::new(LossyChannel::new(constant(10), 0.3, seed, SILENCE).expect("one")),
+        Box::new(LossyChannel::new(varying(40), 0.9, seed, SILENCE).expect("one")),
+        Box::new(LossyChannel::new(constant(1), 1.0, seed, SILENCE).expect("one")),
     ]
 }
 
@@ -45,14 +47,14 @@ struct Book {
 }
 
 impl Book {
-    fn enter(&mut self, drive: &Drive<f64>) {
-        self.crossed += drive.work;
-        self.size += drive.work.abs();
+    fn enter(&mut self, sample: &PortSample<f64>) {
+        self.crossed += sample.work;
+        self.size += sample.work.abs();
     }
 
-    fn holds(&self, ends: [(&Drive<f64>, &Action<f64>); 2]) -> TestCaseResult {
-        let served = |(drive, action): (&Drive<f64>, &Action<f64>)| {
-            action.alpha * drive.velocity * drive.velocity * PERIOD + action.shortfall
+    fn holds(&self, ends: [(&PortSample<f64>, &Correction<f64>); 2]) -> TestCaseResult {
+        let served = |(sample, correction): (&PortSample<f64>, &Correction<f64>)| {
+            correction.alpha * sample.velocity * sample.velocity * PERIOD + correction.shortfall
         };
         let kept = self.crossed + ends.map(served).iter().sum::<f64>();
         prop_assert!(kept >= -1e-11 * self.size, "{kept:e} of {:e} J", self.size);
@@ -73,25 +75,28 @@ fn under_every_channel_the_ledger_of_both_ports_holds() {
     try_seeds(100, |seed| {
         for (there, back) in channels(seed).iter_mut().zip(&mut channels(!seed)) {
             let mut dice = Dice::of(seed);
-            let mut master = Station::new(limit());
-            let mut slave = DriftCompensated::new(Station::new(mobility()), 0.05).expect("one");
-            let (mut drive, mut load) =
-                (Drive::starting(PERIOD, 0.0, 0.0), Drive::from(Load::starting(PERIOD, 0.0)));
+            let mut master = TwoPortSide::new(limit());
+            let mut slave = DriftCompensated::new(TwoPortSide::new(mobility()), 0.05).expect("one");
+            let (mut sample, mut load) = (
+                PortSample::starting(PERIOD, 0.0, 0.0),
+                PortSample::from(AdmittanceSample::starting(PERIOD, 0.0)),
+            );
             let mut book = Book { crossed: 0.0, size: 0.0 };
             let mut arrived = SILENCE;
             for _ in 0..400 {
                 master.receive(arrived.1);
-                let felt = master.stabilize(&drive, dice.within(10.0));
-                let (_, energy) = there.carry((drive.velocity, master.absorbed()));
+                let felt = master.stabilize(&sample, dice.within(10.0));
+                let (_, energy) = there.carry((sample.velocity, master.absorbed()));
                 slave.receive(energy);
                 let moves = slave.stabilize(&load, dice.within(0.2));
                 arrived = back.carry((load.velocity, slave.absorbed()));
-                book.holds([(&drive, &felt), (&load, &moves)])?;
+                book.holds([(&sample, &felt), (&load, &moves)])?;
                 let moved = dice.within(2e-4);
-                drive = Drive::new(PERIOD, 0.0, moved / PERIOD, moved, felt.effort);
+                sample = PortSample::new(PERIOD, 0.0, moved / PERIOD, moved, felt.effort);
                 let force = dice.within(10.0);
-                load = Load::new(PERIOD, 0.0, force, force * PERIOD, moves.effort).into();
-                book.enter(&drive);
+                load =
+                    AdmittanceSample::new(PERIOD, 0.0, force, force * PERIOD, moves.effort).into();
+                book.enter(&sample);
                 book.enter(&load);
             }
         }
@@ -114,35 +119,36 @@ fn loop_of(
     let own = Impedance { mass: 0.3, damping: 0.5, stiffness: 0.0 };
     let mut slave = Body::<f64>::new(own, PERIOD).expect("a body");
     let (stiffness, damping, wall) = (500.0, 5.0, 2000.0);
-    let (mut near, far) = (Station::new(limit()), Station::new(mobility()));
+    let (mut near, far) = (TwoPortSide::new(limit()), TwoPortSide::new(mobility()));
     let mut far = DriftCompensated::new(far, speed).expect("a station");
-    let (mut drive, mut follows): (Drive<f64>, Drive<f64>) = (master.start(), slave.start());
-    let mut load = Drive::from(Load::starting(PERIOD, 0.0));
+    let (mut sample, mut follows): (PortSample<f64>, PortSample<f64>) =
+        (master.start(), slave.start());
+    let mut load = PortSample::from(AdmittanceSample::starting(PERIOD, 0.0));
     let mut book = Book { crossed: 0.0, size: 0.0 };
     let (mut command, mut arrived, mut swing) = (0.0, SILENCE, 0f64);
     for tick in 0..6000 {
         near.receive(arrived.1);
-        let felt = near.stabilize(&drive, arrived.0);
+        let felt = near.stabilize(&sample, arrived.0);
         let received = arrived.0;
-        let (velocity, energy) = there.carry((drive.velocity, near.absorbed()));
+        let (velocity, energy) = there.carry((sample.velocity, near.absorbed()));
         far.receive(energy);
         let moves = far.stabilize(&load, velocity);
-        book.holds([(&drive, &felt), (&load, &moves)])
+        book.holds([(&sample, &felt), (&load, &moves)])
             .or_else(|e| if stabilized { Err(e) } else { Ok(()) })?;
         let flow = if stabilized { moves.effort } else { velocity };
         let pull = stiffness * (command - follows.position) + damping * (flow - follows.velocity);
         arrived = back.carry((pull, far.absorbed()));
-        drive = master.advance(if stabilized { felt.effort } else { received });
+        sample = master.advance(if stabilized { felt.effort } else { received });
         command += flow * PERIOD;
         follows = slave.advance(-pull + wall * (follows.position - 0.005).max(0.0));
-        load = Load::new(PERIOD, 0.0, -pull, -pull * PERIOD, flow).into();
-        book.enter(&drive);
+        load = AdmittanceSample::new(PERIOD, 0.0, -pull, -pull * PERIOD, flow).into();
+        book.enter(&sample);
         book.enter(&load);
         if !follows.position.is_finite() || follows.position.abs() > 10.0 {
             return Ok(f64::INFINITY);
         }
         if tick >= 5000 {
-            swing = swing.max(drive.velocity.abs());
+            swing = swing.max(sample.velocity.abs());
         }
     }
     Ok(swing)
@@ -170,23 +176,26 @@ fn over_every_channel_it_stays_bounded() {
 #[test]
 fn compensation_counts_with_what_answers_it() {
     let (speed, impedance) = (0.02, 5.0);
-    let station = || DriftCompensated::new(Station::new(mobility()), speed).expect("one");
+    let station = || DriftCompensated::new(TwoPortSide::new(mobility()), speed).expect("one");
     assert!(station().meeting(-1.0).is_err() && station().meeting(f64::NAN).is_err());
     let mut one = station().meeting(impedance).expect("one");
     let (asked, mut spent) = (0.1, 0.0_f64);
-    let mut load = Drive::from(Load::starting(PERIOD, 0.0));
+    let mut load = PortSample::from(AdmittanceSample::starting(PERIOD, 0.0));
     for tick in 0..4000 {
         // A push that is not paid for makes the drift; then credit comes in, less than the push takes.
         let push: f64 = if tick < 20 { -5.0 } else { -0.1 };
         one.receive(if tick < 100 { 0.0 } else { 1.05e-5 * f64::from(tick) });
-        let action: Action<f64> = one.stabilize(&load, asked);
-        let served = asked + action.alpha * load.velocity;
-        let back = action.effort - served;
+        let correction: Correction<f64> = one.stabilize(&load, asked);
+        let served = asked + correction.alpha * load.velocity;
+        let back = correction.effort - served;
         // What the answer makes of it, beyond what would have been given without.
-        let more = served * load.velocity - action.effort * (load.velocity - impedance * back);
-        assert!(more * PERIOD <= action.sum.max(0.0) + 1e-15, "{tick}: {more} {action:?}");
+        let more = served * load.velocity - correction.effort * (load.velocity - impedance * back);
+        assert!(
+            more * PERIOD <= correction.observed_energy.max(0.0) + 1e-15,
+            "{tick}: {more} {correction:?}"
+        );
         spent = spent.max(more);
-        load = Load::new(PERIOD, 0.0, push, push * PERIOD, action.effort).into();
+        load = AdmittanceSample::new(PERIOD, 0.0, push, push * PERIOD, correction.effort).into();
     }
     assert!(spent > 0.0 && one.drift() > -1e-3, "credit is spent: {spent} W, {} m", one.drift());
 }
@@ -195,15 +204,15 @@ fn compensation_counts_with_what_answers_it() {
 #[test]
 fn drift_is_taken_back() {
     let settled = |speed: f64| {
-        let mut station = DriftCompensated::new(Station::new(mobility()), speed).expect("one");
-        let mut load = Drive::from(Load::starting(PERIOD, 0.0));
+        let mut station = DriftCompensated::new(TwoPortSide::new(mobility()), speed).expect("one");
+        let mut load = PortSample::from(AdmittanceSample::starting(PERIOD, 0.0));
         let mut least = 0f64;
         for tick in 0..2000 {
             // A push that the other side has not yet paid for, then a long credit and no push.
             let force: f64 = if tick < 20 { -5.0 } else { -0.1 };
             station.receive(if tick < 100 { 0.0 } else { 1.0 });
             let flow = station.stabilize(&load, 0.1).effort;
-            load = Load::new(PERIOD, 0.0, force, force * PERIOD, flow).into();
+            load = AdmittanceSample::new(PERIOD, 0.0, force, force * PERIOD, flow).into();
             least = least.min(station.drift());
         }
         (least, station.drift())

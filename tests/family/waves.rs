@@ -1,7 +1,11 @@
 //! Waves come back as what they were, and store what is under way.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Channel, ConstantDelay, Scalar, WaveTransform};
+use lyapunov::{
+    Scalar,
+    channels::{Channel, ConstantDelay},
+    stabilizers::WaveTransform,
+};
 use nalgebra::Vector3;
 
 use crate::support::{Dice, PERIOD};

@@ -4,8 +4,12 @@ use core::cell::Cell;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, EmbeddedPair, Exact, Impedance,
-    Integrator, Mechanics, Oscillator, Plant, Requirement, State,
+    Plant, Requirement,
+    bodies::Impedance,
+    integrators::{
+        Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, EmbeddedPair, Exact,
+        Integrator, Mechanics, Oscillator, State,
+    },
 };
 use nalgebra::Vector2;
 

@@ -2,8 +2,12 @@
 
 use approx::abs_diff_eq;
 use lyapunov::{
-    CoupledOscillators, Drive, Exact, Impedance, ImplicitMidpoint, Integrator, Link, Oscillator,
-    Plant, RungeKuttaNystrom4, SemiImplicitEuler, State, TwoMass,
+    Plant, PortSample,
+    bodies::{ElasticJoint, Impedance, TwoMassParts},
+    integrators::{
+        CoupledOscillators, Exact, ImplicitMidpoint, Integrator, Oscillator, RungeKuttaNystrom4,
+        SemiImplicitEuler, State,
+    },
 };
 
 use crate::{U, moved, pair};
@@ -18,7 +22,7 @@ fn energies(
     let dynamics = Oscillator::new(parts).expect("parts");
     let mut plant = moved(dynamics, integrator, turn, 1).starting(0.6, 0.8);
     (0..steps).map(move |_| {
-        let Drive { position, velocity, .. } = plant.advance(0.0);
+        let PortSample { position, velocity, .. } = plant.advance(0.0);
         position * position + velocity * velocity
     })
 }
@@ -58,7 +62,7 @@ fn the_midpoint_rule_never_gains_energy_at_a_thousand_radians_a_step() {
         let mut plant = moved(dynamics, ImplicitMidpoint, 1e3, 1).starting(0.6, 0.8);
         let mut before = 1.0;
         for _ in 0..100_000 {
-            let Drive { position, velocity, .. } = plant.advance(0.0);
+            let PortSample { position, velocity, .. } = plant.advance(0.0);
             let energy = position * position + velocity * velocity;
             assert!(energy <= before * (1.0 + 16.0 * 1e3 * U), "{damping} {before} {energy}");
             before = energy;
@@ -66,16 +70,18 @@ fn the_midpoint_rule_never_gains_energy_at_a_thousand_radians_a_step() {
         // The energy stays where nothing burns, and falls where something does.
         assert!(if damping == 0.0 { before > 0.99 } else { before < 0.99 }, "{damping} {before}");
     }
-    let dynamics =
-        CoupledOscillators::new(TwoMass { link: Link { stiffness: 1e7, damping: 0.0 }, ..pair() });
+    let dynamics = CoupledOscillators::new(TwoMassParts {
+        link: ElasticJoint { stiffness: 1e7, damping: 0.0 },
+        ..pair()
+    });
     let mut plant = moved(dynamics.expect("parts"), ImplicitMidpoint, 0.1, 1).starting(0.01, 0.0);
     // All springs together hold no more than the operator's did at the start.
     for _ in 0..10_000 {
-        let drive = plant.advance(0.0);
+        let sample = plant.advance(0.0);
         let State { position, velocity } = plant.state();
         let operator = position.device + position.stretch;
         let stored = 25.0 * operator * operator + 0.1 * velocity.device * velocity.device;
-        assert!(stored <= 25.0 * 0.01 * 0.01 * (1.0 + 1e-6), "{drive:?}");
+        assert!(stored <= 25.0 * 0.01 * 0.01 * (1.0 + 1e-6), "{sample:?}");
     }
 }
 
@@ -87,8 +93,8 @@ fn in_f32_an_undamped_swing_keeps_its_size_within_the_rounding_of_its_steps() {
     let mut plant = moved(dynamics, ImplicitMidpoint, 1e-3, 1).starting(-0.004, 0.0);
     let mut exact = moved(dynamics, Exact::new(), 1e-3, 1).starting(-0.004, 0.0);
     let mut one_by_one = moved(dynamics, ImplicitMidpoint, 10.0, steps / 10).starting(-0.004, 0.0);
-    let energy = |drive: Drive<f32>| {
-        let (x, v) = (f64::from(drive.position), f64::from(drive.velocity));
+    let energy = |sample: PortSample<f32>| {
+        let (x, v) = (f64::from(sample.position), f64::from(sample.velocity));
         0.5 * (50.0 * x * x + 0.3 * v * v)
     };
     let first = 0.5 * 50.0 * 0.004 * 0.004;

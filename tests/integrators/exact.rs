@@ -3,7 +3,10 @@
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Body, CoupledOscillators, Exact, Impedance, Linked, Oscillator, Perturb, Plant, Scalar, Sine,
+    Plant, Scalar,
+    bodies::{Body, Impedance, PlantExt, TwoMassBody},
+    integrators::{CoupledOscillators, Exact, Oscillator},
+    trajectories::Sine,
 };
 
 use crate::{hand, moved, pair};
@@ -18,7 +21,7 @@ fn exactly_as<T: Scalar>() {
     let stepped = moved(dynamics, Exact::new(), period, 1).starting(of(-0.004), of(0.1));
     let mut one = body.led_by(led).gripped(hand(), [(300, firm)]).expect("a grip");
     let mut other = stepped.led_by(led).gripped(hand(), [(300, firm)]).expect("a grip");
-    let linked = Linked::new(pair(), period).expect("a body").resting_at(of(0.01));
+    let linked = TwoMassBody::new(pair(), period).expect("a body").resting_at(of(0.01));
     let mut linked = linked.starting(of(-0.004), of(0.1));
     let dynamics = CoupledOscillators::new(pair()).expect("parts");
     let mut coupled = moved(dynamics, Exact::new(), period, 1).resting_at(of(0.01));

@@ -2,8 +2,12 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use lyapunov::{
-    Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, Dynamics, Exact, Integrator,
-    LinearDynamics, Oscillator, RungeKutta4, RungeKuttaNystrom4, Signal, State, laws,
+    Signal,
+    integrators::{
+        Adaptive, CoupledOscillators, DormandPrince5, DormandPrince8, Dynamics, Exact, Integrator,
+        LinearDynamics, Oscillator, RungeKutta4, RungeKuttaNystrom4, State,
+    },
+    laws,
 };
 use nalgebra::Vector2;
 

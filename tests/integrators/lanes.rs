@@ -3,17 +3,21 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Adaptive, Coordinates, CoupledOscillators, DampedMass, DormandPrince5, DormandPrince8, Exact,
-    Impedance, ImplicitMidpoint, Integrator, Mechanics, Oscillator, Plant, RungeKutta4,
-    RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Stepped, TwoMass,
+    Plant, Scalar,
+    bodies::{DampedMass, Impedance, IntegratedPlant, TwoMassParts},
+    integrators::{
+        Adaptive, Coordinates, CoupledOscillators, DormandPrince5, DormandPrince8, Exact,
+        ImplicitMidpoint, Integrator, Mechanics, Oscillator, RungeKutta4, RungeKuttaNystrom4,
+        SemiImplicitEuler,
+    },
 };
 
 use crate::{hand, moved, pair};
 
 /// Each lane, with parts of its own, against the scalar of the same numbers.
 fn lane_by_lane<T, L, D, S, I, J>(
-    stepped: impl Fn(usize) -> Stepped<T, D, I>,
-    lanes: Stepped<L, S, J>,
+    stepped: impl Fn(usize) -> IntegratedPlant<T, D, I>,
+    lanes: IntegratedPlant<L, S, J>,
 ) where
     T: Scalar,
     L: Scalar,
@@ -27,11 +31,11 @@ fn lane_by_lane<T, L, D, S, I, J>(
     let mut scalars: Vec<_> =
         (0..L::LANES).map(|lane| stepped(lane).starting(T::of(place(lane)), T::of(0.1))).collect();
     for (_, effort) in Samples::<L>::new(L::of(1e-3)) {
-        let drive = lanes.advance(effort);
+        let sample = lanes.advance(effort);
         for (lane, scalar) in scalars.iter_mut().enumerate() {
             let alone = scalar.advance(T::of(effort.lane(lane)));
-            assert_eq!(drive.position.lane(lane).to_bits(), alone.position.lane(0).to_bits());
-            assert_eq!(drive.velocity.lane(lane).to_bits(), alone.velocity.lane(0).to_bits());
+            assert_eq!(sample.position.lane(lane).to_bits(), alone.position.lane(0).to_bits());
+            assert_eq!(sample.velocity.lane(lane).to_bits(), alone.velocity.lane(0).to_bits());
         }
     }
 }
@@ -42,10 +46,10 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
         |lane| Oscillator::new(Impedance { mass: T::of(mass(lane)), ..hand() }).expect("parts");
     let ones = Oscillator::new(Impedance { mass: L::from_lanes(mass), ..hand() }).expect("parts");
     let device = |lane| DampedMass { mass: T::of(mass(lane)), damping: T::of(0.1) };
-    let two = |lane| CoupledOscillators::new(TwoMass { device: device(lane), ..pair() });
+    let two = |lane| CoupledOscillators::new(TwoMassParts { device: device(lane), ..pair() });
     let two = |lane| two(lane).expect("parts");
     let device = DampedMass { mass: L::from_lanes(mass), damping: L::of(0.1) };
-    let twos = CoupledOscillators::new(TwoMass { device, ..pair() }).expect("parts");
+    let twos = CoupledOscillators::new(TwoMassParts { device, ..pair() }).expect("parts");
     macro_rules! with {
         ($period:literal: $($integrator:expr),+) => {$(
             let (short, wide) = (T::of($period), L::of($period));

@@ -3,8 +3,12 @@
 use lyapunov::lanes::{AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    CoupledOscillators, Exact, Impedance, ImplicitMidpoint, Integrator, Mechanics, Oscillator,
-    RungeKutta4, RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Signal, State,
+    Scalar, Signal,
+    bodies::Impedance,
+    integrators::{
+        CoupledOscillators, Exact, ImplicitMidpoint, Integrator, Mechanics, Oscillator,
+        RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler, State,
+    },
 };
 use nalgebra::SVector;
 
@@ -18,8 +22,8 @@ where
 {
     let samples = Samples::<D::Coordinates>::new(V::Scalar::of(1e-3)).step_by(40);
     let efforts = Samples::<V>::new(V::Scalar::of(1e-3)).seeded(2);
-    let starts = samples.zip(efforts).map(|((drive, _), (_, effort))| {
-        (State { position: drive.position, velocity: drive.velocity }, effort)
+    let starts = samples.zip(efforts).map(|((sample, _), (_, effort))| {
+        (State { position: sample.position, velocity: sample.velocity }, effort)
     });
     // The hand turns about one radian in 0.1 s, the link twice that.
     laws::integrator(&integrator, &dynamics, starts, V::Scalar::of(0.06), order).expect("the laws");

@@ -4,9 +4,13 @@ use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::{
-    Adaptive, Body, DormandPrince5, DormandPrince8, Exact, Friction, Impedance, ImplicitMidpoint,
-    Integrator, Located, Oscillator, Plant, Requirement, RubbingOscillator, RungeKuttaNystrom4,
-    Scalar, SemiImplicitEuler, State, Stepped, Stribeck, Transition, WalledOscillator,
+    Plant, Requirement, Scalar,
+    bodies::{Body, Friction, Impedance, IntegratedPlant, Stribeck, Transition},
+    integrators::{
+        Adaptive, DormandPrince5, DormandPrince8, EventLocating, Exact, ImplicitMidpoint,
+        Integrator, Oscillator, RungeKuttaNystrom4, SemiImplicitEuler, State, StickSlipOscillator,
+        WalledOscillator,
+    },
 };
 
 use crate::orders::{damped, slope};
@@ -60,8 +64,8 @@ fn order(integrator: impl Integrator<f64, WalledOscillator<f64>> + Copy, counts:
             let dynamics = WalledOscillator::new(FREE, WALL, SURFACE).expect("parts");
             let mut plant = moved::<f64, _, _>(dynamics, integrator, period, steps)
                 .starting(START[0], START[1]);
-            let drive = plant.advance(0.0);
-            (drive.position - x).hypot((drive.velocity - v) / 80.0)
+            let sample = plant.advance(0.0);
+            (sample.position - x).hypot((sample.velocity - v) / 80.0)
         });
         (1.0 / f64::from(steps), ends.iter().map(|end| end * end).sum::<f64>().sqrt())
     }))
@@ -72,10 +76,10 @@ fn the_order_is_kept_across_an_impact_and_falls_without_a_located_instant() {
     let at_least = |order: f64, expected: f64| {
         assert!(order > expected - 0.3, "{order}, not {expected}");
     };
-    at_least(order(Located::new(RungeKuttaNystrom4), [128, 256, 512, 1024]), 4.0);
-    at_least(order(Located::new(ImplicitMidpoint), [128, 256, 512, 1024]), 2.0);
-    at_least(order(Located::new(SemiImplicitEuler), [512, 1024, 2048, 4096]), 1.0);
-    at_least(order(Located::new(DormandPrince5), [128, 181, 256, 362]), 5.0);
+    at_least(order(EventLocating::new(RungeKuttaNystrom4), [128, 256, 512, 1024]), 4.0);
+    at_least(order(EventLocating::new(ImplicitMidpoint), [128, 256, 512, 1024]), 2.0);
+    at_least(order(EventLocating::new(SemiImplicitEuler), [512, 1024, 2048, 4096]), 1.0);
+    at_least(order(EventLocating::new(DormandPrince5), [128, 181, 256, 362]), 5.0);
     let blind = order(RungeKuttaNystrom4, [128, 256, 512, 1024]);
     assert!(blind < 3.0, "{blind}");
 }
@@ -86,7 +90,7 @@ fn adaptive_steps_meet_their_tolerance_across_an_impact() {
     for tolerance in [1e-6, 1e-9, 1e-12] {
         let pair = Adaptive::new(DormandPrince8, tolerance).expect("a tolerance");
         let dynamics = WalledOscillator::new(FREE, WALL, SURFACE).expect("parts");
-        let mut plant = moved::<f64, _, _>(dynamics, Located::new(pair), PERIOD, 50)
+        let mut plant = moved::<f64, _, _>(dynamics, EventLocating::new(pair), PERIOD, 50)
             .starting(START[0], START[1]);
         let error = (plant.advance(0.0).position - x).abs();
         assert!(error < 100.0 * tolerance, "{error:e} at {tolerance:e}");
@@ -101,11 +105,15 @@ fn exact_pieces_are_the_closed_form() {
         assert!(touched >= 1);
         for steps in [50, 77, 512] {
             let dynamics = WalledOscillator::new(FREE, WALL, SURFACE).expect("parts");
-            let mut plant =
-                moved::<f64, _, _>(dynamics, Located::new(Exact::new()), PERIOD + more, steps)
-                    .starting(START[0], START[1]);
-            let drive = plant.advance(0.0);
-            let error = (drive.position - x).hypot((drive.velocity - v) / 80.0);
+            let mut plant = moved::<f64, _, _>(
+                dynamics,
+                EventLocating::new(Exact::new()),
+                PERIOD + more,
+                steps,
+            )
+            .starting(START[0], START[1]);
+            let sample = plant.advance(0.0);
+            let error = (sample.position - x).hypot((sample.velocity - v) / 80.0);
             assert!(error < 1e-13, "{error:e} in {steps} steps");
         }
     }
@@ -122,9 +130,9 @@ fn block<T: Scalar>() -> Impedance<T> {
 /// When within `period` a step from `from` first has the velocity that `ended` tells, by bisection.
 fn first<I>(integrator: I, from: State<f64>, effort: f64, period: f64, sense: f64) -> f64
 where
-    I: Integrator<f64, RubbingOscillator<f64>> + Copy,
+    I: Integrator<f64, StickSlipOscillator<f64>> + Copy,
 {
-    let dynamics = RubbingOscillator::new(block(), law()).expect("parts");
+    let dynamics = StickSlipOscillator::new(block(), law()).expect("parts");
     let ended = |time: f64| {
         let gain = { integrator }.step(&dynamics, from, effort, time);
         sense * (from.velocity + gain.velocity) <= 0.0
@@ -135,8 +143,8 @@ where
 #[test]
 fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
     let period = 1e-3;
-    let rubbing = RubbingOscillator::new(block(), law()).expect("parts");
-    let mut plant = moved::<f64, _, _>(rubbing, Located::new(DormandPrince8), period, 8)
+    let rubbing = StickSlipOscillator::new(block(), law()).expect("parts");
+    let mut plant = moved::<f64, _, _>(rubbing, EventLocating::new(DormandPrince8), period, 8)
         .starting(0.02_f64, 0.0);
     let body = Body::new(block(), period).expect("a body").starting(0.02, 0.0);
     let mut exact = Friction::new(body, block(), law()).expect("friction");
@@ -158,7 +166,8 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
                 }
                 Transition::Stick | Transition::Reverse => {
                     let sense = before.velocity.signum();
-                    let found = first(Located::new(DormandPrince8), before, effort, period, sense);
+                    let found =
+                        first(EventLocating::new(DormandPrince8), before, effort, period, sense);
                     assert!(
                         abs_diff_eq!(found, instant, epsilon = 1e-9),
                         "{tick}: {found} for {instant}"
@@ -177,17 +186,18 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
 
 #[test]
 fn what_sticks_does_not_move_by_a_bit_and_without_friction_nothing_rubs() {
-    let rubbing = RubbingOscillator::new(block::<f64>(), law()).expect("parts");
-    let mut plant = moved(rubbing, Located::new(ImplicitMidpoint), 1e-3, 3).starting(0.004, 0.0);
+    let rubbing = StickSlipOscillator::new(block::<f64>(), law()).expect("parts");
+    let mut plant =
+        moved(rubbing, EventLocating::new(ImplicitMidpoint), 1e-3, 3).starting(0.004, 0.0);
     for effort in [0.0, 0.1, -1.7, 0.15] {
-        let drive = plant.advance(effort);
-        assert_eq!((drive.position, drive.velocity), (0.004, 0.0));
+        let sample = plant.advance(effort);
+        assert_eq!((sample.position, sample.velocity), (0.004, 0.0));
     }
     assert!(plant.advance(-2.0).velocity > 0.0);
     let none = Stribeck { coulomb: 0.0, breakaway: 0.0, stribeck_velocity: 1.0 };
-    let rubbing = RubbingOscillator::new(block(), none).expect("parts");
+    let rubbing = StickSlipOscillator::new(block(), none).expect("parts");
     let free = Oscillator::new(block::<f64>()).expect("parts");
-    let mut plant = moved::<f64, _, _>(rubbing, Located::new(ImplicitMidpoint), 1e-3, 1)
+    let mut plant = moved::<f64, _, _>(rubbing, EventLocating::new(ImplicitMidpoint), 1e-3, 1)
         .starting(0.004_f64, 0.1);
     let mut other = moved::<f64, _, _>(free, ImplicitMidpoint, 1e-3, 1).starting(0.004_f64, 0.1);
     for _ in 0..1000 {
@@ -205,10 +215,10 @@ fn the_implicit_rule_resolves_a_friction_that_falls() {
     };
     let [x, v] = [exact().position, exact().velocity];
     let order = slope([64, 128, 256, 512].map(|steps| {
-        let rubbing = RubbingOscillator::new(block(), law()).expect("parts");
-        let plant = moved::<f64, _, _>(rubbing, Located::new(ImplicitMidpoint), 0.1, steps);
-        let drive = plant.starting(0.02, 0.0).advance(0.0);
-        let error = (drive.position - x).hypot((drive.velocity - v) / 20.0);
+        let rubbing = StickSlipOscillator::new(block(), law()).expect("parts");
+        let plant = moved::<f64, _, _>(rubbing, EventLocating::new(ImplicitMidpoint), 0.1, steps);
+        let sample = plant.starting(0.02, 0.0).advance(0.0);
+        let error = (sample.position - x).hypot((sample.velocity - v) / 20.0);
         (1.0 / f64::from(steps), error)
     }));
     assert!(abs_diff_eq!(order, 2.0, epsilon = 0.2), "{order}");
@@ -216,19 +226,20 @@ fn the_implicit_rule_resolves_a_friction_that_falls() {
 
 #[test]
 fn every_step_ends_whatever_the_state() {
-    let rubbing = RubbingOscillator::new(block::<f64>(), law()).expect("parts");
+    let rubbing = StickSlipOscillator::new(block::<f64>(), law()).expect("parts");
     let wall = WalledOscillator::new(FREE, 1e300, 0.0).expect("parts");
     for value in [f64::NAN, f64::INFINITY, 1e308, -1e308, 1e-308, 0.0] {
         for (x, v, f) in [(value, 0.1, 0.1), (0.1, value, 0.1), (-0.1, 0.1, value)] {
             let from = State { position: x, velocity: v };
-            let mut pair = Located::new(Adaptive::new(DormandPrince5, 1e-6).expect("a tolerance"));
-            Located::new(RungeKuttaNystrom4).step(&rubbing, from, f, 1e-3);
+            let mut pair =
+                EventLocating::new(Adaptive::new(DormandPrince5, 1e-6).expect("a tolerance"));
+            EventLocating::new(RungeKuttaNystrom4).step(&rubbing, from, f, 1e-3);
             pair.step(&rubbing, from, f, 1e-3);
-            Located::new(RungeKuttaNystrom4).step(&wall, from, f, 1e-3);
+            EventLocating::new(RungeKuttaNystrom4).step(&wall, from, f, 1e-3);
         }
     }
     let error =
-        RubbingOscillator::new(block(), Stribeck { coulomb: 2.0, ..law() }).expect_err("law");
+        StickSlipOscillator::new(block(), Stribeck { coulomb: 2.0, ..law() }).expect_err("law");
     assert_eq!((error.parameter, error.requirement), ("coulomb", Requirement::AtMost(1.0)));
     let error = WalledOscillator::new(FREE, -1.0, 0.0).expect_err("no wall");
     assert_eq!((error.parameter, error.requirement), ("stiffness", Requirement::NonNegative));
@@ -241,35 +252,35 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
     macro_rules! with {
         ($($dynamics:ident($($part:expr),+), $integrator:expr);+ $(;)?) => {$({
             let wide = $dynamics::new($($part),+).expect("parts");
-            let wide = Stepped::<L, _, _>::new(wide, $integrator, L::of(0.02), 2).expect("a plant");
+            let wide = IntegratedPlant::<L, _, _>::new(wide, $integrator, L::of(0.02), 2).expect("a plant");
             let mut wide = wide.starting(L::from_lanes(place), L::of(0.3));
             let scalar = |lane| {
                 let one = $dynamics::new($($part),+).expect("parts");
-                let one = Stepped::<T, _, _>::new(one, $integrator, T::of(0.02), 2).expect("a plant");
+                let one = IntegratedPlant::<T, _, _>::new(one, $integrator, T::of(0.02), 2).expect("a plant");
                 one.starting(T::of(place(lane)), T::of(0.3))
             };
             let mut scalars: Vec<_> = (0..L::LANES).map(scalar).collect();
             for (_, effort) in Samples::<L>::new(L::of(1e-3)) {
-                let drive = wide.advance(effort);
+                let sample = wide.advance(effort);
                 for (lane, scalar) in scalars.iter_mut().enumerate() {
                     let alone = scalar.advance(T::of(effort.lane(lane)));
-                    let (one, other) = (drive.position.lane(lane), alone.position.lane(0));
+                    let (one, other) = (sample.position.lane(lane), alone.position.lane(0));
                     assert_eq!(one.to_bits(), other.to_bits());
-                    let (one, other) = (drive.velocity.lane(lane), alone.velocity.lane(0));
+                    let (one, other) = (sample.velocity.lane(lane), alone.velocity.lane(0));
                     assert_eq!(one.to_bits(), other.to_bits());
                 }
             }
         })+};
     }
     with!(
-        RubbingOscillator(block(), law()), Located::new(RungeKuttaNystrom4);
-        RubbingOscillator(block(), law()), Located::new(ImplicitMidpoint);
-        RubbingOscillator(block(), law()),
-            Located::new(Adaptive::new(DormandPrince5, Scalar::of(1e-6)).expect("a tolerance"));
-        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), Located::new(RungeKuttaNystrom4);
-        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), Located::new(Exact::new());
+        StickSlipOscillator(block(), law()), EventLocating::new(RungeKuttaNystrom4);
+        StickSlipOscillator(block(), law()), EventLocating::new(ImplicitMidpoint);
+        StickSlipOscillator(block(), law()),
+            EventLocating::new(Adaptive::new(DormandPrince5, Scalar::of(1e-6)).expect("a tolerance"));
+        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), EventLocating::new(RungeKuttaNystrom4);
+        WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)), EventLocating::new(Exact::new());
         WalledOscillator(hand(), Scalar::of(2000.0), Scalar::of(0.001)),
-            Located::new(Adaptive::new(DormandPrince8, Scalar::of(1e-6)).expect("a tolerance"));
+            EventLocating::new(Adaptive::new(DormandPrince8, Scalar::of(1e-6)).expect("a tolerance"));
     );
 }
 

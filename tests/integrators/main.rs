@@ -11,8 +11,9 @@ mod orders;
 mod plant;
 
 use lyapunov::{
-    Coordinates, DampedMass, Impedance, Integrator, Link, Mechanics, Scalar, Signal, Stepped,
-    TwoMass,
+    Scalar, Signal,
+    bodies::{DampedMass, ElasticJoint, Impedance, IntegratedPlant, TwoMassParts},
+    integrators::{Coordinates, Integrator, Mechanics},
 };
 
 /// Half a unit in the last place of one.
@@ -22,19 +23,24 @@ fn hand<T: Scalar>() -> Impedance<T> {
     Impedance { mass: T::of(0.3), damping: T::of(0.6), stiffness: T::of(50.0) }
 }
 
-fn pair<T: Scalar>() -> TwoMass<T> {
-    TwoMass {
+fn pair<T: Scalar>() -> TwoMassParts<T> {
+    TwoMassParts {
         operator: Impedance { mass: T::of(0.1), damping: T::of(0.2), stiffness: T::of(50.0) },
         device: DampedMass { mass: T::of(0.2), damping: T::of(0.1) },
-        link: Link { stiffness: T::of(30.0), damping: T::of(0.3) },
+        link: ElasticJoint { stiffness: T::of(30.0), damping: T::of(0.3) },
     }
 }
 
-fn moved<V, D, I>(dynamics: D, integrator: I, period: V::Scalar, steps: u32) -> Stepped<V, D, I>
+fn moved<V, D, I>(
+    dynamics: D,
+    integrator: I,
+    period: V::Scalar,
+    steps: u32,
+) -> IntegratedPlant<V, D, I>
 where
     V: Signal,
     D: Mechanics<V, Coordinates: Coordinates<V>>,
     I: Integrator<V, D>,
 {
-    Stepped::new(dynamics, integrator, period, steps).expect("a plant")
+    IntegratedPlant::new(dynamics, integrator, period, steps).expect("a plant")
 }

@@ -2,9 +2,12 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    CoupledOscillators, DormandPrince5, DormandPrince8, Exact, Impedance, ImplicitMidpoint,
-    Integrator, Linked, Oscillator, Plant, RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler,
-    State,
+    Plant,
+    bodies::{Impedance, TwoMassBody},
+    integrators::{
+        CoupledOscillators, DormandPrince5, DormandPrince8, Exact, ImplicitMidpoint, Integrator,
+        Oscillator, RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler, State,
+    },
 };
 
 use crate::{U, hand, moved, pair};
@@ -42,9 +45,9 @@ fn order_of_one(integrator: impl Integrator<f64, Oscillator<f64>> + Copy, steps:
     slope(steps.map(|steps| {
         let dynamics = Oscillator::new(hand()).expect("parts");
         let mut plant = moved(dynamics, integrator, PERIOD, steps).starting(START[0], START[1]);
-        let drive = plant.advance(FORCE);
+        let sample = plant.advance(FORCE);
         let omega = (50.0_f64 / 0.3).sqrt();
-        (1.0 / f64::from(steps), (drive.position - x).hypot((drive.velocity - v) / omega))
+        (1.0 / f64::from(steps), (sample.position - x).hypot((sample.velocity - v) / omega))
     }))
 }
 
@@ -53,17 +56,17 @@ fn order_of_two(
     integrator: impl Integrator<f64, CoupledOscillators<f64>> + Copy,
     steps: [u32; 4],
 ) -> f64 {
-    let mut exact = Linked::new(pair(), PERIOD).expect("a body").starting(START[0], START[1]);
+    let mut exact = TwoMassBody::new(pair(), PERIOD).expect("a body").starting(START[0], START[1]);
     let true_drive = exact.advance(FORCE);
     let (operator, operator_velocity) = exact.operator();
     slope(steps.map(|steps| {
         let dynamics = CoupledOscillators::new(pair()).expect("parts");
         let mut plant = moved(dynamics, integrator, PERIOD, steps).starting(START[0], START[1]);
-        let drive = plant.advance(FORCE);
+        let sample = plant.advance(FORCE);
         let State { position, velocity } = plant.state();
         let errors = [
-            drive.position - true_drive.position,
-            (drive.velocity - true_drive.velocity) / 30.0,
+            sample.position - true_drive.position,
+            (sample.velocity - true_drive.velocity) / 30.0,
             position.device + position.stretch - operator,
             (velocity.device + velocity.stretch - operator_velocity) / 30.0,
         ];
@@ -101,12 +104,12 @@ fn the_exact_motion_is_the_closed_form_to_rounding_in_any_number_of_steps() {
         let dynamics = Oscillator::new(hand()).expect("parts");
         let mut plant = moved(dynamics, Exact::new(), PERIOD, steps).starting(START[0], START[1]);
         for n in 1..=10 {
-            let drive = plant.advance(FORCE);
+            let sample = plant.advance(FORCE);
             let [x, v] = damped(hand(), START, FORCE, PERIOD * f64::from(n));
             // A few roundings of each step, of terms as large as the state: 0.03 m and 0.3 m/s.
             let roundings = 16.0 * U * f64::from(n) * f64::from(steps + 3);
-            assert!(abs_diff_eq!(drive.position, x, epsilon = 0.03 * roundings), "{steps} {n}");
-            assert!(abs_diff_eq!(drive.velocity, v, epsilon = 0.3 * roundings), "{steps} {n}");
+            assert!(abs_diff_eq!(sample.position, x, epsilon = 0.03 * roundings), "{steps} {n}");
+            assert!(abs_diff_eq!(sample.velocity, v, epsilon = 0.3 * roundings), "{steps} {n}");
         }
     }
 }

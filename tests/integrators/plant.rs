@@ -1,8 +1,14 @@
 //! The plant that any integrator moves.
 
 use lyapunov::{
-    Assembled, Coordinates, CoupledOscillators, DampedMass, Impedance, ImplicitMidpoint, Joined,
-    Link, Oscillator, Plant, Requirement, RungeKuttaNystrom4, Signal, Stepped, Tethered, TwoMass,
+    Plant, Requirement, Signal,
+    bodies::{
+        DampedMass, ElasticJoint, FromParts, Impedance, IntegratedPlant, OperatedBody, TwoMassParts,
+    },
+    integrators::{
+        Coordinates, CoupledOscillators, ImplicitMidpoint, Oscillator, RungeKuttaNystrom4,
+        TwoMassCoordinates,
+    },
 };
 
 use crate::{hand, moved, pair};
@@ -17,7 +23,7 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!(refused(1.0, -1.0, 0.0), ("damping", Requirement::NonNegative));
     assert_eq!(refused(1.0, 0.0, f32::NAN), ("stiffness", Requirement::NonNegative));
     assert_eq!(refused(1e-38, 0.0, 50.0), ("mass", Requirement::InRange));
-    let no_link = TwoMass { link: Link { stiffness: 0.0, damping: 0.0 }, ..pair() };
+    let no_link = TwoMassParts { link: ElasticJoint { stiffness: 0.0, damping: 0.0 }, ..pair() };
     let error = CoupledOscillators::new(pair::<f64>())
         .expect("parts")
         .made_of(no_link)
@@ -25,8 +31,9 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!((error.parameter, error.requirement), ("link.stiffness", Requirement::Positive));
 
     let dynamics = Oscillator::new(hand::<f32>()).expect("parts");
-    let stepped =
-        |period, steps| Stepped::<f32, _, _>::new(dynamics, RungeKuttaNystrom4, period, steps);
+    let stepped = |period, steps| {
+        IntegratedPlant::<f32, _, _>::new(dynamics, RungeKuttaNystrom4, period, steps)
+    };
     let refused = |period: f32, steps| {
         let error = stepped(period, steps).expect_err("no plant");
         (error.parameter, error.requirement)
@@ -48,10 +55,10 @@ fn a_plant_that_is_reshaped_stays_where_it_is_and_over_no_time_does_not_move() {
     let before = plant.state();
     assert!(before.position.stretch != 0.0);
     plant.reshape(pair(), 0.0).expect("no time");
-    let drive = plant.advance(1.0);
-    assert_eq!((plant.state(), drive.displacement, drive.period), (before, 0.0, 0.0));
+    let sample = plant.advance(1.0);
+    assert_eq!((plant.state(), sample.displacement, sample.period), (before, 0.0, 0.0));
     plant.reshape(pair(), -1.0).expect_err("no such time");
-    let none = TwoMass { device: DampedMass { mass: 0.0, damping: 0.0 }, ..pair() };
+    let none = TwoMassParts { device: DampedMass { mass: 0.0, damping: 0.0 }, ..pair() };
     plant.reshape(none, 1e-3).expect_err("no mass");
     assert_eq!(plant.advance(1.0).period, 0.0);
     plant.reshape(pair(), 1e-3).expect("as it was");
@@ -60,11 +67,11 @@ fn a_plant_that_is_reshaped_stays_where_it_is_and_over_no_time_does_not_move() {
 
 #[test]
 fn the_coordinates_of_two_masses_are_a_signal() {
-    let at = |device: f64, stretch: f64| Joined { device, stretch };
+    let at = |device: f64, stretch: f64| TwoMassCoordinates { device, stretch };
     let (a, b) = (at(1.0, 2.0), at(3.0, 5.0));
     assert_eq!((a + b, b - a), (at(4.0, 7.0), at(2.0, 3.0)));
-    assert_eq!((a.times(b), a.pair(b), a.sum()), (at(3.0, 10.0), 13.0, 3.0));
-    assert_eq!(Joined::choose(true, a, b), a);
-    assert_eq!((Joined::all_at(2.0), b.at_port()), (at(2.0, 0.0), 3.0));
+    assert_eq!((a.times(b), a.inner(b), a.sum()), (at(3.0, 10.0), 13.0, 3.0));
+    assert_eq!(TwoMassCoordinates::choose(true, a, b), a);
+    assert_eq!((TwoMassCoordinates::all_at(2.0), b.at_port()), (at(2.0, 0.0), 3.0));
     assert!(!at(0.0, f64::NAN).finite() && !at(f64::INFINITY, 0.0).finite() && a.finite());
 }

@@ -6,7 +6,7 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
-use lyapunov::{Accumulator, Compensated, Plain, Wide};
+use lyapunov::accumulators::{Accumulator, Compensated, Plain, Wide};
 
 use crate::support::{Bits, CASES, Real, hold, unit};
 

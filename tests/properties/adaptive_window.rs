@@ -6,7 +6,7 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{Adapt, Drive, OnePort, Scalar, Spring};
+use lyapunov::{OnePort, PortSample, Scalar, effects::OnePortExt, environments::Spring};
 
 use crate::support::{
     Bits, CASES, Port, Real, Scripted, Spy, drive_of, hold, log_between, same_axes,
@@ -15,20 +15,22 @@ use crate::support::{
 const ROOM: usize = 16;
 
 /// The velocities that a port inside a window of up to `ticks` is told.
-fn told<V: Port>(ticks: usize, band: V::Scalar, drives: &[Drive<V>]) -> Vec<Drive<V>> {
+fn told<V: Port>(ticks: usize, band: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).windowed::<ROOM>(ticks, band).expect("a window");
-    for drive in drives {
-        port.respond(drive);
+    for sample in drives {
+        port.respond(sample);
     }
     spy.asked
 }
 
 /// The drives of a motion through these positions.
-fn through<V: Port>(period: V::Scalar, positions: &[V]) -> Vec<Drive<V>> {
+fn through<V: Port>(period: V::Scalar, positions: &[V]) -> Vec<PortSample<V>> {
     let before = |n: usize| positions[n.max(1) - 1];
     (0..positions.len())
-        .map(|n| Drive::new(period, positions[n], V::zero(), positions[n] - before(n), V::zero()))
+        .map(|n| {
+            PortSample::new(period, positions[n], V::zero(), positions[n] - before(n), V::zero())
+        })
         .collect()
 }
 
@@ -92,7 +94,10 @@ mod check {
                         "call {n}, axis {axis}: {found:e} for {expected:e}, a window of {i}"
                     );
                 }
-                prop_assert!(*told == Drive { velocity: told.velocity, ..drives[n] }, "{told:?}");
+                prop_assert!(
+                    *told == PortSample { velocity: told.velocity, ..drives[n] },
+                    "{told:?}"
+                );
             }
             Ok(())
         });
@@ -103,12 +108,12 @@ mod check {
         let samples = vec(uniform16(any::<Bits>()), 1..24);
         hold(CASES, (any::<Bits>(), samples), |(bits, samples)| {
             let tame = bits % 2 == 0;
-            let mut drives: Vec<Drive<V>> =
+            let mut drives: Vec<PortSample<V>> =
                 samples.iter().map(|bits| drive_of(*bits, tame, V::Scalar::of(1e-3)).0).collect();
             drives[0].displacement = V::zero();
             let mut spy = Spy::on(Scripted::of(Vec::new()));
-            for drive in &drives {
-                (&mut spy).differenced().respond(drive);
+            for sample in &drives {
+                (&mut spy).differenced().respond(sample);
             }
             let band = V::Scalar::of(log_between(bits, 1e-9, 1e9));
             for (told, expected) in told(1, band, &drives).iter().zip(&spy.asked) {

@@ -7,7 +7,10 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
-use lyapunov::{Adapt, DampingLimit, Drive, Lolc, OnePort, PortEnergy, Scalar, Spring};
+use lyapunov::{
+    DampingLimit, Lolc, OnePort, PortEnergy, PortSample, Scalar, effects::OnePortExt,
+    environments::Spring,
+};
 
 use crate::support::{
     Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, hostile, ordinary, same, same_axes,
@@ -20,7 +23,7 @@ fn samples() -> impl proptest::strategy::Strategy<Value = Samples> {
 }
 
 /// Drives and efforts of ordinary or of hostile numbers, with one period throughout.
-fn sequence<V: Port>(samples: &[[Bits; 16]]) -> (Vec<Drive<V>>, Vec<V>) {
+fn sequence<V: Port>(samples: &[[Bits; 16]]) -> (Vec<PortSample<V>>, Vec<V>) {
     let period = V::Scalar::of(1e-3);
     samples
         .iter()
@@ -28,12 +31,12 @@ fn sequence<V: Port>(samples: &[[Bits; 16]]) -> (Vec<Drive<V>>, Vec<V>) {
         .unzip()
 }
 
-fn same_drive<V: Port>(a: &Drive<V>, b: &Drive<V>) -> bool {
+fn same_drive<V: Port>(a: &PortSample<V>, b: &PortSample<V>) -> bool {
     same(a.period.f64(), b.period.f64())
         && same_axes(a.position, b.position)
         && same_axes(a.velocity, b.velocity)
         && same_axes(a.displacement, b.displacement)
-        && same_axes(a.acted, b.acted)
+        && same_axes(a.applied, b.applied)
         && same_axes(a.work, b.work)
 }
 
@@ -55,12 +58,12 @@ mod check {
                 .and_then(|port| port.saturated(largest))
                 .and_then(|port| port.delayed::<0>(0))
                 .expect("all three");
-            for (drive, effort) in drives.iter().zip(&efforts) {
+            for (sample, effort) in drives.iter().zip(&efforts) {
                 let answers = [
-                    held.respond(drive),
-                    delayed.respond(drive),
-                    saturated.respond(drive),
-                    all.respond(drive),
+                    held.respond(sample),
+                    delayed.respond(sample),
+                    saturated.respond(sample),
+                    all.respond(sample),
                 ];
                 prop_assert!(answers.iter().all(|answer| same_axes(*answer, *effort)));
             }
@@ -78,8 +81,8 @@ mod check {
             let (drives, efforts) = sequence::<V>(&samples);
             let mut spy = Spy::on(Scripted::of(efforts.clone()));
             let mut held = (&mut spy).held(ticks).expect("a hold");
-            for (tick, drive) in drives.iter().enumerate() {
-                let effort = held.respond(drive);
+            for (tick, sample) in drives.iter().enumerate() {
+                let effort = held.respond(sample);
                 prop_assert!(same_axes(effort, efforts[tick / ticks as usize]), "not held");
             }
             prop_assert!(spy.asked.len() == drives.len().div_ceil(ticks as usize));
@@ -91,15 +94,15 @@ mod check {
                 let last = &drives[now];
                 prop_assert!(same_axes(whole.position, last.position));
                 prop_assert!(same_axes(whole.velocity, last.velocity));
-                prop_assert!(same_axes(whole.acted, last.acted));
-                let periods = [part.iter().map(|drive| drive.period.f64()).collect::<Vec<_>>()];
+                prop_assert!(same_axes(whole.applied, last.applied));
+                let periods = [part.iter().map(|sample| sample.period.f64()).collect::<Vec<_>>()];
                 adds_up::<V::Scalar>(whole.period, &periods[0])?;
                 for axis in 0..V::AXES {
-                    let each = |of: fn(&Drive<V>) -> V| {
-                        part.iter().map(|drive| of(drive).axis(axis).f64()).collect::<Vec<_>>()
+                    let each = |of: fn(&PortSample<V>) -> V| {
+                        part.iter().map(|sample| of(sample).axis(axis).f64()).collect::<Vec<_>>()
                     };
-                    adds_up(whole.work.axis(axis), &each(|drive| drive.work))?;
-                    adds_up(whole.displacement.axis(axis), &each(|drive| drive.displacement))?;
+                    adds_up(whole.work.axis(axis), &each(|sample| sample.work))?;
+                    adds_up(whole.displacement.axis(axis), &each(|sample| sample.displacement))?;
                 }
             }
             Ok(())
@@ -125,9 +128,9 @@ mod check {
                 return Ok(());
             }
             let mut delayed = delayed.expect("room for it");
-            for (tick, drive) in drives.iter().enumerate() {
+            for (tick, sample) in drives.iter().enumerate() {
                 let expected = tick.checked_sub(ticks).map_or_else(V::zero, |then| efforts[then]);
-                prop_assert!(same_axes(delayed.respond(drive), expected), "at tick {tick}");
+                prop_assert!(same_axes(delayed.respond(sample), expected), "at tick {tick}");
             }
             Ok(())
         });
@@ -148,8 +151,8 @@ mod check {
             });
             efforts[0] = wrong;
             let mut port = Scripted::of(efforts.clone()).saturated(force).expect("a saturation");
-            for (drive, effort) in drives.iter().zip(efforts) {
-                let clipped = port.respond(drive);
+            for (sample, effort) in drives.iter().zip(efforts) {
+                let clipped = port.respond(sample);
                 for (clipped, effort) in clipped.axes().zip(effort.axes()) {
                     let (clipped, effort, force) = (clipped.f64(), effort.f64(), force.f64());
                     let expected =
@@ -166,12 +169,12 @@ mod check {
         hold(CASES, samples(), |samples| {
             let (drives, efforts) = sequence::<V>(&samples);
             let mut spy = Spy::on(Scripted::of(efforts));
-            for drive in &drives {
-                (&mut spy).differenced().respond(drive);
+            for sample in &drives {
+                (&mut spy).differenced().respond(sample);
             }
-            for (told, drive) in spy.asked.iter().zip(&drives) {
-                let velocity = V::from_axes(|axis| drive.displacement.axis(axis) / drive.period);
-                let expected = Drive { velocity, ..*drive };
+            for (told, sample) in spy.asked.iter().zip(&drives) {
+                let velocity = V::from_axes(|axis| sample.displacement.axis(axis) / sample.period);
+                let expected = PortSample { velocity, ..*sample };
                 prop_assert!(same_drive(told, &expected), "{told:?}");
             }
             Ok(())
@@ -185,22 +188,22 @@ mod check {
             let resolution = V::Scalar::of(2f64.powi(-((bits % 12) as i32)));
             let mut spy = Spy::on(Scripted::of(efforts));
             let mut encoded = (&mut spy).encoded(resolution).expect("an encoder");
-            for drive in &drives {
-                encoded.respond(drive);
+            for sample in &drives {
+                encoded.respond(sample);
             }
             let mut before = spy.asked[0].position;
-            for (told, drive) in spy.asked.iter().zip(&drives) {
+            for (told, sample) in spy.asked.iter().zip(&drives) {
                 for axis in 0..V::AXES {
                     // A power of two loses nothing, so this is the rounding of the standard library.
-                    let (x, step) = (drive.position.axis(axis).f64(), resolution.f64());
+                    let (x, step) = (sample.position.axis(axis).f64(), resolution.f64());
                     let counted = (x / step).round() * step;
                     prop_assert!(told.position.axis(axis).f64() == counted, "{x:e} at {step:e}");
                 }
                 let displacement = told.position - before;
                 before = told.position;
-                let work = drive.acted.times(displacement);
+                let work = sample.applied.times(displacement);
                 let position = told.position;
-                let expected = Drive { position, displacement, work, ..*drive };
+                let expected = PortSample { position, displacement, work, ..*sample };
                 prop_assert!(*told == expected, "{told:?}");
             }
             Ok(())
@@ -221,15 +224,15 @@ mod check {
             let still = |axis: f64| V::from_axes(|_| of(axis));
             let push = |tick: u32| {
                 // The port gives energy away on every tick but the first.
-                let acted = if tick == 0 { V::zero() } else { still(-2.0) };
-                Drive::new(of(1e-3), still(0.0), flow, flow.scale(of(1e-3)), acted)
+                let applied = if tick == 0 { V::zero() } else { still(-2.0) };
+                PortSample::new(of(1e-3), still(0.0), flow, flow.scale(of(1e-3)), applied)
             };
             let mut injected = V::zero();
             for tick in 0..40 {
-                let (drive, asked) = (push(tick), tick % hold == 0);
-                let corrected = outside.respond(&drive);
+                let (sample, asked) = (push(tick), tick % hold == 0);
+                let corrected = outside.respond(&sample);
                 prop_assert!((corrected != V::zero()) == (tick > 0), "outside, tick {tick}");
-                let later = inside.respond(&drive);
+                let later = inside.respond(&sample);
                 prop_assert!(
                     asked || same_axes(later, injected),
                     "inside, tick {tick} is not held"
@@ -238,7 +241,10 @@ mod check {
                 injected = later;
                 if asked {
                     // Both have been told the same work by then.
-                    let (a, b) = (outside.action().sum.f64(), inside.action().sum.f64());
+                    let (a, b) = (
+                        outside.correction().observed_energy.f64(),
+                        inside.correction().observed_energy.f64(),
+                    );
                     prop_assert!(abs_diff_eq!(a, b, epsilon = 200.0 * V::Scalar::unit() * a.abs()));
                 }
             }
@@ -262,10 +268,10 @@ crate::support::every_port!(
 fn hold_keeps_the_work_of_a_round_trip() {
     let mut spy = Spy::on(Scripted::of(vec![1.0; 3]));
     let mut held = (&mut spy).held(2).expect("a hold");
-    held.respond(&Drive::starting(0.5, 0.0, 0.0));
-    held.respond(&Drive::new(0.5, 2.0, 4.0, 2.0, 3.0));
-    held.respond(&Drive::new(0.5, 0.0, -4.0, -2.0, 1.0));
-    let Drive { period, displacement, work, .. } = spy.asked[1];
+    held.respond(&PortSample::starting(0.5, 0.0, 0.0));
+    held.respond(&PortSample::new(0.5, 2.0, 4.0, 2.0, 3.0));
+    held.respond(&PortSample::new(0.5, 0.0, -4.0, -2.0, 1.0));
+    let PortSample { period, displacement, work, .. } = spy.asked[1];
     assert_eq!((period, displacement, work), (1.0, 0.0, 4.0));
 }
 

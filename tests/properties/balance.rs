@@ -2,59 +2,63 @@
 //! what each damper burnt.
 
 use lyapunov::{
-    Body, Constant, Course, DampedMass, Drive, Impedance, Link, Linked, Perturb, Plant, Pulse,
-    Samples, Tethered, TwoMass,
+    Plant, PortSample,
+    bodies::{
+        Body, DampedMass, ElasticJoint, Impedance, OperatedBody, PlantExt, TwoMassBody,
+        TwoMassParts,
+    },
+    trajectories::{Constant, Pulse, Samples, Trajectory},
 };
 
 use crate::support::quadrature;
 
 const RATE: f64 = 1000.0;
 
-/// A body whose energies can be told from its drive.
-trait Told: Tethered<f64> + Copy {
+/// A body whose energies can be told from its sample.
+trait Told: OperatedBody<f64> + Copy {
     /// Where the operator is, and the stiffness of its spring.
-    fn held(&self, drive: &Drive<f64>, parts: Self::Parts) -> (f64, f64);
+    fn held(&self, sample: &PortSample<f64>, parts: Self::Parts) -> (f64, f64);
 
     /// Kinetic energy and the link's, J.
-    fn stored(&self, drive: &Drive<f64>, parts: Self::Parts) -> f64;
+    fn stored(&self, sample: &PortSample<f64>, parts: Self::Parts) -> f64;
 
     /// What each damper burns just now, W.
-    fn burning(&self, drive: &Drive<f64>, parts: Self::Parts) -> [f64; 3];
+    fn burning(&self, sample: &PortSample<f64>, parts: Self::Parts) -> [f64; 3];
 }
 
 impl Told for Body<f64> {
-    fn held(&self, drive: &Drive<f64>, parts: Self::Parts) -> (f64, f64) {
-        (drive.position, parts.stiffness)
+    fn held(&self, sample: &PortSample<f64>, parts: Self::Parts) -> (f64, f64) {
+        (sample.position, parts.stiffness)
     }
 
-    fn stored(&self, drive: &Drive<f64>, parts: Self::Parts) -> f64 {
-        parts.mass * drive.velocity.powi(2) / 2.0
+    fn stored(&self, sample: &PortSample<f64>, parts: Self::Parts) -> f64 {
+        parts.mass * sample.velocity.powi(2) / 2.0
     }
 
-    fn burning(&self, drive: &Drive<f64>, parts: Self::Parts) -> [f64; 3] {
-        [parts.damping * drive.velocity.powi(2), 0.0, 0.0]
+    fn burning(&self, sample: &PortSample<f64>, parts: Self::Parts) -> [f64; 3] {
+        [parts.damping * sample.velocity.powi(2), 0.0, 0.0]
     }
 }
 
-impl Told for Linked<f64> {
-    fn held(&self, _drive: &Drive<f64>, parts: Self::Parts) -> (f64, f64) {
+impl Told for TwoMassBody<f64> {
+    fn held(&self, _drive: &PortSample<f64>, parts: Self::Parts) -> (f64, f64) {
         (self.operator().0, parts.operator.stiffness)
     }
 
-    fn stored(&self, drive: &Drive<f64>, parts: Self::Parts) -> f64 {
-        let TwoMass { operator, device, link } = parts;
+    fn stored(&self, sample: &PortSample<f64>, parts: Self::Parts) -> f64 {
+        let TwoMassParts { operator, device, link } = parts;
         let (position, velocity) = self.operator();
         operator.mass * velocity.powi(2) / 2.0
-            + device.mass * drive.velocity.powi(2) / 2.0
-            + link.stiffness * (position - drive.position).powi(2) / 2.0
+            + device.mass * sample.velocity.powi(2) / 2.0
+            + link.stiffness * (position - sample.position).powi(2) / 2.0
     }
 
-    fn burning(&self, drive: &Drive<f64>, parts: Self::Parts) -> [f64; 3] {
+    fn burning(&self, sample: &PortSample<f64>, parts: Self::Parts) -> [f64; 3] {
         let (_, velocity) = self.operator();
         [
             parts.operator.damping * velocity.powi(2),
-            parts.device.damping * drive.velocity.powi(2),
-            parts.link.damping * (velocity - drive.velocity).powi(2),
+            parts.device.damping * sample.velocity.powi(2),
+            parts.link.damping * (velocity - sample.velocity).powi(2),
         ]
     }
 }
@@ -64,7 +68,7 @@ fn effort(tick: u64, position: f64) -> f64 {
     400.0 * (position - 0.01).max(0.0) + 0.3 * ((tick * 7 % 5) as f64 - 2.0)
 }
 
-fn at(course: &impl Course<f64>, tick: u64) -> f64 {
+fn at(course: &impl Trajectory<f64>, tick: u64) -> f64 {
     course.at(tick)
 }
 
@@ -91,45 +95,48 @@ fn closes<B: Told>(body: B, own: B::Parts, grips: [(u64, B::Parts); 2]) {
     let mut chain =
         body.led_by(hand).gripped(own, grips).expect("a grip").pushed(load).pushed(pulse);
     let (mut plain, mut parts) = (body, own);
-    let mut drive = chain.start();
+    let mut sample = chain.start();
     let mut rest = 0.002;
-    let spring = |plain: &B, drive: &Drive<f64>, parts, rest: f64| {
-        let (position, stiffness) = plain.held(drive, parts);
+    let spring = |plain: &B, sample: &PortSample<f64>, parts, rest: f64| {
+        let (position, stiffness) = plain.held(sample, parts);
         stiffness * (position - rest).powi(2) / 2.0
     };
-    let first = plain.stored(&drive, parts) + spring(&plain, &drive, parts, rest);
+    let first = plain.stored(&sample, parts) + spring(&plain, &sample, parts, rest);
     let [mut port, mut pushes, mut moved, mut gripped, mut burnt] =
         [(); 5].map(|()| Book::default());
     let nodes = quadrature(1.0 / RATE);
     for tick in 0..600u64 {
-        let before = spring(&plain, &drive, parts, rest);
+        let before = spring(&plain, &sample, parts, rest);
         if let Some((_, changed)) = grips.iter().find(|(at, _)| *at == tick) {
             parts = *changed;
             plain.reshape(parts, 1.0 / RATE).expect("a grip");
         }
-        gripped.enter(spring(&plain, &drive, parts, rest) - before);
-        let before = spring(&plain, &drive, parts, rest);
+        gripped.enter(spring(&plain, &sample, parts, rest) - before);
+        let before = spring(&plain, &sample, parts, rest);
         rest = at(&hand, tick);
         plain.rest_at(rest);
-        moved.enter(spring(&plain, &drive, parts, rest) - before);
+        moved.enter(spring(&plain, &sample, parts, rest) - before);
 
-        let force = effort(tick, drive.position);
+        let force = effort(tick, sample.position);
         let [loaded, pulsed] = [at(&load, tick), at(&pulse, tick)];
-        let acted = force - pulsed - loaded;
+        let applied = force - pulsed - loaded;
         for (interval, weight) in &nodes {
             let mut within = plain;
             within.reshape(parts, *interval).expect("a part of a tick");
-            let drive = within.advance(acted);
-            within.burning(&drive, parts).into_iter().for_each(|watts| burnt.enter(watts * weight));
+            let sample = within.advance(applied);
+            within
+                .burning(&sample, parts)
+                .into_iter()
+                .for_each(|watts| burnt.enter(watts * weight));
         }
-        let told = plain.advance(acted);
-        drive = chain.advance(force);
-        assert_eq!((drive.position, drive.velocity), (told.position, told.velocity), "{tick}");
-        assert_eq!(drive.work, force * drive.displacement);
-        port.enter(drive.work);
-        pushes.enter((loaded + pulsed) * drive.displacement);
+        let told = plain.advance(applied);
+        sample = chain.advance(force);
+        assert_eq!((sample.position, sample.velocity), (told.position, told.velocity), "{tick}");
+        assert_eq!(sample.work, force * sample.displacement);
+        port.enter(sample.work);
+        pushes.enter((loaded + pulsed) * sample.displacement);
 
-        let stored = plain.stored(&drive, parts) + spring(&plain, &drive, parts, rest);
+        let stored = plain.stored(&sample, parts) + spring(&plain, &sample, parts, rest);
         let came = first - port.energy + pushes.energy + moved.energy + gripped.energy;
         let size =
             first + stored + port.size + pushes.size + moved.size + gripped.size + burnt.size;
@@ -154,13 +161,13 @@ fn one_mass_keeps_its_books() {
 #[test]
 fn two_masses_keep_their_books() {
     for (mass, stiffness, damping) in [(0.2, 5000.0, 1.0), (0.01, 2e4, 0.0), (5.0, 1e5, 3.0)] {
-        let parts = |hold, spring| TwoMass {
+        let parts = |hold, spring| TwoMassParts {
             operator: Impedance { mass: 0.1, damping: hold, stiffness: spring },
             device: DampedMass { mass, damping: 0.05 },
-            link: Link { stiffness, damping },
+            link: ElasticJoint { stiffness, damping },
         };
         let own = parts(0.2, 50.0);
-        let plant = Linked::new(own, 1.0 / RATE).expect("two masses");
+        let plant = TwoMassBody::new(own, 1.0 / RATE).expect("two masses");
         let plant = plant.resting_at(0.002).starting(-0.004, 0.1);
         closes(plant, own, [(120, parts(2.0, 400.0)), (300, parts(0.0, 20.0))]);
     }

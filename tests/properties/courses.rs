@@ -9,12 +9,13 @@ use proptest::prelude::any;
 use proptest::{prop_assert, prop_assert_eq};
 
 use lyapunov::{
-    Constant, Course, FirstAxis, Pulse, Ramp, Requirement, Samples, Sine, Step, tick_of,
+    Requirement,
+    trajectories::{Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step, Trajectory, tick_of},
 };
 
 use crate::support::{Bits, CASES, hold, log_between, ordinary, unit};
 
-fn at(course: &impl Course<f64>, tick: u64) -> f64 {
+fn at(course: &impl Trajectory<f64>, tick: u64) -> f64 {
     course.at(tick)
 }
 

@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Impedance, OnePort, ParameterError, Plant, Signal,
+    DampingLimit, OnePort, ParameterError, Plant, PortSample, Signal,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
 };
 
 const MASS: f64 = 0.2;
@@ -14,8 +16,8 @@ const PERIOD: f64 = 1e-3;
 struct Damper(f64);
 
 impl OnePort<f64> for Damper {
-    fn respond(&mut self, drive: &Drive<f64>) -> f64 {
-        self.0 * drive.velocity
+    fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+        self.0 * sample.velocity
     }
 }
 
@@ -26,12 +28,12 @@ fn growth(share: f64, ticks: usize, differenced: bool) -> f64 {
     let mut plant = Body::new(parts, PERIOD).expect("a body").starting(0.0, 0.1);
     let damper = Damper(share * MASS / PERIOD);
     let run = |port: &mut dyn OnePort<f64>, plant: &mut Body<f64>| {
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         let mut peaks = [0.0_f64; 2];
         for tick in 0..8000 {
-            drive = plant.advance(port.respond(&drive));
+            sample = plant.advance(port.respond(&sample));
             let part = usize::from(tick >= 4000);
-            peaks[part] = peaks[part].max(drive.velocity.abs());
+            peaks[part] = peaks[part].max(sample.velocity.abs());
         }
         peaks[1] / peaks[0]
     };

@@ -7,8 +7,10 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Impedance, Lolc, LyapunovCandidate, OnePort, Plant, Popc,
-    PortEnergy, Wall,
+    DampingLimit, Lolc, LyapunovCandidate, OnePort, Plant, Popc, PortEnergy,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Wall,
 };
 
 use crate::support::{Bits, CASES, Motion, Real, State, hold, unit};
@@ -42,14 +44,14 @@ fn least_in_first_contact<T: Real>(start: f64, rate: f64) -> f64 {
     let popc: Popc<T> = Popc::new(PortEnergy, limit(0.0, rate));
     let mut port = wall().stabilized(popc).differenced();
     let (mut plant, mut least, mut touched) = (body::<T>(start, rate), 0f64, false);
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     for _ in 0..rate as usize {
-        drive = plant.advance(port.respond(&drive));
-        let inside = drive.position > T::of(0.0);
-        least = least.min(port.action().sum.f64());
+        sample = plant.advance(port.respond(&sample));
+        let inside = sample.position > T::of(0.0);
+        least = least.min(port.correction().observed_energy.f64());
         if touched && !inside {
-            port.respond(&drive);
-            return least.min(port.action().sum.f64());
+            port.respond(&sample);
+            return least.min(port.correction().observed_energy.f64());
         }
         touched |= inside;
     }
@@ -62,10 +64,10 @@ fn swings<T: Real>(start: f64, rate: f64, candidate: impl LyapunovCandidate<T>) 
     let lolc = Lolc::new(candidate, limit(0.5, rate));
     let mut port = wall().held(hold).expect("a hold").stabilized(lolc).differenced();
     let mut plant = body::<T>(start, rate);
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     largest(rate, || {
-        drive = plant.advance(port.respond(&drive));
-        drive.position.f64()
+        sample = plant.advance(port.respond(&sample));
+        sample.position.f64()
     })
 }
 
@@ -88,7 +90,7 @@ fn straight_swings(start: f64, rate: f64, credit: bool) -> [f64; 3] {
     let motion = Motion { mass, damping: 0.201, stiffness: 50.0, rest: 0.0 };
     let gain = motion.over(period);
     let mut now = State { position: -start, velocity: 0.0 };
-    let (mut before, mut sum, mut acted, mut environment) = (now.position, 0.0, 0.0, 0.0);
+    let (mut before, mut sum, mut applied, mut environment) = (now.position, 0.0, 0.0, 0.0);
     let mut tick = 0u32;
     largest(rate, || {
         let (x, dx) = (now.position, now.position - before);
@@ -96,13 +98,13 @@ fn straight_swings(start: f64, rate: f64, credit: bool) -> [f64; 3] {
         if tick.is_multiple_of((rate / 100.0) as u32) {
             environment = if x > 0.0 { (8000.0 * x + 2.0 * v).max(0.0) } else { 0.0 };
         }
-        sum += acted * dx + if credit && x > 0.0 { 2.0 * v * v * period } else { 0.0 };
+        sum += applied * dx + if credit && x > 0.0 { 2.0 * v * v * period } else { 0.0 };
         let square = v * v * period;
         let owed = sum < 0.0 && square > f64::MIN_POSITIVE;
         let alpha = if owed { (-sum / square).min(0.5 * mass / period) } else { 0.0 };
-        acted = environment + alpha * v;
+        applied = environment + alpha * v;
         before = x;
-        now = gain.step(&motion, now, acted);
+        now = gain.step(&motion, now, applied);
         tick += 1;
         now.position
     })

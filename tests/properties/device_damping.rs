@@ -9,7 +9,10 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 
 use lyapunov::{
-    Adapt, Body, Dissipation, Drive, Impedance, LyapunovCandidate, OnePort, Plant, Scalar, Spring,
+    Dissipation, LyapunovCandidate, OnePort, Plant, PortSample, Scalar,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Spring,
 };
 
 use crate::support::{
@@ -32,14 +35,14 @@ fn rounding<T: Real>(motion: &Motion, gain: &Gain, start: State, effort: f64, pe
     let terms = [by_position * position, by_velocity * velocity, by_effort * effort];
     let moved: f64 = terms.iter().sum();
     let size: f64 = terms.iter().map(|term| term.abs()).sum();
-    let off = T::unit() * (2.0 * position.abs() + 10.0 * size) + 4.0 * T::least().f64();
+    let off = T::unit() * (2.0 * position.abs() + 10.0 * size) + 4.0 * T::smallest_positive().f64();
     motion.damping * off * (2.0 * moved.abs() + off) / period
 }
 
 /// What is told to a port that takes its velocities from displacements.
-fn told<V: Port>(drive: &Drive<V>) -> Drive<V> {
+fn told<V: Port>(sample: &PortSample<V>) -> PortSample<V> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
-    (&mut spy).differenced().respond(drive);
+    (&mut spy).differenced().respond(sample);
     spy.asked[0]
 }
 
@@ -67,8 +70,8 @@ mod check {
             let mut before = plant.start();
             for _ in 0..20 {
                 let effort = port.respond(&before);
-                let drive = plant.advance(effort);
-                let credited = credit.decrease(&told(&drive)).f64();
+                let sample = plant.advance(effort);
+                let credited = credit.decrease(&told(&sample)).f64();
                 let mut most = 0.0;
                 for axis in 0..V::AXES {
                     let (position, velocity) =
@@ -80,7 +83,7 @@ mod check {
                 // The credit itself is a product of rounded factors.
                 most *= 1.0 + 16.0 * V::Scalar::unit();
                 prop_assert!(credited <= most, "{credited:e} J of {most:e} burnt");
-                before = drive;
+                before = sample;
             }
             Ok(())
         });
@@ -95,8 +98,8 @@ mod check {
             let impedance = Impedance { mass, damping, stiffness: of(0.0) };
             let flow = V::from_axes(|axis| ordinary(bits[8 + axis], 0.5));
             let body = Body::new(impedance, period).expect("a body");
-            let drive = body.starting(V::zero(), flow).advance(flow.scale(-damping));
-            let credited = Dissipation::of(damping).expect("a damping").decrease(&told(&drive));
+            let sample = body.starting(V::zero(), flow).advance(flow.scale(-damping));
+            let credited = Dissipation::of(damping).expect("a damping").decrease(&told(&sample));
             let square: f64 = flow.axes().map(|v| v.f64() * v.f64()).sum();
             let burnt = damping.f64() * square * period.f64();
             // Twice the relative error of the displacement, which is summed from two terms of like size.

@@ -1,7 +1,11 @@
 //! Thirty digits against whole numbers, identities and published constants.
 
 use approx::assert_relative_eq;
-use lyapunov::{Body, DoubleDouble, Impedance, Plant, Scalar, Signal};
+use lyapunov::{
+    Plant, Scalar, Signal,
+    accumulators::DoubleDouble,
+    bodies::{Body, Impedance},
+};
 use proptest::prelude::any;
 use proptest::prop_assert;
 
@@ -104,28 +108,28 @@ fn constants_have_thirty_digits() {
 fn exact_motion_has_thirty_digits() {
     let swing = Impedance { mass: of(1.0), damping: of(0.0), stiffness: of(1.0) };
     let body = Body::new(swing, of(1.0)).expect("a body");
-    let drive = body.starting(of(1.0), of(0.0)).advance(of(0.0));
+    let sample = body.starting(of(1.0), of(0.0)).advance(of(0.0));
     assert_relative_eq!(
-        drive.position,
+        sample.position,
         digits("0.540302305868139717400936607442"),
         max_relative = END
     );
     assert_relative_eq!(
-        -drive.velocity,
+        -sample.velocity,
         digits("0.841470984807896506652502321630"),
         max_relative = END
     );
     // Damped so that it just does not swing: x = (1 + t) exp(−t), at t = 1.
     let creep = Impedance { damping: of(2.0), ..swing };
     let body = Body::new(creep, of(1.0)).expect("a body");
-    let drive = body.starting(of(1.0), of(0.0)).advance(of(0.0));
+    let sample = body.starting(of(1.0), of(0.0)).advance(of(0.0));
     assert_relative_eq!(
-        drive.position,
+        sample.position,
         digits("0.735758882342884643191047540322"),
         max_relative = END
     );
     assert_relative_eq!(
-        -drive.velocity,
+        -sample.velocity,
         digits("0.367879441171442321595523770161"),
         max_relative = END
     );

@@ -5,25 +5,29 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{Adapt, Drive, Fallback, OnePort, Scalar, Spring};
+use lyapunov::{
+    OnePort, PortSample, Scalar,
+    effects::{Fallback, OnePortExt},
+    environments::Spring,
+};
 
 use crate::support::{Bits, CASES, Port, Scripted, Spy, bad, drive_of, hold, same_axes, unit};
 
 const POLICIES: [Fallback; 2] = [Fallback::Hold, Fallback::Zero];
 
-/// What acts of these efforts, and that each was asked for with its own drive.
+/// What acts of these efforts, and that each was asked for with its own sample.
 fn acting<V: Port>(
     probability: f64,
     fallback: Fallback,
     seed: u64,
-    drives: &[Drive<V>],
+    drives: &[PortSample<V>],
     efforts: &[V],
 ) -> Vec<V> {
     let mut spy = Spy::on(Scripted::of(efforts.to_vec()));
     let probability = V::Scalar::of(probability);
     let mut port = (&mut spy).dropped(probability, fallback, |_| seed).expect("a dropout");
-    let acting = drives.iter().map(|drive| port.respond(drive)).collect();
-    assert!(spy.asked.iter().zip(drives).all(|(asked, drive)| asked == drive));
+    let acting = drives.iter().map(|sample| port.respond(sample)).collect();
+    assert!(spy.asked.iter().zip(drives).all(|(asked, sample)| asked == sample));
     assert_eq!(spy.asked.len(), drives.len());
     acting
 }
@@ -31,7 +35,7 @@ fn acting<V: Port>(
 /// Which of `count` answers are lost: with efforts of 1 and [`Fallback::Zero`] it shows.
 fn lost<V: Port>(probability: f64, seed: u64, count: usize) -> Vec<bool> {
     let one = V::from_axes(|_| V::Scalar::of(1.0));
-    let still = Drive::starting(V::Scalar::of(1e-3), V::zero(), V::zero());
+    let still = PortSample::starting(V::Scalar::of(1e-3), V::zero(), V::zero());
     let (drives, efforts) = (vec![still; count], vec![one; count]);
     let acting = acting(probability, Fallback::Zero, seed, &drives, &efforts);
     acting.iter().map(|effort| *effort == V::zero()).collect()
@@ -125,7 +129,7 @@ fn a_hold_keeps_what_arrives() {
     let mut arrived = 0.0;
     for n in 0..200 * TICKS {
         let position = n as f64;
-        let effort = port.respond(&Drive::starting(1e-3, position, 0.0));
+        let effort = port.respond(&PortSample::starting(1e-3, position, 0.0));
         if n % TICKS == 0 && !lost[n / TICKS] {
             arrived = 2.0 * position;
         }

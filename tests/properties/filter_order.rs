@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use approx::abs_diff_eq;
-use lyapunov::{Adapt, Drive, OnePort, Spring};
+use lyapunov::{OnePort, PortSample, effects::OnePortExt, environments::Spring};
 
 use crate::support::Spy;
 
@@ -15,15 +15,15 @@ const RESOLUTION: f64 = 10.0 * SPEED * PERIOD;
 const CUTOFF: f64 = 0.25 / (TAU * PERIOD);
 
 /// The drives of steady motion, a quarter of a count off the edges.
-fn steady() -> impl Iterator<Item = Drive<f64>> {
+fn steady() -> impl Iterator<Item = PortSample<f64>> {
     let at = |n: usize| (n as f64 / 10.0 + 0.025) * RESOLUTION;
-    (0..500).map(move |n| Drive::new(PERIOD, at(n), SPEED, at(n) - at(n.max(1) - 1), 0.0))
+    (0..500).map(move |n| PortSample::new(PERIOD, at(n), SPEED, at(n) - at(n.max(1) - 1), 0.0))
 }
 
 /// Moves `port` until the transient is gone.
 fn settled(port: &mut impl OnePort<f64>) {
-    for drive in steady() {
-        port.respond(&drive);
+    for sample in steady() {
+        port.respond(&sample);
     }
 }
 
@@ -44,14 +44,14 @@ fn a_filter_of_counts_sees_steps() {
     assert!(counts.asked.iter().zip(&motion.asked).all(|(a, b)| a.position == b.position));
 
     // A filter outside of the encoder takes the true motion, which has come to 1 cm/s.
-    let (least, most) = range(motion.asked[400..].iter().map(|drive| drive.velocity));
+    let (least, most) = range(motion.asked[400..].iter().map(|sample| sample.velocity));
     assert!(
         abs_diff_eq!(least, SPEED, epsilon = 1e-12) && abs_diff_eq!(most, SPEED, epsilon = 1e-12)
     );
 
     // One inside takes a count every ten ticks, ten times the speed for one tick. With p = 4 / 5 left per tick the
     // velocity peaks at 10 v (1 − p) / (1 − p^10) and has fallen by p^9 before the next count.
-    let (least, most) = range(counts.asked[400..].iter().map(|drive| drive.velocity));
+    let (least, most) = range(counts.asked[400..].iter().map(|sample| sample.velocity));
     let peak = 10.0 * SPEED * 0.2 / (1.0 - 0.8f64.powi(10));
     assert!(abs_diff_eq!(most, peak, epsilon = 1e-12), "{most} for {peak}");
     assert!(abs_diff_eq!(least, peak * 0.8f64.powi(9), epsilon = 1e-12), "{least}");

@@ -5,12 +5,15 @@ use proptest::array::uniform8;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::Transition::{Reverse, Slip, Stick};
-use lyapunov::{Body, Friction, Impedance, Plant, Scalar, Stribeck, Transition};
+use lyapunov::bodies::Transition::{Reverse, Slip, Stick};
+use lyapunov::{
+    Plant, Scalar,
+    bodies::{Body, Friction, Impedance, Stribeck, Transition},
+};
 
 use crate::support::{Bits, CASES, Real, hold, log_between, ordinary, unit};
 
-type Rubbing<T> = Friction<Body<T>, T, 2>;
+type StickSlipPhase<T> = Friction<Body<T>, T, 2>;
 
 pub(crate) fn law<T: Scalar>(coulomb: f64, breakaway: f64, stribeck_velocity: f64) -> Stribeck<T> {
     let [coulomb, breakaway, stribeck_velocity] =
@@ -23,23 +26,23 @@ fn block(
     period: f64,
     [position, velocity]: [f64; 2],
     law: Stribeck<f64>,
-) -> Rubbing<f64> {
+) -> StickSlipPhase<f64> {
     let parts = Impedance { mass, damping, stiffness };
     let body = Body::new(parts, period).expect("a body").starting(position, velocity);
     Friction::new(body, parts, law).expect("friction")
 }
 
 /// Every transition of `ticks` periods under `effort`, by its time since the start.
-pub(crate) fn transitions<B: lyapunov::Linear<f64, S>, const S: usize>(
+pub(crate) fn transitions<B: lyapunov::bodies::Linear<f64, S>, const S: usize>(
     plant: &mut Friction<B, f64, S>,
     effort: f64,
     ticks: usize,
 ) -> Vec<(f64, Transition)> {
     let mut all = Vec::new();
     for tick in 0..ticks {
-        let drive = plant.advance(effort);
+        let sample = plant.advance(effort);
         let last = plant.transitions().last(0);
-        all.extend(last.map(|(instant, what)| (tick as f64 * drive.period + instant, what)));
+        all.extend(last.map(|(instant, what)| (tick as f64 * sample.period + instant, what)));
     }
     all
 }
@@ -82,10 +85,10 @@ fn a_block_stops_when_and_where_it_must() {
             abs_diff_eq!(instant, stop, epsilon = 1e-12),
             "at {instant} instead of {stop}"
         );
-        let drive = plant.advance(towards * applied);
-        prop_assert!(drive.velocity == 0.0 && drive.displacement == 0.0);
-        let off = (drive.position - towards * distance).abs();
-        prop_assert!(off < 1e-11 * distance, "{} instead of {distance}", drive.position);
+        let sample = plant.advance(towards * applied);
+        prop_assert!(sample.velocity == 0.0 && sample.displacement == 0.0);
+        let off = (sample.position - towards * distance).abs();
+        prop_assert!(off < 1e-11 * distance, "{} instead of {distance}", sample.position);
         let burnt = force * distance;
         prop_assert!(abs_diff_eq!(plant.heat(), burnt, epsilon = 1e-11 * burnt));
         Ok(())
@@ -127,11 +130,11 @@ fn an_oscillation_loses_two_f_over_k_on_each_swing() {
                 turn * half
             );
         }
-        let drive = plant.advance(0.0);
+        let sample = plant.advance(0.0);
         let end = if swings.is_multiple_of(2) { share } else { -share } * shift;
-        let off = (drive.position - (rest + end)).abs();
+        let off = (sample.position - (rest + end)).abs();
         prop_assert!(off < 1e-13 * (rest.abs() + start), "{off:e} at {swings}");
-        prop_assert!(drive.velocity == 0.0 && drive.displacement == 0.0);
+        prop_assert!(sample.velocity == 0.0 && sample.displacement == 0.0);
         let path = (0..swings).map(|n| 2.0 * (start - (2 * n + 1) as f64 * shift)).sum::<f64>();
         prop_assert!(abs_diff_eq!(plant.heat() / (force * path), 1.0, epsilon = 1e-11));
         Ok(())
@@ -165,8 +168,8 @@ fn stribeck_friction_stops_a_block_by_quadrature() {
         prop_assert!(found.len() == 1 && found[0].1 == Stick, "{found:?}");
         let off = (found[0].0 - stop).abs();
         prop_assert!(off < 1e-12 * stop.max(1.0), "{off:e} of {stop}");
-        let drive = plant.advance(0.0);
-        prop_assert!(abs_diff_eq!(drive.position / -distance, 1.0, epsilon = 1e-12));
+        let sample = plant.advance(0.0);
+        prop_assert!(abs_diff_eq!(sample.position / -distance, 1.0, epsilon = 1e-12));
         let kinetic = 0.5 * mass * start * start;
         prop_assert!(abs_diff_eq!(plant.heat() / kinetic, 1.0, epsilon = 1e-12));
         Ok(())
@@ -194,15 +197,15 @@ fn energy_balances() {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             let before = now;
             let heat = plant.heat();
-            let drive = plant.advance(ordinary::<f64>(random, 3.0));
-            now = [drive.position, drive.velocity];
+            let sample = plant.advance(ordinary::<f64>(random, 3.0));
+            now = [sample.position, sample.velocity];
             let burnt = plant.heat() - heat;
-            work += drive.work;
+            work += sample.work;
             // Each of the kinds of energy moves by itself.
-            sum += drive.work.abs() + burnt + energy([now[0], 0.0]).max(energy([before[0], 0.0]));
+            sum += sample.work.abs() + burnt + energy([now[0], 0.0]).max(energy([before[0], 0.0]));
             sum += energy([0.0, now[1]]).max(energy([0.0, before[1]]));
             // Both ends of a displacement are positions that have been rounded.
-            rounding += f64::EPSILON * (drive.acted * drive.position).abs();
+            rounding += f64::EPSILON * (sample.applied * sample.position).abs();
             prop_assert!(burnt >= 0.0);
             let off = (energy(now) + work + plant.heat() - energy(start)).abs();
             prop_assert!(off <= 1e-12 * sum + rounding, "{off:e} J of {sum:e}");
@@ -219,9 +222,9 @@ fn sticks_exactly<T: Real>() {
     let mut plant = Friction::new(body, parts, law(0.3, 0.4, 0.01)).expect("friction");
     for tick in 0..100_000 {
         let effort = T::of(if tick % 2 == 0 { 0.04 } else { -0.7 });
-        let drive = plant.advance(effort);
-        assert!(drive.position == start && drive.velocity == T::of(0.0));
-        assert!(drive.displacement == T::of(0.0) && plant.transitions().count(0) == 0);
+        let sample = plant.advance(effort);
+        assert!(sample.position == start && sample.velocity == T::of(0.0));
+        assert!(sample.displacement == T::of(0.0) && plant.transitions().count(0) == 0);
     }
     assert!(plant.heat() == T::of(0.0));
     plant.advance(T::of(-0.8));
@@ -254,9 +257,9 @@ fn stribeck_friction_agrees_with_30_digits() {
                 "{instant} not {exact}"
             );
         }
-        let (drive, heat) = (plant.start(), 0.149_029_305_591_873_48);
-        let off = (drive.position + 0.014_810_254_963_371_123).abs();
-        assert!(off < 1e-15 && drive.velocity == 0.0, "{off:e}");
+        let (sample, heat) = (plant.start(), 0.149_029_305_591_873_48);
+        let off = (sample.position + 0.014_810_254_963_371_123).abs();
+        assert!(off < 1e-15 && sample.velocity == 0.0, "{off:e}");
         assert_abs_diff_eq!(plant.heat() / heat, 1.0, epsilon = 1e-13);
     }
 }

@@ -7,14 +7,14 @@ use proptest::prop_assert;
 
 use lyapunov::lanes::{AutoF32x4, AutoF64x4};
 use lyapunov::{
-    Body, Drive, Friction, Impedance, ParameterError, Plant, Requirement, Scalar, Signal, Tethered,
-    Transition,
+    ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
+    bodies::{Body, Friction, Impedance, OperatedBody, Transition},
 };
 
 use crate::friction::law;
 use crate::support::{Bits, CASES, Port, Real, hold, hostile, log_between, ordinary, same, wild};
 
-type Rubbing<T> = Friction<Body<T>, T, 2>;
+type StickSlipPhase<T> = Friction<Body<T>, T, 2>;
 
 /// A scene of ordinary size and its efforts, number by number.
 struct Scene([f64; 9], [f64; 40]);
@@ -43,7 +43,7 @@ impl Scene {
 }
 
 /// The scenes in the lanes of one body.
-fn bodies<T: Scalar + Signal<Scalar = T>>(scenes: &[Scene]) -> (Body<T>, Rubbing<T>) {
+fn bodies<T: Scalar + Signal<Scalar = T>>(scenes: &[Scene]) -> (Body<T>, StickSlipPhase<T>) {
     let number = |at: usize| T::from_lanes(|lane| scenes[lane].0[at]);
     let parts = Impedance { mass: number(0), damping: number(1), stiffness: number(2) };
     let body = Body::<T>::new(parts, number(3)).expect("a body").starting(number(4), number(5));
@@ -52,9 +52,9 @@ fn bodies<T: Scalar + Signal<Scalar = T>>(scenes: &[Scene]) -> (Body<T>, Rubbing
     (body, Friction::new(body, parts, law).expect("friction"))
 }
 
-fn numbers<T: Scalar + Signal<Scalar = T>>(drive: &Drive<T>, lane: usize) -> [f64; 6] {
-    let Drive { period, position, velocity, displacement, acted, work } = *drive;
-    [period, position, velocity, displacement, acted, work].map(|number| number.lane(lane))
+fn numbers<T: Scalar + Signal<Scalar = T>>(sample: &PortSample<T>, lane: usize) -> [f64; 6] {
+    let PortSample { period, position, velocity, displacement, applied, work } = *sample;
+    [period, position, velocity, displacement, applied, work].map(|number| number.lane(lane))
 }
 
 fn without_is_absent<T: Real + Port<Scalar = T>>() {
@@ -62,8 +62,8 @@ fn without_is_absent<T: Real + Port<Scalar = T>>() {
         let scene = Scene::of(&bits, 0.0);
         let (mut body, mut plant) = bodies::<T>(std::slice::from_ref(&scene));
         for effort in scene.1 {
-            let (free, drive) = (body.advance(T::of(effort)), plant.advance(T::of(effort)));
-            prop_assert!(free == drive && plant.heat() == T::of(0.0));
+            let (free, sample) = (body.advance(T::of(effort)), plant.advance(T::of(effort)));
+            prop_assert!(free == sample && plant.heat() == T::of(0.0));
             prop_assert!(plant.transitions().count(0) == 0);
         }
         Ok(())
@@ -88,10 +88,10 @@ fn lanes_are_alone<L: Scalar + Signal<Scalar = L>, T: Real + Port<Scalar = T>>()
         let (_, mut all) = bodies::<L>(&scenes);
         let mut each: Vec<_> = scenes.chunks(1).map(|scene| bodies::<T>(scene).1).collect();
         for tick in 0..40 {
-            let drive = all.advance(L::from_lanes(|lane| scenes[lane].1[tick]));
+            let sample = all.advance(L::from_lanes(|lane| scenes[lane].1[tick]));
             for (lane, alone) in each.iter_mut().enumerate() {
                 let single = alone.advance(T::of(scenes[lane].1[tick]));
-                let pairs = numbers(&drive, lane).into_iter().zip(numbers(&single, 0));
+                let pairs = numbers(&sample, lane).into_iter().zip(numbers(&single, 0));
                 for (a, b) in pairs {
                     prop_assert!(same(a, b), "{a:e} is not {b:e}");
                 }
@@ -132,12 +132,12 @@ fn hostile_numbers_end() {
         for tick in 0..3 {
             let heat = plant.heat();
             let effort = if tick == 2 { wild(bits(20)) } else { number(10 + tick) };
-            let drive = plant.advance(effort);
+            let sample = plant.advance(effort);
             let burnt = plant.heat() - heat;
             assert!(burnt >= 0.0 || burnt.is_nan(), "{burnt} J in case {case}");
             let cuts = plant.transitions().last(0).filter(|&(_, what)| what == Transition::Cut);
             cut += cuts.count();
-            moved += usize::from(drive.velocity != 0.0 && drive.velocity.is_finite());
+            moved += usize::from(sample.velocity != 0.0 && sample.velocity.is_finite());
         }
     }
     assert!(cut > 0 && moved > 100, "{cut} cut, {moved} moved");
@@ -150,15 +150,15 @@ fn too_fast_a_body_gains_nothing() {
         let parts = Impedance { mass: 0.2, damping, stiffness };
         let body = Body::new(parts, 1e-2).expect("a body").starting(0.01, 0.3);
         let mut plant = Friction::new(body, parts, law(0.5, 1.0, 0.05)).expect("friction");
-        let energy = |drive: &Drive<f64>| {
-            0.5 * (stiffness * drive.position.powi(2) + 0.2 * drive.velocity.powi(2))
+        let energy = |sample: &PortSample<f64>| {
+            0.5 * (stiffness * sample.position.powi(2) + 0.2 * sample.velocity.powi(2))
         };
         let start = energy(&plant.start());
         let mut work = 0.0;
         for tick in 0..50 {
-            let drive = plant.advance(if tick % 7 == 0 { 3.0 } else { -2.0 });
-            work += drive.work;
-            assert!(energy(&drive) + work + plant.heat() <= start * (1.0 + 1e-6) + 1e-6);
+            let sample = plant.advance(if tick % 7 == 0 { 3.0 } else { -2.0 });
+            work += sample.work;
+            assert!(energy(&sample) + work + plant.heat() <= start * (1.0 + 1e-6) + 1e-6);
         }
     }
 }
@@ -171,8 +171,8 @@ fn what_is_not_a_number_moves_to_what_is_not() {
     for effort in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut plant = plant;
         for effort in [effort, 0.0, 1.0] {
-            let drive = plant.advance(effort);
-            assert!(!drive.position.is_finite() && !drive.velocity.is_finite());
+            let sample = plant.advance(effort);
+            assert!(!sample.position.is_finite() && !sample.velocity.is_finite());
         }
     }
 }
@@ -188,16 +188,16 @@ fn intervals_may_vary() {
     for interval in [0.0, 0.02, 0.0, 0.025, 0.005] {
         split.reshape(parts, interval).expect("an interval");
         let before = split.start();
-        let drive = split.advance(0.3);
-        assert!(drive.period == interval);
+        let sample = split.advance(0.3);
+        assert!(sample.period == interval);
         if interval == 0.0 {
-            assert!(drive.displacement == 0.0 && drive.velocity == before.velocity);
+            assert!(sample.displacement == 0.0 && sample.velocity == before.velocity);
             assert!(split.transitions().count(0) == 0);
         }
     }
-    let drive = split.start();
-    assert_abs_diff_eq!(drive.position, one.position, epsilon = 1e-16);
-    assert_abs_diff_eq!(drive.velocity, one.velocity, epsilon = 1e-14);
+    let sample = split.start();
+    assert_abs_diff_eq!(sample.position, one.position, epsilon = 1e-16);
+    assert_abs_diff_eq!(sample.velocity, one.velocity, epsilon = 1e-14);
     assert_abs_diff_eq!(split.heat() / whole.heat(), 1.0, epsilon = 1e-13);
     assert!(split.reshape(parts, f64::NAN).is_err() && split.reshape(parts, -1.0).is_err());
 }

@@ -5,19 +5,22 @@ use proptest::array::uniform8;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::Transition::{Reverse, Slip, Stick};
-use lyapunov::{Friction, Impedance, Plant, Stribeck, Transition};
+use lyapunov::bodies::Transition::{Reverse, Slip, Stick};
+use lyapunov::{
+    Plant,
+    bodies::{Friction, Impedance, Stribeck, Transition},
+};
 
 use crate::friction::{law, transitions};
 use crate::support::{Bits, CASES, TwoMasses, hold, log_between, ordinary};
 
-type Rubbing = Friction<TwoMasses, f64, 4>;
+type StickSlipPhase = Friction<TwoMasses, f64, 4>;
 
 fn impedance(mass: f64, damping: f64, stiffness: f64) -> Impedance<f64> {
     Impedance { mass, damping, stiffness }
 }
 
-fn rubbing(body: TwoMasses, law: Stribeck<f64>) -> Rubbing {
+fn rubbing(body: TwoMasses, law: Stribeck<f64>) -> StickSlipPhase {
     Friction::new(body, body.parts, law).expect("friction")
 }
 
@@ -76,17 +79,17 @@ fn reference(
             "{instant} instead of {exact}"
         );
     }
-    let drive = plant.start();
+    let sample = plant.start();
     assert!(
-        abs_diff_eq!(drive.position, end[2], epsilon = 1e-14),
+        abs_diff_eq!(sample.position, end[2], epsilon = 1e-14),
         "{} not {}",
-        drive.position,
+        sample.position,
         end[2]
     );
     assert!(
-        abs_diff_eq!(drive.velocity, end[3], epsilon = 1e-12),
+        abs_diff_eq!(sample.velocity, end[3], epsilon = 1e-12),
         "{} not {}",
-        drive.velocity,
+        sample.velocity,
         end[3]
     );
     assert!(abs_diff_eq!(plant.heat() / heat, 1.0, epsilon = 1e-12), "{} not {heat}", plant.heat());
@@ -154,16 +157,16 @@ fn energy_balances_and_what_sticks_stays() {
         for _ in 0..100 {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             let (before, heat) = (plant.start(), plant.heat());
-            let drive = plant.advance(ordinary::<f64>(random, 1.0));
+            let sample = plant.advance(ordinary::<f64>(random, 1.0));
             shadow.state = plant.body().state;
-            work += drive.work;
-            sum += drive.work.abs() + (plant.heat() - heat) + 4.0 * shadow.energy();
+            work += sample.work;
+            sum += sample.work.abs() + (plant.heat() - heat) + 4.0 * shadow.energy();
             let off = (shadow.energy() + work + plant.heat() - start).abs();
             prop_assert!(off <= 1e-12 * sum.max(start), "{off:e} J of {sum:e}");
             prop_assert!(plant.heat() >= heat);
             let quiet = plant.transitions().count(0) == 0;
-            if before.velocity == 0.0 && drive.velocity == 0.0 && quiet {
-                prop_assert!(drive.position.to_bits() == before.position.to_bits());
+            if before.velocity == 0.0 && sample.velocity == 0.0 && quiet {
+                prop_assert!(sample.position.to_bits() == before.position.to_bits());
             }
         }
         Ok(())

@@ -6,8 +6,10 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Fallback, Impedance, Lolc, OnePort, Plant, PortEnergy,
-    Scalar, Spring,
+    DampingLimit, Lolc, OnePort, Plant, PortEnergy, PortSample, Scalar,
+    bodies::{Body, Impedance},
+    effects::{Fallback, OnePortExt},
+    environments::Spring,
 };
 
 use crate::support::{Bits, CASES, Faulty, Port, Real, Spy, bad, hold, log_between, ordinary};
@@ -26,9 +28,9 @@ struct Scene<V: Port> {
 
 /// One tick: what the plant really did, whether the guard was told so, what it answered, and what was inside.
 struct Row<V: Port> {
-    drive: Drive<V>,
+    sample: PortSample<V>,
     sound: bool,
-    told: Drive<V>,
+    told: PortSample<V>,
     answer: V,
     sum: V::Scalar,
     accepted: bool,
@@ -51,8 +53,8 @@ impl<V: Port> Scene<V> {
         }
     }
 
-    /// The drive with NaN or infinities in some of its fields; which ones changes from tick to tick.
-    fn spoilt(&self, drive: Drive<V>, tick: usize) -> Drive<V> {
+    /// The sample with NaN or infinities in some of its fields; which ones changes from tick to tick.
+    fn spoilt(&self, sample: PortSample<V>, tick: usize) -> PortSample<V> {
         let bits = self.bits[9].rotate_left(7 * tick as u32) ^ self.bits[10];
         let fields = 1 + bits % 63;
         let wrong = bad::<V::Scalar>(bits >> 8);
@@ -61,31 +63,31 @@ impl<V: Port> Scene<V> {
             let hit = fields >> field & 1 == 1;
             V::from_axes(|at| if hit && at == axis { wrong } else { signal.axis(at) })
         };
-        Drive {
-            period: if fields & 1 == 1 { wrong } else { drive.period },
-            position: spoil(1, drive.position),
-            velocity: spoil(2, drive.velocity),
-            displacement: spoil(3, drive.displacement),
-            acted: spoil(4, drive.acted),
-            work: spoil(5, drive.work),
+        PortSample {
+            period: if fields & 1 == 1 { wrong } else { sample.period },
+            position: spoil(1, sample.position),
+            velocity: spoil(2, sample.velocity),
+            displacement: spoil(3, sample.displacement),
+            applied: spoil(4, sample.applied),
+            work: spoil(5, sample.work),
         }
     }
 
     /// Runs with bad samples at `bad`; also says what the spring was asked.
-    fn run(&self, bad: impl Fn(usize) -> bool) -> (Vec<Row<V>>, Vec<Drive<V>>) {
+    fn run(&self, bad: impl Fn(usize) -> bool) -> (Vec<Row<V>>, Vec<PortSample<V>>) {
         let mut spy = Spy::on(self.spring);
         let lolc = Lolc::new(PortEnergy, self.limit);
         let mut port = (&mut spy).stabilized(lolc).guarded(self.fallback);
-        let (mut plant, mut drive) = (self.body, self.body.start());
+        let (mut plant, mut sample) = (self.body, self.body.start());
         let mut rows = Vec::new();
         for tick in 0..TICKS {
             let sound = !bad(tick);
-            let told = if sound { drive } else { self.spoilt(drive, tick) };
+            let told = if sound { sample } else { self.spoilt(sample, tick) };
             let answer = port.respond(&told);
-            let action = port.action();
-            let (sum, accepted) = (action.sum, action.accepted);
-            rows.push(Row { drive, sound, told, answer, sum, accepted });
-            drive = plant.advance(answer);
+            let correction = port.correction();
+            let (sum, accepted) = (correction.observed_energy, correction.accepted);
+            rows.push(Row { sample, sound, told, answer, sum, accepted });
+            sample = plant.advance(answer);
         }
         (rows, spy.asked)
     }
@@ -106,21 +108,21 @@ fn answers<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
     Ok(())
 }
 
-/// The spring was asked once for every sound drive, and was told of the time and the way since the one before.
-fn spans<V: Port>(rows: &[Row<V>], asked: &[Drive<V>], period: V::Scalar) -> TestCaseResult {
+/// The spring was asked once for every sound sample, and was told of the time and the way since the one before.
+fn spans<V: Port>(rows: &[Row<V>], asked: &[PortSample<V>], period: V::Scalar) -> TestCaseResult {
     let sound: Vec<usize> = (0..rows.len()).filter(|&tick| rows[tick].sound).collect();
     prop_assert!(asked.len() == sound.len(), "{} calls", asked.len());
     for (whole, &tick) in asked.iter().zip(&sound) {
-        prop_assert!(whole.finite() && whole.position == rows[tick].drive.position);
+        prop_assert!(whole.finite() && whole.position == rows[tick].sample.position);
     }
     for ((whole, pair), ticks) in asked.iter().skip(1).zip(asked.windows(2)).zip(sound.windows(2)) {
         let steps = (ticks[1] - ticks[0]) as f64;
         let off = whole.period.f64() - steps * period.f64();
         prop_assert!(off.abs() <= steps * steps * V::Scalar::unit() * period.f64(), "{off:e} s");
         let way = pair[1].position - pair[0].position;
-        let measured = rows[ticks[1]].drive;
+        let measured = rows[ticks[1]].sample;
         if steps == 1.0 {
-            prop_assert!(*whole == measured, "a sound drive was changed");
+            prop_assert!(*whole == measured, "a sound sample was changed");
             continue;
         }
         prop_assert!(whole.displacement == way, "the way is not that of the two positions");
@@ -143,11 +145,11 @@ fn spans<V: Port>(rows: &[Row<V>], asked: &[Drive<V>], period: V::Scalar) -> Tes
 fn monotone<V: Port>(rows: &[Row<V>]) -> bool {
     let one_way = |part: &[Row<V>]| {
         (0..V::AXES).all(|axis| {
-            let moved = || part.iter().map(|row| row.drive.displacement.axis(axis).f64());
+            let moved = || part.iter().map(|row| row.sample.displacement.axis(axis).f64());
             moved().all(|way| way >= 0.0) || moved().all(|way| way <= 0.0)
         })
     };
-    // The first sound drive after a gap tells of its end.
+    // The first sound sample after a gap tells of its end.
     let gap_at = |tick: usize| {
         let in_gap = |at: &usize| !rows[*at].sound || (*at > 0 && !rows[*at - 1].sound);
         (tick..rows.len()).take_while(in_gap).count()
@@ -160,9 +162,9 @@ fn ledger<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
     let (mut truth, mut size) = (0.0, 0.0);
     let one_way = monotone(rows);
     for (tick, row) in rows.iter().enumerate() {
-        let Drive { acted, displacement, position, .. } = row.drive;
+        let PortSample { applied, displacement, position, .. } = row.sample;
         for axis in 0..V::AXES {
-            let (f, dx) = (acted.axis(axis).f64(), displacement.axis(axis).f64());
+            let (f, dx) = (applied.axis(axis).f64(), displacement.axis(axis).f64());
             truth += f * dx;
             // The way over a gap is a difference of rounded positions.
             size += f.abs() * (dx.abs() + position.axis(axis).f64().abs());
@@ -213,26 +215,26 @@ mod check {
         });
     }
 
-    /// An effort that is not finite is replaced like a bad sample, and the action says so.
+    /// An effort that is not finite is replaced like a bad sample, and the correction says so.
     pub(super) fn replaces_bad_efforts<V: Port>() {
         hold(CASES, (0..8u8, 1..8u8, uniform16(any::<Bits>())), |(from, long, bits)| {
             let scene = Scene::<V>::from(bits);
             let of = |value: u8| V::Scalar::of(f64::from(value));
             let faulty = Faulty::between(scene.spring, of(from), of(from + long));
             let mut port = faulty.guarded(scene.fallback);
-            let (mut plant, mut drive, mut last) = (scene.body, scene.body.start(), V::zero());
+            let (mut plant, mut sample, mut last) = (scene.body, scene.body.start(), V::zero());
             for tick in 0..16u8 {
-                let answer = port.respond(&drive);
+                let answer = port.respond(&sample);
                 let bad = (from..from + long).contains(&tick);
                 let fallback = match scene.fallback {
                     Fallback::Hold => last,
                     Fallback::Zero => V::zero(),
                 };
-                let stiff = { scene.spring }.respond(&drive);
+                let stiff = { scene.spring }.respond(&sample);
                 prop_assert!(answer == if bad { fallback } else { stiff }, "{answer:?}");
-                prop_assert!(port.action().accepted != bad, "tick {tick} says nothing");
+                prop_assert!(port.correction().accepted != bad, "tick {tick} says nothing");
                 last = answer;
-                drive = plant.advance(answer);
+                sample = plant.advance(answer);
             }
             Ok(())
         });

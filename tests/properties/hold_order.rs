@@ -2,7 +2,10 @@
 
 use approx::abs_diff_eq;
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, OnePort, Plant, PortEnergy, Wall,
+    DampingLimit, Lolc, OnePort, Plant, PortEnergy, PortSample,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Wall,
 };
 
 const PERIOD: f64 = 1e-3;
@@ -13,11 +16,11 @@ const HOLD: u32 = 10;
 fn leaked(mut port: impl OnePort<f64>) -> f64 {
     let parts = Impedance { mass: MASS, damping: 2.1, stiffness: 200.0 };
     let mut body = Body::new(parts, PERIOD).expect("a body").resting_at(0.01);
-    let (mut drive, mut taken, mut leaked): (Drive<f64>, _, f64) = (body.start(), 0.0, 0.0);
+    let (mut sample, mut taken, mut leaked): (PortSample<f64>, _, f64) = (body.start(), 0.0, 0.0);
     for _ in 0..=2000 {
-        taken += drive.work;
+        taken += sample.work;
         leaked = leaked.max(-taken);
-        drive = body.advance(port.respond(&drive));
+        sample = body.advance(port.respond(&sample));
     }
     leaked
 }

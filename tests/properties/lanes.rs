@@ -6,7 +6,7 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::lanes::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
-use lyapunov::{Mask, Scalar, Widen};
+use lyapunov::{Mask, Scalar, accumulators::Widen};
 
 use crate::support::{Bits, CASES, Real, bad, hold, hostile, ordinary, same, wild};
 
@@ -46,7 +46,7 @@ fn numbers<T: Scalar>(a: T, b: T, c: T) -> Vec<T> {
         T::choose(!(a.above(b) & c.finite()), a, c),
         a.times(b),
         a.scale(b),
-        a.pair(b),
+        a.inner(b),
         a.sum(),
         a.map(|x| x * c),
         a.zip(b, |x, y| x - y),
@@ -54,8 +54,8 @@ fn numbers<T: Scalar>(a: T, b: T, c: T) -> Vec<T> {
         T::of(0.1),
         T::zero(),
         T::one(),
-        T::tiny(),
-        T::least(),
+        T::smallest_normal(),
+        T::smallest_positive(),
         T::largest(),
         T::epsilon(),
     ];

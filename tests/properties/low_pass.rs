@@ -8,16 +8,16 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{Adapt, Drive, OnePort, Scalar, Spring};
+use lyapunov::{OnePort, PortSample, Scalar, effects::OnePortExt, environments::Spring};
 
 use crate::support::{Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, log_between};
 
 /// What a port behind a low pass is told.
-fn told<V: Port>(cutoff: V::Scalar, drives: &[Drive<V>]) -> Vec<Drive<V>> {
+fn told<V: Port>(cutoff: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).low_passed(cutoff).expect("a low pass");
-    for drive in drives {
-        port.respond(drive);
+    for sample in drives {
+        port.respond(sample);
     }
     spy.asked
 }
@@ -30,7 +30,7 @@ mod check {
         hold(CASES, (any::<Bits>(), vec(uniform16(any::<Bits>()), 1..24)), |(bits, samples)| {
             let period = V::Scalar::of(1e-3);
             let cutoff = V::Scalar::of(log_between(bits, 0.1, 1e5));
-            let drives: Vec<Drive<V>> =
+            let drives: Vec<PortSample<V>> =
                 samples.iter().map(|bits| drive_of(*bits, true, period).0).collect();
             let turn = TAU * cutoff.f64() * period.f64();
             let share = turn / (1.0 + turn);
@@ -38,7 +38,7 @@ mod check {
                 for axis in 0..V::AXES {
                     let rates: Vec<f64> = drives[..=n]
                         .iter()
-                        .map(|drive| drive.displacement.axis(axis).f64() / period.f64())
+                        .map(|sample| sample.displacement.axis(axis).f64() / period.f64())
                         .collect();
                     let terms =
                         (1..=n).map(|k| share * (1.0 - share).powi((n - k) as i32) * rates[k]);
@@ -47,7 +47,7 @@ mod check {
                     let bound = 8.0 * (n + 1) as f64 * V::Scalar::unit() * size;
                     prop_assert!(off.abs() <= bound, "off by {off:e} at call {n}");
                 }
-                let expected = Drive { velocity: told.velocity, ..drives[n] };
+                let expected = PortSample { velocity: told.velocity, ..drives[n] };
                 prop_assert!(*told == expected, "{told:?}");
             }
             Ok(())
@@ -61,7 +61,7 @@ mod check {
             (any::<Bits>(), vec(uniform16(any::<Bits>()), 3..24)),
             |(bits, samples)| {
                 let period = V::Scalar::of(1e-3);
-                let sound: Vec<Drive<V>> =
+                let sound: Vec<PortSample<V>> =
                     samples.iter().map(|bits| drive_of(*bits, true, period).0).collect();
                 let at = 1 + bits as usize % (sound.len() - 1);
                 let wrong = bad::<V::Scalar>(bits >> 20);
@@ -100,7 +100,9 @@ crate::support::every_port!(velocity_is_the_weighted_sum, bad_samples_are_forgot
 fn steady_motion_is_approached() {
     let period = 1e-3;
     let drives: Vec<_> = (0..20)
-        .map(|n| Drive::new(period, f64::from(n) * 1e-3, 9.0, if n == 0 { 5.0 } else { 1e-3 }, 0.0))
+        .map(|n| {
+            PortSample::new(period, f64::from(n) * 1e-3, 9.0, if n == 0 { 5.0 } else { 1e-3 }, 0.0)
+        })
         .collect();
     for (n, told) in told(1.0 / (TAU * period), &drives).iter().enumerate() {
         assert!(
@@ -118,10 +120,10 @@ fn gain_is_that_of_a_first_order_lag() {
         let omega = TAU * cutoff * ratio;
         let at = |n: usize| (omega * period * n as f64).sin() / omega;
         let drives: Vec<_> = (0..300_000)
-            .map(|n| Drive::new(period, at(n), 0.0, at(n) - at(n.max(1) - 1), 0.0))
+            .map(|n| PortSample::new(period, at(n), 0.0, at(n) - at(n.max(1) - 1), 0.0))
             .collect();
         let told = told(cutoff, &drives);
-        let settled = told[100_000..].iter().map(|drive| drive.velocity);
+        let settled = told[100_000..].iter().map(|sample| sample.velocity);
         let gain = settled.fold(0.0, f64::max);
         let expected = 1.0 / (1.0f64 + ratio * ratio).sqrt();
         assert!(
@@ -135,14 +137,14 @@ fn gain_is_that_of_a_first_order_lag() {
 #[test]
 fn large_cutoffs_tend_to_the_difference() {
     let drives: Vec<_> =
-        (0..50).map(|n| Drive::new(1e-3, 0.0, 0.0, f64::from(n * n % 7 - 3), 0.0)).collect();
+        (0..50).map(|n| PortSample::new(1e-3, 0.0, 0.0, f64::from(n * n % 7 - 3), 0.0)).collect();
     let mut last = f64::INFINITY;
     for cutoff in [1e2, 1e4, 1e6, 1e9, 1e13, 1e25, 1e300] {
         let off = told(cutoff, &drives)
             .iter()
             .zip(&drives)
             .skip(1)
-            .map(|(told, drive)| (told.velocity - drive.displacement / 1e-3).abs())
+            .map(|(told, sample)| (told.velocity - sample.displacement / 1e-3).abs())
             .fold(0.0, f64::max);
         // 6 m in one call, times 1 / (ω T).
         let bound = 6e3 / (TAU * cutoff * 1e-3) + 1e-12;

@@ -9,7 +9,10 @@ use proptest::test_runner::TestCaseResult;
 
 use lyapunov::lanes::{AutoF32x4, AutoF64x8, WideF32x8, WideF64x4};
 use lyapunov::{
-    Adapt, Drive, Fallback, Impedance, MassSpringDamper, OnePort, ParameterError, Scalar, Signal,
+    OnePort, ParameterError, PortSample, Scalar, Signal,
+    bodies::Impedance,
+    effects::{Fallback, OnePortExt},
+    environments::MassSpringDamper,
 };
 
 use crate::support::{Bits, CASES, Real, hold, log_between, same, unit};
@@ -63,10 +66,10 @@ impl Parameters {
                 V::Scalar::from_lanes(step)
             });
             position = position + moved;
-            let acted = answers.last().copied().unwrap_or_else(V::zero);
-            let drive = Drive::new(period, position, moved, moved, acted);
-            answers.push(filtered.respond(&drive));
-            answers.push(windowed.respond(&drive));
+            let applied = answers.last().copied().unwrap_or_else(V::zero);
+            let sample = PortSample::new(period, position, moved, moved, applied);
+            answers.push(filtered.respond(&sample));
+            answers.push(windowed.respond(&sample));
         }
         Ok(answers)
     }

@@ -6,23 +6,27 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{Adapt, Drive, OnePort, Random, Scalar, Source, Spring};
+use lyapunov::{
+    OnePort, PortSample, Scalar,
+    effects::{OnePortExt, Random, Source},
+    environments::Spring,
+};
 
 use crate::support::{
     Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, log_between, same, same_axes,
 };
 
 /// What a port inside of noise is told.
-fn told<V: Port>(deviation: V::Scalar, seed: u64, drives: &[Drive<V>]) -> Vec<Drive<V>> {
+fn told<V: Port>(deviation: V::Scalar, seed: u64, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).noisy(deviation, |_| seed).expect("noise");
-    for drive in drives {
-        port.respond(drive);
+    for sample in drives {
+        port.respond(sample);
     }
     spy.asked
 }
 
-fn drives<V: Port>(tame: bool, samples: &[[Bits; 16]]) -> Vec<Drive<V>> {
+fn drives<V: Port>(tame: bool, samples: &[[Bits; 16]]) -> Vec<PortSample<V>> {
     samples.iter().map(|bits| drive_of(*bits, tame, V::Scalar::of(1e-3)).0).collect()
 }
 
@@ -36,13 +40,13 @@ mod check {
             let mut drives = drives::<V>(seed % 2 == 0, &samples);
             let earlier = drives[0];
             drives[1] = drives[1].spanning(&earlier);
-            for (told, drive) in told(V::Scalar::of(0.0), seed, &drives).iter().zip(&drives) {
-                prop_assert!(same(told.period.f64(), drive.period.f64()));
-                prop_assert!(same_axes(told.position, drive.position));
-                prop_assert!(same_axes(told.velocity, drive.velocity));
-                prop_assert!(same_axes(told.displacement, drive.displacement));
-                prop_assert!(same_axes(told.acted, drive.acted));
-                prop_assert!(same_axes(told.work, drive.work));
+            for (told, sample) in told(V::Scalar::of(0.0), seed, &drives).iter().zip(&drives) {
+                prop_assert!(same(told.period.f64(), sample.period.f64()));
+                prop_assert!(same_axes(told.position, sample.position));
+                prop_assert!(same_axes(told.velocity, sample.velocity));
+                prop_assert!(same_axes(told.displacement, sample.displacement));
+                prop_assert!(same_axes(told.applied, sample.applied));
+                prop_assert!(same_axes(told.work, sample.work));
             }
             Ok(())
         });
@@ -56,19 +60,19 @@ mod check {
             let deviation = V::Scalar::of(log_between(seed, 1e-9, 1.0));
             let mut random = Random::new(|_| seed, Source::Noise);
             let mut before = None;
-            for (told, drive) in told(deviation, seed, &drives).iter().zip(&drives) {
-                let position = drive.position + random.normal::<V>().scale(deviation);
+            for (told, sample) in told(deviation, seed, &drives).iter().zip(&drives) {
+                let position = sample.position + random.normal::<V>().scale(deviation);
                 let displacement = position - before.unwrap_or(position);
                 before = Some(position);
-                let work = drive.acted.times(displacement);
-                let expected = Drive { position, displacement, work, ..*drive };
+                let work = sample.applied.times(displacement);
+                let expected = PortSample { position, displacement, work, ..*sample };
                 prop_assert!(*told == expected, "{told:?} for {expected:?}");
             }
             Ok(())
         });
     }
 
-    /// What other efforts did within a drive of several periods stays in the work.
+    /// What other efforts did within a sample of several periods stays in the work.
     pub(super) fn work_of_other_efforts_is_kept<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 3);
         hold(CASES, (any::<Bits>(), samples), |(seed, samples)| {
@@ -78,7 +82,8 @@ mod check {
                 let of = |signal: V| signal.axis(axis).f64();
                 // The earlier effort over its own displacement, the later one over all the rest that was measured.
                 let rest = of(told[1].displacement) - of(earlier.displacement);
-                let exact = of(earlier.acted) * of(earlier.displacement) + of(later.acted) * rest;
+                let exact =
+                    of(earlier.applied) * of(earlier.displacement) + of(later.applied) * rest;
                 let off = (of(told[1].work) - exact).abs();
                 prop_assert!(off <= 64.0 * V::Scalar::unit(), "off by {off:e} J");
             }
@@ -97,7 +102,7 @@ mod check {
                 0 => bad(seed >> 8),
                 _ => sound[at].position.axis(axis),
             });
-            let told = |drives: &[Drive<V>]| told(V::Scalar::of(1e-4), seed, drives);
+            let told = |drives: &[PortSample<V>]| told(V::Scalar::of(1e-4), seed, drives);
             for (n, (told, clean)) in told(&spoilt).iter().zip(told(&sound)).enumerate() {
                 prop_assert!(told.position.all_finite() == (n != at));
                 prop_assert!(told.displacement.all_finite() == (n != at && n != at + 1));
@@ -121,19 +126,19 @@ crate::support::every_port!(
 #[test]
 fn noise_is_as_wide_as_asked() {
     let (count, deviation) = (200_000, 2e-5);
-    let drives: Vec<Drive<f64>> =
-        (0..count).map(|n| Drive::starting(1e-3, (f64::from(n) * 0.01).sin(), 0.0)).collect();
+    let drives: Vec<PortSample<f64>> =
+        (0..count).map(|n| PortSample::starting(1e-3, (f64::from(n) * 0.01).sin(), 0.0)).collect();
     let noise: Vec<f64> = told(deviation, 3, &drives)
         .iter()
         .zip(&drives)
-        .map(|(told, drive)| (told.position - drive.position) / deviation)
+        .map(|(told, sample)| (told.position - sample.position) / deviation)
         .collect();
     let bound = 4.8 * f64::from(count).sqrt();
     let total = |terms: &mut dyn Iterator<Item = f64>| terms.sum::<f64>();
     assert!(total(&mut noise.iter().copied()).abs() < bound);
     assert!(total(&mut noise.iter().map(|z| z * z - 1.0)).abs() < 2f64.sqrt() * bound);
     assert!(total(&mut noise.windows(2).map(|z| z[0] * z[1])).abs() < bound);
-    let with_motion = noise.iter().zip(&drives).map(|(z, drive)| z * drive.position);
+    let with_motion = noise.iter().zip(&drives).map(|(z, sample)| z * sample.position);
     assert!(total(&mut with_motion.into_iter()).abs() < bound);
 }
 
@@ -146,9 +151,9 @@ fn noise_comes_before_the_counts() {
     let mut port = encoded.noisy(0.1 * resolution, |_| 1).expect("noise");
     for _ in 0..10_000 {
         // At 0.4 of a count, 0.1 below the edge: one deviation of the noise.
-        port.respond(&Drive::starting(1e-3, 0.4 * resolution, 0.0));
+        port.respond(&PortSample::starting(1e-3, 0.4 * resolution, 0.0));
     }
-    let counts: Vec<f64> = spy.asked.iter().map(|drive| drive.position / resolution).collect();
+    let counts: Vec<f64> = spy.asked.iter().map(|sample| sample.position / resolution).collect();
     assert!(counts.iter().all(|count| [0.0, 1.0].contains(count)));
     // One sixth of the normal distribution lies above one deviation: 0.158655.
     let above = counts.iter().sum::<f64>() / 1e4;

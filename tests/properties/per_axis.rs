@@ -3,7 +3,10 @@
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::{AutoF32x8, AutoF64x4};
 use lyapunov::laws::{self, Samples};
-use lyapunov::{DampingLimit, Drive, Lolc, Mask, PerAxis, PortEnergy, Scalar, Signal, Stabilizer};
+use lyapunov::{
+    DampingLimit, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
+    stabilizers::PerAxis,
+};
 use nalgebra::SVector;
 
 type Popc<T> = Lolc<T, PortEnergy>;
@@ -35,14 +38,14 @@ fn it_is_a_lawful_stabilizer() {
     }
 }
 
-fn alone(drive: &Drive<SVector<f64, 3>>, axis: usize) -> Drive<f64> {
-    Drive {
-        period: drive.period,
-        position: drive.position[axis],
-        velocity: drive.velocity[axis],
-        displacement: drive.displacement[axis],
-        acted: drive.acted[axis],
-        work: drive.work[axis],
+fn alone(sample: &PortSample<SVector<f64, 3>>, axis: usize) -> PortSample<f64> {
+    PortSample {
+        period: sample.period,
+        position: sample.position[axis],
+        velocity: sample.velocity[axis],
+        displacement: sample.displacement[axis],
+        applied: sample.applied[axis],
+        work: sample.work[axis],
     }
 }
 
@@ -51,24 +54,25 @@ fn every_axis_does_what_it_would_do_alone() {
     let mut each = PerAxis::of([popc::<f64>(0.5); 3]);
     let mut single = [popc::<f64>(0.5); 3];
     let mut active = 0;
-    for (drive, effort) in samples::<SVector<f64, 3>>(7) {
-        let action = each.stabilize(&drive, effort);
-        let told: Vec<_> =
-            (0..3).map(|axis| single[axis].stabilize(&alone(&drive, axis), effort[axis])).collect();
+    for (sample, effort) in samples::<SVector<f64, 3>>(7) {
+        let correction = each.stabilize(&sample, effort);
+        let told: Vec<_> = (0..3)
+            .map(|axis| single[axis].stabilize(&alone(&sample, axis), effort[axis]))
+            .collect();
         for (axis, told) in told.iter().enumerate() {
-            assert_eq!(action.effort[axis].to_bits(), told.effort.to_bits());
+            assert_eq!(correction.effort[axis].to_bits(), told.effort.to_bits());
         }
-        let least = told.iter().map(|it| it.sum).fold(f64::INFINITY, f64::min);
+        let least = told.iter().map(|it| it.observed_energy).fold(f64::INFINITY, f64::min);
         let most = told.iter().map(|it| it.alpha).fold(0.0, f64::max);
         let owed: f64 = told.iter().map(|it| it.shortfall).sum();
-        assert_eq!((action.sum, action.shortfall), (least, owed));
+        assert_eq!((correction.observed_energy, correction.shortfall), (least, owed));
         // What it is said to burn is what the axes burn, no less, and more by a rounding at most.
         let burns = |v: f64, alpha: f64| alpha * v * v;
-        let burnt: f64 = (0..3).map(|axis| burns(drive.velocity[axis], told[axis].alpha)).sum();
-        let said = action.alpha * drive.velocity.norm_squared();
-        assert!(said <= burnt * (1.0 + 1e-14) && action.alpha <= most, "{said} {burnt}");
-        assert!(said >= burnt * (1.0 - 1e-14) || action.alpha == most, "{said} {burnt}");
-        active += usize::from(action.alpha > 0.0);
+        let burnt: f64 = (0..3).map(|axis| burns(sample.velocity[axis], told[axis].alpha)).sum();
+        let said = correction.alpha * sample.velocity.norm_squared();
+        assert!(said <= burnt * (1.0 + 1e-14) && correction.alpha <= most, "{said} {burnt}");
+        assert!(said >= burnt * (1.0 - 1e-14) || correction.alpha == most, "{said} {burnt}");
+        active += usize::from(correction.alpha > 0.0);
     }
     assert!(active > 100);
 }
@@ -77,15 +81,17 @@ fn every_axis_does_what_it_would_do_alone() {
 #[test]
 fn one_sum_is_silent_where_a_sum_for_each_acts() {
     let axes = |x, y| SVector::from([x, y]);
-    let drive =
-        Drive::new(1e-3, axes(0.0, 0.0), axes(0.1, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
+    let sample =
+        PortSample::new(1e-3, axes(0.0, 0.0), axes(0.1, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
     let effort = axes(0.5, 0.5);
-    let one = popc::<f64>(0.5).stabilize(&drive, effort);
+    let one = popc::<f64>(0.5).stabilize(&sample, effort);
     assert!(
-        abs_diff_eq!(one.sum, 1e-4, epsilon = 1e-18) && one.alpha == 0.0 && one.effort == effort
+        abs_diff_eq!(one.observed_energy, 1e-4, epsilon = 1e-18)
+            && one.alpha == 0.0
+            && one.effort == effort
     );
-    let each = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&drive, effort);
-    assert_abs_diff_eq!(each.sum, -9e-4, epsilon = 1e-18);
+    let each = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&sample, effort);
+    assert_abs_diff_eq!(each.observed_energy, -9e-4, epsilon = 1e-18);
     // Half of m / T is 100 N·s/m; 0.9 mJ would take 90 at 0.1 m/s.
     assert!(each.effort.x == 0.5 && abs_diff_eq!(each.effort.y, 9.5, epsilon = 1e-9));
     assert!(abs_diff_eq!(each.alpha, 45.0, epsilon = 1e-9) && each.shortfall == 0.0);
@@ -94,10 +100,15 @@ fn one_sum_is_silent_where_a_sum_for_each_acts() {
 #[test]
 fn a_bad_axis_does_not_stop_the_others() {
     let axes = |x, y| SVector::from([x, y]);
-    let drive =
-        Drive::new(1e-3, axes(0.0, 0.0), axes(f64::NAN, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
-    let action = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&drive, axes(0.5, 0.5));
-    assert!(!action.accepted.all());
-    assert!(action.effort.x == 0.0 && abs_diff_eq!(action.effort.y, 9.5, epsilon = 1e-9));
-    assert!(action.alpha.is_finite() && action.sum.is_finite());
+    let sample = PortSample::new(
+        1e-3,
+        axes(0.0, 0.0),
+        axes(f64::NAN, 0.1),
+        axes(1e-4, 1e-4),
+        axes(10.0, -9.0),
+    );
+    let correction = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&sample, axes(0.5, 0.5));
+    assert!(!correction.accepted.all());
+    assert!(correction.effort.x == 0.0 && abs_diff_eq!(correction.effort.y, 9.5, epsilon = 1e-9));
+    assert!(correction.alpha.is_finite() && correction.observed_energy.is_finite());
 }

@@ -8,8 +8,12 @@ use proptest::prop_assert;
 
 use lyapunov::lanes::{AutoF32x4, AutoF64x4, WideF64x4};
 use lyapunov::{
-    Body, Constant, DampedMass, Drive, FirstAxis, Impedance, Link, Linked, ParameterError, Perturb,
-    Plant, Pulse, Requirement, Scalar, Signal, Sine, Tethered, TwoMass,
+    ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
+    bodies::{
+        Body, DampedMass, ElasticJoint, Impedance, OperatedBody, PlantExt, TwoMassBody,
+        TwoMassParts,
+    },
+    trajectories::{Constant, FirstAxis, Pulse, Sine},
 };
 
 use crate::support::{Bits, Motion, Port, Real, State, hold, log_between, ordinary, same, unit};
@@ -17,7 +21,7 @@ use crate::support::{Bits, Motion, Port, Real, State, hold, log_between, ordinar
 const RATE: f64 = 1000.0;
 
 /// A body that can be made of random parts.
-trait Made<V: Signal>: Tethered<V> + Copy {
+trait Made<V: Signal>: OperatedBody<V> + Copy {
     fn parts(number: impl Fn(usize, f64, f64) -> V::Scalar) -> Self::Parts;
 
     fn made(parts: Self::Parts, rest: V, position: V, velocity: V) -> Self;
@@ -42,17 +46,17 @@ impl<V: Signal> Made<V> for Body<V> {
     }
 }
 
-impl<V: Signal> Made<V> for Linked<V> {
+impl<V: Signal> Made<V> for TwoMassBody<V> {
     fn parts(number: impl Fn(usize, f64, f64) -> V::Scalar) -> Self::Parts {
-        TwoMass {
+        TwoMassParts {
             operator: hand(&number),
             device: DampedMass { mass: number(3, 0.01, 1.0), damping: number(4, 0.001, 0.5) },
-            link: Link { stiffness: number(5, 1e3, 1e6), damping: number(6, 0.01, 10.0) },
+            link: ElasticJoint { stiffness: number(5, 1e3, 1e6), damping: number(6, 0.01, 10.0) },
         }
     }
 
     fn made(parts: Self::Parts, rest: V, position: V, velocity: V) -> Self {
-        let plant = Linked::new(parts, V::Scalar::of(1.0 / RATE)).expect("two masses");
+        let plant = TwoMassBody::new(parts, V::Scalar::of(1.0 / RATE)).expect("two masses");
         plant.resting_at(rest).starting(position, velocity)
     }
 }
@@ -69,10 +73,10 @@ fn stub<T: Scalar>(seed: Bits) -> impl FnMut() -> T {
     }
 }
 
-/// Every number of a drive, after `-0.0 = 0.0`.
-fn numbers<V: Port>(drive: &Drive<V>) -> Vec<f64> {
-    let Drive { period, position, velocity, displacement, acted, work } = drive;
-    let signals = [position, velocity, displacement, acted, work];
+/// Every number of a sample, after `-0.0 = 0.0`.
+fn numbers<V: Port>(sample: &PortSample<V>) -> Vec<f64> {
+    let PortSample { period, position, velocity, displacement, applied, work } = sample;
+    let signals = [position, velocity, displacement, applied, work];
     signals
         .into_iter()
         .flat_map(Port::axes)
@@ -88,7 +92,7 @@ mod check {
     pub(super) fn neutral_values_change_nothing<V: Port>() {
         hold(300, uniform16(any::<Bits>()), |bits| {
             neutral::<V, Body<V>>(bits);
-            neutral::<V, Linked<V>>(bits);
+            neutral::<V, TwoMassBody<V>>(bits);
             Ok(())
         });
     }
@@ -137,7 +141,7 @@ mod check {
     pub(super) fn lanes_equal_scalars<T: Scalar, R: Real + Port<Scalar = R>>() {
         hold(100, uniform16(any::<Bits>()), |bits| {
             lanes::<T, R, Body<T>, Body<R>>(bits)?;
-            lanes::<T, R, Linked<T>, Linked<R>>(bits)
+            lanes::<T, R, TwoMassBody<T>, TwoMassBody<R>>(bits)
         });
     }
 
@@ -185,8 +189,8 @@ mod check {
                 .pushed(pulse);
             (0..20)
                 .map(|_| {
-                    let drive = plant.advance(effort);
-                    let Drive { period, position, velocity, displacement, work, .. } = drive;
+                    let sample = plant.advance(effort);
+                    let PortSample { period, position, velocity, displacement, work, .. } = sample;
                     [period, position, velocity, displacement, work]
                 })
                 .collect()
@@ -213,7 +217,7 @@ fn sine() -> Sine {
 }
 
 /// A load of 1.5 N, a pulse of 4 N, a hand that goes to and fro, and a grip that changes at 0.12 s and at 0.2 s.
-fn scene<B: Tethered<f64>>(body: B, grips: [B::Parts; 3]) -> impl Plant<f64> {
+fn scene<B: OperatedBody<f64>>(body: B, grips: [B::Parts; 3]) -> impl Plant<f64> {
     let [own, firm, loose] = grips;
     body.led_by(sine())
         .gripped(own, vec![(120, firm), (200, loose)])
@@ -224,14 +228,18 @@ fn scene<B: Tethered<f64>>(body: B, grips: [B::Parts; 3]) -> impl Plant<f64> {
 
 fn compare(mut plant: impl Plant<f64>, third: [f64; 2], end: [f64; 2], most: [f64; 2]) {
     for tick in 0..300 {
-        let drive = plant.advance(effort(tick));
-        assert_eq!((drive.acted, drive.work), (effort(tick), effort(tick) * drive.displacement));
+        let sample = plant.advance(effort(tick));
+        assert_eq!(
+            (sample.applied, sample.work),
+            (effort(tick), effort(tick) * sample.displacement)
+        );
         let exact = match tick {
             99 => third,
             299 => end,
             _ => continue,
         };
-        for ((found, exact), most) in [drive.position, drive.velocity].iter().zip(exact).zip(most) {
+        for ((found, exact), most) in [sample.position, sample.velocity].iter().zip(exact).zip(most)
+        {
             let off = (found - exact).abs();
             assert!(off <= 1e-12 * most, "{found} is off by {off:e} of {most:e} at {tick}");
         }
@@ -251,14 +259,14 @@ fn scenes_equal_their_references() {
         [-0.09491495296952122, -0.4757700972565052],
         [0.09491495296952122, 1.30492400325953],
     );
-    let two = |damping, stiffness| TwoMass {
+    let two = |damping, stiffness| TwoMassParts {
         operator: Impedance { mass: 0.1, damping, stiffness },
         device: DampedMass { mass: 0.2, damping: 0.001 },
-        link: Link { stiffness: 5000.0, damping: 1.0 },
+        link: ElasticJoint { stiffness: 5000.0, damping: 1.0 },
     };
     compare(
         scene(
-            Linked::new(two(0.2, 50.0), 1.0 / RATE).expect("two masses").starting(-0.004, 0.0),
+            TwoMassBody::new(two(0.2, 50.0), 1.0 / RATE).expect("two masses").starting(-0.004, 0.0),
             [two(0.2, 50.0), two(2.0, 400.0), two(0.1, 20.0)],
         ),
         [0.0220426561726144, 0.46729193289296367],
@@ -267,7 +275,7 @@ fn scenes_equal_their_references() {
     );
 }
 
-/// Each true interval by the series in double-double, and the nominal one in the drive.
+/// Each true interval by the series in double-double, and the nominal one in the sample.
 #[test]
 fn a_jittered_body_moves_for_the_true_interval() {
     hold(500, uniform16(any::<Bits>()), |bits| {
@@ -284,13 +292,13 @@ fn a_jittered_body_moves_for_the_true_interval() {
         for _ in 0..20 {
             let interval = (1.0 / RATE + deviation * normal()).max(0.0);
             let next = motion.over(interval).step(&motion, state, 1.5);
-            let drive = plant.advance(1.5);
-            prop_assert!(drive.period == 1.0 / RATE);
-            prop_assert!(drive.work == 1.5 * drive.displacement);
-            prop_assert!(abs_diff_eq!(drive.position, next.position, epsilon = 1e-15));
-            prop_assert!(abs_diff_eq!(drive.velocity, next.velocity, epsilon = 1e-13));
+            let sample = plant.advance(1.5);
+            prop_assert!(sample.period == 1.0 / RATE);
+            prop_assert!(sample.work == 1.5 * sample.displacement);
+            prop_assert!(abs_diff_eq!(sample.position, next.position, epsilon = 1e-15));
+            prop_assert!(abs_diff_eq!(sample.velocity, next.velocity, epsilon = 1e-13));
             let moved = next.position - state.position;
-            prop_assert!(abs_diff_eq!(drive.displacement, moved, epsilon = 1e-15));
+            prop_assert!(abs_diff_eq!(sample.displacement, moved, epsilon = 1e-15));
             state = next;
         }
         Ok(())
@@ -304,13 +312,13 @@ fn hostile_jitter_stops_the_body() {
     let body = Body::new(parts, 1.0 / RATE).expect("a body").starting(0.01, 0.3);
     for wrong in [f64::NAN, f64::NEG_INFINITY, -1e300, -10.0] {
         let mut plant = body.jittered(parts, 1.0, move || wrong).expect("a jitter");
-        let drive = plant.advance(1.0);
-        assert_eq!((drive.position, drive.velocity), (0.01, 0.3), "{wrong}");
-        assert_eq!((drive.displacement, drive.work, drive.period), (0.0, 0.0, 1.0 / RATE));
+        let sample = plant.advance(1.0);
+        assert_eq!((sample.position, sample.velocity), (0.01, 0.3), "{wrong}");
+        assert_eq!((sample.displacement, sample.work, sample.period), (0.0, 0.0, 1.0 / RATE));
     }
     let mut plant = body.jittered(parts, 1.0, || f64::INFINITY).expect("a jitter");
-    let drive: Drive<f64> = plant.advance(1.0);
-    assert!(drive.finite());
+    let sample: PortSample<f64> = plant.advance(1.0);
+    assert!(sample.finite());
 }
 
 /// A grip around a jitter is heard; of rows of one tick the last counts; what the table says of tick 0 holds at once.
@@ -339,11 +347,11 @@ fn a_load_pushes_along_the_first_axis() {
     let parts = Impedance { mass: 0.5, damping: 0.0, stiffness: 0.0 };
     let load = FirstAxis::of(Constant::new(2.0).expect("a load"), Vector2::zeros());
     let mut plant = Body::new(parts, 0.25).expect("a body").pushed(load);
-    let drive = plant.advance(Vector2::new(0.0, 1.0));
+    let sample = plant.advance(Vector2::new(0.0, 1.0));
     // x = ± f t² / (2 m)
-    assert_eq!(drive.position, Vector2::new(0.125, -0.0625));
-    assert_eq!(drive.acted, Vector2::new(0.0, 1.0));
-    assert_eq!(drive.work, Vector2::new(0.0, -0.0625));
+    assert_eq!(sample.position, Vector2::new(0.125, -0.0625));
+    assert_eq!(sample.applied, Vector2::new(0.0, 1.0));
+    assert_eq!(sample.work, Vector2::new(0.0, -0.0625));
 }
 
 #[test]

@@ -4,8 +4,10 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Action, Body, DampingLimit, Dissipation, Drive, Impedance, Lolc, LyapunovCandidate, OnePort,
-    Plant, Popc, PortEnergy, Scalar, Spring, Stabilizer,
+    Correction, DampingLimit, Dissipation, Lolc, LyapunovCandidate, OnePort, Plant, Popc,
+    PortEnergy, PortSample, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+    environments::Spring,
 };
 
 use crate::support::{Bits, Port, Real, Stream, log_between, ordinary, power, same, same_axes};
@@ -37,8 +39,8 @@ impl PassivityController {
 struct SpringCandidate;
 
 impl<V: Port> LyapunovCandidate<V> for SpringCandidate {
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        let work = |axis: usize| drive.acted.axis(axis) * drive.displacement.axis(axis);
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        let work = |axis: usize| sample.applied.axis(axis) * sample.displacement.axis(axis);
         match V::AXES {
             1 => work(0),
             _ => (work(0) + work(2)) + work(1),
@@ -46,8 +48,8 @@ impl<V: Port> LyapunovCandidate<V> for SpringCandidate {
     }
 }
 
-fn equal<V: Port>(a: Action<V>, b: Action<V>) -> TestCaseResult {
-    let scalars = |a: Action<V>| [a.sum, a.alpha, a.shortfall].map(Real::f64);
+fn equal<V: Port>(a: Correction<V>, b: Correction<V>) -> TestCaseResult {
+    let scalars = |a: Correction<V>| [a.observed_energy, a.alpha, a.shortfall].map(Real::f64);
     let (one, other) = (scalars(a), scalars(b));
     prop_assert!(one.iter().zip(other).all(|(a, b)| same(*a, b)), "{one:?} is not {other:?}");
     prop_assert!(same_axes(a.effort, b.effort) && a.accepted == b.accepted, "{a:?} is not {b:?}");
@@ -71,16 +73,16 @@ mod check {
             let mut reference = PassivityController::default();
             let period = V::Scalar::of(log_between(rate, 1e-4, 0.1));
             for bits in samples {
-                let (drive, effort) = drive_of::<V>(bits, true, period);
-                let action = popc.stabilize(&drive, effort);
+                let (sample, effort) = drive_of::<V>(bits, true, period);
+                let correction = popc.stabilize(&sample, effort);
                 let list = |signal: V| signal.axes().map(Real::f64).collect::<Vec<_>>();
-                let flow_squared = list(drive.velocity).iter().map(|v| v * v).sum();
+                let flow_squared = list(sample.velocity).iter().map(|v| v * v).sum();
                 let t = period.f64();
-                reference.step(&list(effort), &list(drive.velocity), flow_squared, t);
+                reference.step(&list(effort), &list(sample.velocity), flow_squared, t);
                 let bound = 128.0 * V::Scalar::unit() * reference.size;
-                let off = (action.sum.f64() - reference.energy).abs();
+                let off = (correction.observed_energy.f64() - reference.energy).abs();
                 prop_assert!(off <= bound, "energy off by {off:e}, {bound:e} allowed");
-                let off = (action.alpha.f64() - reference.alpha).abs() * flow_squared * t;
+                let off = (correction.alpha.f64() - reference.alpha).abs() * flow_squared * t;
                 prop_assert!(off <= bound, "burns {off:e} more or less, {bound:e} allowed");
             }
             Ok(())
@@ -95,17 +97,18 @@ mod check {
             let mut credited = Lolc::new((PortEnergy, nothing), limit);
             let mut spring = Lolc::new(SpringCandidate, limit);
             let mut sound = true;
-            for (drive, effort) in samples {
-                let action = popc.stabilize(&drive, effort);
+            for (sample, effort) in samples {
+                let correction = popc.stabilize(&sample, effort);
                 // Without a credit a bad velocity does no harm to the decrease.
-                sound &= power(drive.velocity).f64().is_finite() && drive.period.f64().is_finite();
+                sound &=
+                    power(sample.velocity).f64().is_finite() && sample.period.f64().is_finite();
                 if sound {
-                    equal(action, credited.stabilize(&drive, effort))?;
+                    equal(correction, credited.stabilize(&sample, effort))?;
                 }
-                let whole = Drive { work: V::zero(), ..drive };
-                let told = drive.work == drive.acted.times(drive.displacement);
+                let whole = PortSample { work: V::zero(), ..sample };
+                let told = sample.work == sample.applied.times(sample.displacement);
                 if told {
-                    equal(action, spring.stabilize(&whole, effort))?;
+                    equal(correction, spring.stabilize(&whole, effort))?;
                 } else {
                     return Ok(());
                 }
@@ -130,20 +133,20 @@ mod check {
             let mut own = spring.stabilized(Lolc::new(SpringCandidate, limit));
             let (mut one, mut two, mut three) = (body, body, body);
             let (mut a, mut b, mut c) = (body.start(), body.start(), body.start());
-            let mut acted = false;
+            let mut applied = false;
             for _ in 0..60 {
                 (a, b, c) = (
                     one.advance(popc.respond(&a)),
                     two.advance(lolc.respond(&b)),
                     three.advance(own.respond(&c)),
                 );
-                equal(popc.action(), lolc.action())?;
-                equal(popc.action(), own.action())?;
-                acted |= popc.action().alpha > of(0.0);
+                equal(popc.correction(), lolc.correction())?;
+                equal(popc.correction(), own.correction())?;
+                applied |= popc.correction().alpha > of(0.0);
             }
             prop_assert!(
-                acted || start == V::zero(),
-                "a held spring gains energy, but nothing acted"
+                applied || start == V::zero(),
+                "a held spring gains energy, but nothing applied"
             );
             Ok(())
         });

@@ -6,7 +6,10 @@ use proptest::array::uniform16;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{Body, Impedance, Plant, held_input};
+use lyapunov::{
+    Plant,
+    bodies::{Body, Impedance, held_input},
+};
 
 use crate::support::{
     Bits, CASES, Double, Gain, Motion, Port, Real, hold, log_between, ordinary, unit,
@@ -54,8 +57,8 @@ fn increments<T: Real + Port<Scalar = T>>(impedance: Impedance<T>, period: T) ->
     let body = Body::new(impedance, period).expect("a body");
     let moved = |from: T, velocity: T, effort: T| {
         // At the origin with its rest a metre behind, a body's new position is its increment.
-        let drive = body.resting_at(-from).starting(zero, velocity).advance(effort);
-        (drive.position.f64(), (drive.velocity - velocity).f64())
+        let sample = body.resting_at(-from).starting(zero, velocity).advance(effort);
+        (sample.position.f64(), (sample.velocity - velocity).f64())
     };
     let parts = [moved(one, zero, zero), moved(zero, one, zero), moved(zero, zero, one)];
     Gain { position: parts.map(|part| part.0), velocity: parts.map(|part| part.1) }
@@ -140,9 +143,9 @@ fn drift(start: f32, stiffness: f32, rate: f32, steps: u32) -> f64 {
     let mut body = Body::new(impedance, 1.0 / rate).expect("a body").starting(start, 0.0);
     let mut most = 0f64;
     for step in 0..steps {
-        let drive = body.advance(0.0);
+        let sample = body.advance(0.0);
         if step % 16 == 0 {
-            let (x, v) = (f64::from(drive.position), f64::from(drive.velocity));
+            let (x, v) = (f64::from(sample.position), f64::from(sample.velocity));
             let amplitude = (x * x + v * v * f64::from(mass) / f64::from(stiffness)).sqrt();
             most = most.max((amplitude / f64::from(start) - 1.0).abs());
         }

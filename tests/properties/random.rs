@@ -3,7 +3,10 @@
 use nalgebra::Vector3;
 
 use lyapunov::lanes::{AutoF32x4, AutoF64x8};
-use lyapunov::{Mask, Random, Scalar, Source};
+use lyapunov::{
+    Mask, Scalar,
+    effects::{Random, Source},
+};
 
 const MANY: usize = 1_000_000;
 

@@ -5,8 +5,8 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Accumulator, Compensated, Dissipation, Lolc, LyapunovCandidate, Plain, PortEnergy, Scalar,
-    Stabilizer, Wide,
+    Dissipation, Lolc, LyapunovCandidate, PortEnergy, Scalar, Stabilizer,
+    accumulators::{Accumulator, Compensated, Plain, Wide},
 };
 
 use crate::support::{Book, Credit, Ledger, Port, Real, Stream};
@@ -20,17 +20,17 @@ fn follows<V: Port>(
 ) -> TestCaseResult {
     let mut ledger = Ledger::new(book, credit, stream.limit);
     let unit = V::Scalar::unit();
-    for &(drive, effort) in &stream.samples {
-        let action = stabilizer.stabilize(&drive, effort);
-        let tick = ledger.tick(&drive, effort);
-        let accepted = tick.accepted.unwrap_or(action.accepted);
-        prop_assert!(action.accepted == accepted, "accepted {} {tick:?}", action.accepted);
-        let (sum, alpha) = (action.sum.f64(), action.alpha.f64());
+    for &(sample, effort) in &stream.samples {
+        let correction = stabilizer.stabilize(&sample, effort);
+        let tick = ledger.tick(&sample, effort);
+        let accepted = tick.accepted.unwrap_or(correction.accepted);
+        prop_assert!(correction.accepted == accepted, "accepted {} {tick:?}", correction.accepted);
+        let (sum, alpha) = (correction.observed_energy.f64(), correction.alpha.f64());
         prop_assert!(
             abs_diff_eq!(sum, tick.sum, epsilon = tick.error),
             "sum {sum} is not {tick:?}"
         );
-        let short = (action.shortfall.f64() - tick.shortfall).abs();
+        let short = (correction.shortfall.f64() - tick.shortfall).abs();
         if !accepted {
             ledger.rejected();
             prop_assert!(short <= tick.error, "shortfall {short} off {tick:?}");
@@ -39,16 +39,16 @@ fn follows<V: Port>(
         // α is known as well as the debt is, and rounded to within a few units.
         let square = tick.square.f64();
         let slack = tick.error + 16.0 * unit * sum.abs();
-        let least = V::Scalar::least().f64() * square;
+        let least = V::Scalar::smallest_positive().f64() * square;
         let off = (alpha - tick.alpha).abs() * square;
         prop_assert!(off <= slack + least, "alpha {alpha} is not {tick:?}");
         prop_assert!(short <= 2.0 * slack + least, "shortfall {short} off {tick:?}");
         for axis in 0..V::AXES {
-            let flow = drive.velocity.axis(axis).f64();
+            let flow = sample.velocity.axis(axis).f64();
             let expected = effort.axis(axis).f64() + alpha * flow;
             let size = effort.axis(axis).f64().abs() + (alpha * flow).abs();
-            let off = (action.effort.axis(axis).f64() - expected).abs();
-            let bound = 8.0 * unit * size + V::Scalar::least().f64();
+            let off = (correction.effort.axis(axis).f64() - expected).abs();
+            let bound = 8.0 * unit * size + V::Scalar::smallest_positive().f64();
             prop_assert!(off <= bound || size > V::Scalar::largest().f64(), "effort off {off}");
         }
     }
@@ -72,7 +72,7 @@ fn each_candidate<V: Port, A: Accumulator<V::Scalar>>(stream: &Stream<V>) -> Tes
     let contact = V::contact(damping, surface);
     each_work::<V, _, A>(PortEnergy, Credit::None, stream)?;
     each_work::<V, _, A>((PortEnergy, damper), Credit::Always(damping), stream)?;
-    each_work::<V, _, A>((PortEnergy, contact), Credit::Beyond(damping, surface), stream)
+    each_work::<V, _, A>((PortEnergy, contact), Credit::InContact(damping, surface), stream)
 }
 
 mod check {

@@ -7,9 +7,12 @@ use proptest::prop_assert;
 
 use lyapunov::lanes::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
 use lyapunov::{
-    Accumulator, Adapt, Body, Compensated, DampingLimit, Dissipation, Impedance, Lolc,
-    LyapunovCandidate, Mask, MassSpringDamper, OnePort, Plain, Plant, PortEnergy, Scalar, Signal,
-    Stabilizer, Wall, Wide,
+    DampingLimit, Dissipation, Lolc, LyapunovCandidate, Mask, OnePort, Plant, PortEnergy, Scalar,
+    Signal, Stabilizer,
+    accumulators::{Accumulator, Compensated, Plain, Wide},
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::{MassSpringDamper, Wall},
 };
 
 use crate::support::{Bits, CASES, Faulty, Real, hold, log_between, same, unit};
@@ -79,19 +82,19 @@ impl Parameters {
             .encoded(self.each(first, 10, 1e-7, 1e-4))
             .expect("an encoder");
         let (mut numbers, mut accepted) = (Vec::new(), Vec::new());
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         for _ in 0..TICKS {
-            let effort = port.respond(&drive);
-            let action = port.action();
-            for signal in [drive.position, drive.velocity, effort, action.effort] {
+            let effort = port.respond(&sample);
+            let correction = port.correction();
+            for signal in [sample.position, sample.velocity, effort, correction.effort] {
                 signal.map(|axis| {
                     numbers.push(axis);
                     axis
                 });
             }
-            numbers.extend([action.sum, action.alpha, action.shortfall]);
-            accepted.push(action.accepted);
-            drive = plant.advance(effort);
+            numbers.extend([correction.observed_energy, correction.alpha, correction.shortfall]);
+            accepted.push(correction.accepted);
+            sample = plant.advance(effort);
         }
         (numbers, accepted)
     }
@@ -181,7 +184,7 @@ fn rollouts_show_something() {
         let (numbers, accepted) = parameters.at_a_wall::<AutoF64x4, Plain<AutoF64x4>>(0);
         prop_assert!(numbers.iter().all(|n| (0..4).all(|lane| n.lane(lane).abs() < 1e6)));
         let mut now = seen.get();
-        // Position, velocity, effort, the action's effort, sum, alpha.
+        // Position, velocity, effort, the correction's effort, sum, alpha.
         now[0] += usize::from(numbers.chunks(7).any(|row| row[5].lane(0) > 0.0));
         now[1] += usize::from(accepted.iter().any(|mask| !mask.all() && mask.any()));
         now[2] += usize::from(unit(bits[0]) > 0.5 && accepted.iter().all(|mask| mask.all()));

@@ -5,34 +5,35 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Accumulator, Action, Compensated, Dissipation, Drive, Lolc, LyapunovCandidate, Plain,
-    PortEnergy, Scalar, Stabilizer, Wide,
+    Correction, Dissipation, Lolc, LyapunovCandidate, PortEnergy, PortSample, Scalar, Stabilizer,
+    accumulators::{Accumulator, Compensated, Plain, Wide},
 };
 
 use crate::support::{Port, Real, Stream, power};
 
 /// What the laws are about, on one tick.
 struct Seen<V: Port> {
-    drive: Drive<V>,
+    sample: PortSample<V>,
     effort: V,
     limit: V::Scalar,
-    action: Action<V>,
+    correction: Correction<V>,
 }
 
 impl<V: Port> Seen<V> {
     /// `α` is rounded to a few units in the last place only where it and what it burns are normal numbers.
     fn roundable(&self) -> bool {
-        let tiny = V::Scalar::tiny();
-        self.action.alpha >= tiny && self.action.alpha * self.square() >= tiny
+        let tiny = V::Scalar::smallest_normal();
+        self.correction.alpha >= tiny && self.correction.alpha * self.square() >= tiny
     }
 
     fn square(&self) -> V::Scalar {
-        power(self.drive.velocity) * self.drive.period
+        power(self.sample.velocity) * self.sample.period
     }
 
     /// Everything that holds for every sample, sound or not.
     fn bounds(&self) -> TestCaseResult {
-        let Action { effort, sum, alpha, shortfall, accepted } = self.action;
+        let Correction { effort, observed_energy: sum, alpha, shortfall, accepted } =
+            self.correction;
         let zero = V::Scalar::of(0.0);
         prop_assert!(effort.all_finite(), "effort {effort:?}");
         prop_assert!(sum.f64().is_finite(), "sum {sum:?}");
@@ -50,8 +51,8 @@ impl<V: Port> Seen<V> {
 
     /// What the contract says of a sample that was accepted.
     fn served(&self) -> TestCaseResult {
-        let Action { sum, alpha, shortfall, .. } = self.action;
-        let (zero, tiny) = (V::Scalar::of(0.0), V::Scalar::tiny());
+        let Correction { observed_energy: sum, alpha, shortfall, .. } = self.correction;
+        let (zero, tiny) = (V::Scalar::of(0.0), V::Scalar::smallest_normal());
         let square = self.square();
         let burnt = alpha * square;
         if sum >= zero {
@@ -70,7 +71,7 @@ impl<V: Port> Seen<V> {
             // The best that a subnormal α, or one of which the burnt energy is subnormal, can do: a few of their steps
             // are lacking.
             let lacking = -(sum + burnt + shortfall).f64();
-            let step = V::Scalar::least().f64();
+            let step = V::Scalar::smallest_positive().f64();
             prop_assert!(lacking <= 4.0 * step * (1.0 + square.f64()), "{lacking:e}");
         }
         Ok(())
@@ -79,11 +80,11 @@ impl<V: Port> Seen<V> {
     /// The served sum is not negative for readers who multiply in another order either, as long as none of their
     /// products is too small to be rounded to a unit in the last place.
     fn in_any_order(&self) -> TestCaseResult {
-        let (alpha, period) = (self.action.alpha, self.drive.period);
-        let square = power(self.drive.velocity);
-        let tiny = V::Scalar::tiny();
+        let (alpha, period) = (self.correction.alpha, self.sample.period);
+        let square = power(self.sample.velocity);
+        let tiny = V::Scalar::smallest_normal();
         for (first, then) in [(alpha * square, period), (alpha * period, square)] {
-            let served = self.action.sum + first * then;
+            let served = self.correction.observed_energy + first * then;
             let rounded = first >= tiny && first * then >= tiny && square >= tiny;
             prop_assert!(!rounded || served >= V::Scalar::of(0.0), "{served:?} in another order");
         }
@@ -93,8 +94,8 @@ impl<V: Port> Seen<V> {
     /// No axis is pushed the way it moves away from the environment's effort.
     fn opposes(&self) -> TestCaseResult {
         for axis in 0..V::AXES {
-            let (before, after) = (self.effort.axis(axis), self.action.effort.axis(axis));
-            let flow = self.drive.velocity.axis(axis);
+            let (before, after) = (self.effort.axis(axis), self.correction.effort.axis(axis));
+            let flow = self.sample.velocity.axis(axis);
             let zero = Scalar::of(0.0);
             prop_assert!(flow < zero || after >= before, "axis {axis} is pushed on");
             prop_assert!(flow > zero || after <= before, "axis {axis} is pushed on");
@@ -104,11 +105,11 @@ impl<V: Port> Seen<V> {
 }
 
 fn laws<V: Port>(mut stabilizer: impl Stabilizer<V>, stream: &Stream<V>) -> TestCaseResult {
-    for &(drive, effort) in &stream.samples {
-        let action = stabilizer.stabilize(&drive, effort);
-        let seen = Seen { drive, effort, limit: stream.limit.most(), action };
+    for &(sample, effort) in &stream.samples {
+        let correction = stabilizer.stabilize(&sample, effort);
+        let seen = Seen { sample, effort, limit: stream.limit.most(), correction };
         seen.bounds()?;
-        if action.accepted {
+        if correction.accepted {
             seen.served()?;
             seen.opposes()?;
         }
@@ -164,14 +165,14 @@ mod check {
             // Sum, v² T and efforts, together not above 0.96 of the largest number.
             let largest = V::Scalar::largest().f64();
             let share = |at: usize, most: f64| most * unit(bits[at]) * largest;
-            let acted = V::from_axes(|axis| of(share(axis, 0.08)));
+            let applied = V::from_axes(|axis| of(share(axis, 0.08)));
             let velocity = V::from_axes(|axis| of(share(3 + axis % 2, 0.08).sqrt()));
             let effort = V::from_axes(|axis| of(-share(5 + axis, 0.16)));
             let limit = DampingLimit::at(of(1.0)).expect("a limit");
             let mut popc = Lolc::new(PortEnergy, limit);
-            let drive = Drive::new(of(1.0), V::zero(), velocity, V::splat(of(1.0)), acted);
-            let action = popc.stabilize(&drive, effort);
-            prop_assert!(action.accepted && action.effort == effort, "{action:?}");
+            let sample = PortSample::new(of(1.0), V::zero(), velocity, V::splat(of(1.0)), applied);
+            let correction = popc.stabilize(&sample, effort);
+            prop_assert!(correction.accepted && correction.effort == effort, "{correction:?}");
             Ok(())
         });
     }
@@ -215,10 +216,11 @@ mod any_bits {
     ) -> TestCaseResult {
         for bits in samples {
             let signal = |at: usize| V::from_axes(|axis| wild(bits[at + axis]));
-            let drive = Drive::new(wild(bits[15]), V::zero(), signal(0), signal(3), signal(6));
+            let sample =
+                PortSample::new(wild(bits[15]), V::zero(), signal(0), signal(3), signal(6));
             let effort = signal(9);
-            let action = lolc.stabilize(&drive, effort);
-            Seen { drive, effort, limit, action }.bounds()?;
+            let correction = lolc.stabilize(&sample, effort);
+            Seen { sample, effort, limit, correction }.bounds()?;
         }
         Ok(())
     }

@@ -6,8 +6,10 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, MassSpringDamper, Observer, OnePort, Plant,
-    PortEnergy, Scalar, Spring, Wall,
+    DampingLimit, Lolc, Observer, OnePort, Plant, PortEnergy, PortSample, Scalar,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::{MassSpringDamper, Spring, Wall},
 };
 
 use crate::support::{
@@ -59,15 +61,15 @@ impl<V: Port> Loop<V> {
         (Motion { rest: self.rest.axis(axis).f64(), ..self.motion }, State { position, velocity })
     }
 
-    /// Runs the loop closed by `port`: on each tick the effort that then acted, the drive, and the observer sum
+    /// Runs the loop closed by `port`: on each tick the effort that then applied, the sample, and the observer sum
     /// inside of saturation and delay.
-    fn run(&self, mut port: impl OnePort<V>) -> Vec<(V, Drive<V>, V::Scalar)> {
-        let (mut plant, mut drive) = (self.body(), self.body().start());
+    fn run(&self, mut port: impl OnePort<V>) -> Vec<(V, PortSample<V>, V::Scalar)> {
+        let (mut plant, mut sample) = (self.body(), self.body().start());
         (0..TICKS)
             .map(|_| {
-                let effort = port.respond(&drive);
-                let seen = (effort, drive, port.action().sum);
-                drive = plant.advance(effort);
+                let effort = port.respond(&sample);
+                let seen = (effort, sample, port.correction().observed_energy);
+                sample = plant.advance(effort);
                 seen
             })
             .collect()
@@ -75,7 +77,7 @@ impl<V: Port> Loop<V> {
 
     /// The work of the recorded efforts up to each tick over the motion that they cause, and the sum of magnitudes:
     /// nothing but the efforts is taken from the run.
-    fn true_work(&self, run: &[(V, Drive<V>, V::Scalar)]) -> Vec<(f64, f64)> {
+    fn true_work(&self, run: &[(V, PortSample<V>, V::Scalar)]) -> Vec<(f64, f64)> {
         let period = self.period.f64();
         let nodes = self.motion.nodes(period);
         let whole = self.motion.over(period);
@@ -103,23 +105,24 @@ impl<V: Port> Loop<V> {
 }
 
 /// The observer at the plant and the one inside both tell the true work.
-fn is_true<V: Port>(run: &[(V, Drive<V>, V::Scalar)], truth: &[(f64, f64)]) -> TestCaseResult {
+fn is_true<V: Port>(run: &[(V, PortSample<V>, V::Scalar)], truth: &[(f64, f64)]) -> TestCaseResult {
     let share = if V::Scalar::unit() < 1e-10 { 1e-10 } else { 1e-5 };
     let mut observer = Observer::of(PortEnergy);
     let mut rounding = 0.0;
-    for ((effort, drive, inside), (work, size)) in run.iter().zip(truth) {
+    for ((effort, sample, inside), (work, size)) in run.iter().zip(truth) {
         // Both ends of a displacement are positions that the scalar has rounded.
-        let ends = drive.acted.times(drive.position).axes().map(|fx| fx.f64().abs()).sum::<f64>();
+        let ends =
+            sample.applied.times(sample.position).axes().map(|fx| fx.f64().abs()).sum::<f64>();
         rounding += 2.0 * V::Scalar::unit() * ends;
-        let sum: V::Scalar = observer.observe(drive, *effort);
+        let sum: V::Scalar = observer.observe(sample, *effort);
         for sum in [sum.f64(), inside.f64()] {
             let off = (sum - work).abs();
             let bound = share * size + rounding;
             prop_assert!(off <= bound, "{sum:e} J instead of {work:e} of {size:e}");
         }
     }
-    let acted = run.iter().any(|(effort, ..)| effort.axes().any(|f| f.f64() != 0.0));
-    prop_assert!(acted, "nothing acted");
+    let applied = run.iter().any(|(effort, ..)| effort.axes().any(|f| f.f64() != 0.0));
+    prop_assert!(applied, "nothing applied");
     Ok(())
 }
 
@@ -128,7 +131,7 @@ fn closed<V: Port>(
     bits: &[Bits; 16],
     looped: &Loop<V>,
     environment: impl OnePort<V>,
-) -> Vec<(V, Drive<V>, V::Scalar)> {
+) -> Vec<(V, PortSample<V>, V::Scalar)> {
     let force = V::Scalar::of(log_between(bits[12], 0.3, 30.0));
     let port = environment
         .held(1 + (bits[13] % 4) as u32)

@@ -20,14 +20,14 @@ macro_rules! lolc {
             #[inline(never)]
             pub(crate) fn run(&mut self, positions: &mut [$real]) {
                 let Self { mass, wall, damping, passivity } = self;
-                let (mut acted, mut moved) = (0.0, 0.0);
+                let (mut applied, mut moved) = (0.0, 0.0);
                 for position in positions {
                     let velocity = moved / mass.period;
                     let burnt = *damping * (velocity * velocity * mass.period);
-                    let decrease = acted * moved + if burnt.is_finite() { burnt } else { 0.0 };
+                    let decrease = applied * moved + if burnt.is_finite() { burnt } else { 0.0 };
                     let force = wall.force(mass.position, velocity);
-                    acted = passivity.effort(mass.period, velocity, decrease, force);
-                    moved = mass.advance(acted);
+                    applied = passivity.effort(mass.period, velocity, decrease, force);
+                    moved = mass.advance(applied);
                     *position = mass.position;
                 }
             }

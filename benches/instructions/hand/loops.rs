@@ -18,14 +18,14 @@ macro_rules! loops {
             #[inline(never)]
             pub(crate) fn run(&mut self, positions: &mut [$real]) {
                 let Self { mass, wall, passivity } = self;
-                let (mut acted, mut moved) = (0.0, 0.0);
+                let (mut applied, mut moved) = (0.0, 0.0);
                 for position in positions {
                     let velocity = moved / mass.period;
-                    let work = acted * moved;
+                    let work = applied * moved;
                     wall.book(mass.period, moved, work);
                     let force = wall.force(mass.position, velocity);
-                    acted = passivity.effort(mass.period, velocity, work, force);
-                    moved = mass.advance(acted);
+                    applied = passivity.effort(mass.period, velocity, work, force);
+                    moved = mass.advance(applied);
                     *position = mass.position;
                 }
             }
@@ -34,12 +34,12 @@ macro_rules! loops {
             #[inline(never)]
             pub(crate) fn roll(&self, positions: &mut [$real]) {
                 let Self { mut mass, mut wall, mut passivity } = *self;
-                let (mut acted, mut moved) = (0.0, 0.0);
+                let (mut applied, mut moved) = (0.0, 0.0);
                 for position in positions {
                     let velocity = moved / mass.period;
                     let force = wall.force(mass.position, velocity);
-                    acted = passivity.effort(mass.period, velocity, acted * moved, force);
-                    moved = mass.advance(acted);
+                    applied = passivity.effort(mass.period, velocity, applied * moved, force);
+                    moved = mass.advance(applied);
                     *position = mass.position;
                 }
             }
@@ -63,11 +63,11 @@ macro_rules! loops {
             #[inline(never)]
             pub(crate) fn run(&mut self, positions: &mut [$real]) {
                 let Self { mass, wall, bound } = self;
-                let (mut acted, mut moved) = (0.0, 0.0);
+                let (mut applied, mut moved) = (0.0, 0.0);
                 for position in positions {
                     let force = wall.force(mass.position, moved / mass.period);
-                    acted = bound.effort(mass.period, moved, acted * moved, force);
-                    moved = mass.advance(acted);
+                    applied = bound.effort(mass.period, moved, applied * moved, force);
+                    moved = mass.advance(applied);
                     *position = mass.position;
                 }
             }
@@ -91,12 +91,12 @@ macro_rules! loops {
             #[inline(never)]
             pub(crate) fn run(&mut self, positions: &mut [$real]) {
                 let Self { mass, wall, tank } = self;
-                let (mut acted, mut moved) = (0.0, 0.0);
+                let (mut applied, mut moved) = (0.0, 0.0);
                 for position in positions {
                     let velocity = moved / mass.period;
                     let force = wall.force(mass.position, velocity);
-                    acted = tank.effort(mass.period, velocity, acted * moved, force);
-                    moved = mass.advance(acted);
+                    applied = tank.effort(mass.period, velocity, applied * moved, force);
+                    moved = mass.advance(applied);
                     *position = mass.position;
                 }
             }

@@ -9,7 +9,7 @@ mod walls;
 macro_rules! hand {
     ($real:ident) => {
         pub(crate) mod $real {
-            use lyapunov::held_input;
+            use lyapunov::bodies::held_input;
             use nalgebra::Matrix3;
 
             use crate::numbers::{

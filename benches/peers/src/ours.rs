@@ -1,7 +1,10 @@
 //! This library: plants and ports composed by type.
 
 use lyapunov::{
-    Body, Impedance, OnePort, Oscillator, ParameterError, Plant, RungeKuttaNystrom4, Stepped, Wall,
+    OnePort, ParameterError, Plant,
+    bodies::{Body, Impedance, IntegratedPlant},
+    environments::Wall,
+    integrators::{Oscillator, RungeKuttaNystrom4},
 };
 
 use crate::scene::{
@@ -13,11 +16,11 @@ const HAND: Impedance<f64> = Impedance { mass: MASS, damping: DAMPING, stiffness
 #[inline(always)]
 fn rollout(positions: &mut Positions, mut plant: impl Plant<f64>) -> Result<(), ParameterError> {
     let mut port = Wall::new(WALL_STIFFNESS, WALL_DAMPING)?;
-    let mut drive = plant.start();
-    positions[0] = drive.position;
+    let mut sample = plant.start();
+    positions[0] = sample.position;
     for at in &mut positions[1..] {
-        drive = plant.advance(port.respond(&drive));
-        *at = drive.position;
+        sample = plant.advance(port.respond(&sample));
+        *at = sample.position;
     }
     Ok(())
 }
@@ -32,5 +35,8 @@ pub(crate) fn exact(positions: &mut Positions) -> Result<(), ParameterError> {
 #[inline(never)]
 pub(crate) fn runge_kutta_4(positions: &mut Positions, steps: u32) -> Result<(), ParameterError> {
     let hand = Oscillator::new(HAND)?;
-    rollout(positions, Stepped::new(hand, RungeKuttaNystrom4, PERIOD, steps)?.starting(START, 0.0))
+    rollout(
+        positions,
+        IntegratedPlant::new(hand, RungeKuttaNystrom4, PERIOD, steps)?.starting(START, 0.0),
+    )
 }

@@ -82,7 +82,7 @@ mod tests {
     use crate::contract::reference;
     use crate::contract::scene::{Kind, SOFT, STIFF, Scalar, Scene, Work};
 
-    /// A comparison that ends before the controller acted would compare nothing.
+    /// A comparison that ends before the controller applied would compare nothing.
     #[test]
     fn traces_reach_past_the_first_contact() {
         for wall in [SOFT, STIFF] {

@@ -19,7 +19,7 @@ pub(crate) struct Sample {
     pub(crate) v: Option<f64>,
 }
 
-/// What acted between two good rows.
+/// What applied between two good rows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub(crate) from: Sample,

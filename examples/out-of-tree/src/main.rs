@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use lyapunov::{Action, Drive, Signal, Stabilizer, laws};
+use lyapunov::{Correction, PortSample, Signal, Stabilizer, laws};
 use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Comparison, Contestants};
 
@@ -14,9 +14,9 @@ struct CouplingDamper<T> {
 }
 
 impl<V: Signal> Stabilizer<V> for CouplingDamper<V::Scalar> {
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        let damped = effort + drive.velocity.scale(self.damping);
-        Action { alpha: self.damping, ..Action::none(damped) }.checked()
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let damped = effort + sample.velocity.scale(self.damping);
+        Correction { alpha: self.damping, ..Correction::none(damped) }.checked()
     }
 }
 

@@ -65,10 +65,10 @@ trait Rolling<T> {
 impl<T: Space> Rolling<T> for Assembly<T> {
     #[inline(never)]
     fn roll(&mut self, positions: &mut [T]) {
-        let mut drive = self.plant.start();
+        let mut sample = self.plant.start();
         for position in positions {
-            self.tick(&mut drive);
-            *position = drive.position;
+            self.tick(&mut sample);
+            *position = sample.position;
         }
     }
 }
@@ -78,10 +78,10 @@ impl<T: Scalar, P: Plant<T>, Q: OnePort<T>> Rolling<T> for (P, Q) {
     #[inline(never)]
     fn roll(&mut self, positions: &mut [T]) {
         let (plant, port) = self;
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         for position in positions {
-            drive = plant.advance(port.respond(&drive));
-            *position = drive.position;
+            sample = plant.advance(port.respond(&sample));
+            *position = sample.position;
         }
     }
 }

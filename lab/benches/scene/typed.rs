@@ -1,8 +1,11 @@
 //! The same loops composed by type.
 
 use lyapunov::{
-    Adapt, Body, Constant, DampingLimit, Fallback, Impedance, OnePort, ParameterError, Perturb,
-    Plant, Popc, PortEnergy, Pulse, Scalar, Step, Wall,
+    DampingLimit, OnePort, ParameterError, Plant, Popc, PortEnergy, Scalar,
+    bodies::{Body, Impedance, PlantExt},
+    effects::{Fallback, OnePortExt},
+    environments::Wall,
+    trajectories::{Constant, Pulse, Step},
 };
 
 const RATE: f64 = 1000.0;

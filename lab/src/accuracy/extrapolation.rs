@@ -1,6 +1,9 @@
 //! A second way to follow a smooth motion to as many digits as its scalar has.
 
-use lyapunov::{Dynamics, Integrator, Mask, Scalar, Signal};
+use lyapunov::{
+    Mask, Scalar, Signal,
+    integrators::{Dynamics, Integrator},
+};
 
 /// Columns at most: the error of the last is of order `2 COLUMNS` in the step.
 const COLUMNS: usize = 14;
@@ -98,7 +101,12 @@ fn is_small<Q: Signal>(change: Q, from: Q, gained: Q) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use lyapunov::{DoubleDouble, Impedance, Oscillator, Scalar, State};
+    use lyapunov::{
+        Scalar,
+        accumulators::DoubleDouble,
+        bodies::Impedance,
+        integrators::{Oscillator, State},
+    };
 
     use super::*;
 

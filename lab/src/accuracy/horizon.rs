@@ -1,6 +1,6 @@
 //! For how long a trace can be believed.
 
-use lyapunov::{Action, DoubleDouble, Drive, OnePort, Scalar};
+use lyapunov::{Correction, OnePort, PortSample, Scalar, accumulators::DoubleDouble};
 
 use super::AccuracyError;
 use super::progress::Progress;
@@ -119,15 +119,15 @@ struct Pushed {
 }
 
 impl OnePort<DoubleDouble> for Pushed {
-    fn respond(&mut self, drive: &Drive<DoubleDouble>) -> DoubleDouble {
-        let effort = self.port.respond(drive);
+    fn respond(&mut self, sample: &PortSample<DoubleDouble>) -> DoubleDouble {
+        let effort = self.port.respond(sample);
         let now = self.at == 0;
         // Past the push the count stands at its largest and never comes to zero again.
         self.at = self.at.checked_sub(1).unwrap_or(usize::MAX);
         if now { effort + self.force } else { effort }
     }
 
-    fn action(&self) -> Action<DoubleDouble> {
-        self.port.action()
+    fn correction(&self) -> Correction<DoubleDouble> {
+        self.port.correction()
     }
 }

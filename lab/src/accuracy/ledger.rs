@@ -4,8 +4,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use lyapunov::{
-    Accumulator, Compensated, DampingLimit, DoubleDouble, Drive, Lolc, ParameterError, Plain,
-    PortEnergy, Scalar, Stabilizer, Wide,
+    DampingLimit, Lolc, ParameterError, PortEnergy, PortSample, Scalar, Stabilizer,
+    accumulators::{Accumulator, Compensated, DoubleDouble, Plain, Wide},
 };
 
 use super::AccuracyError;
@@ -48,7 +48,7 @@ struct Motion {
 
 impl Motion {
     fn new() -> Self {
-        let sample = |tick: u32| {
+        let sample_at = |tick: u32| {
             let turn = f64::from(tick) * SWINGS / f64::from(BLOCK);
             // A parabola for each half swing, signs alternating: a sine would be another one on every machine.
             let (half, part) = ((2.0 * turn).floor(), (2.0 * turn).fract());
@@ -56,7 +56,7 @@ impl Motion {
             let velocity = sign * 4.0 * part * (1.0 - part);
             (0.5 * velocity, 1e-3 * velocity)
         };
-        Self { samples: (0..BLOCK).map(sample).collect() }
+        Self { samples: (0..BLOCK).map(sample_at).collect() }
     }
 
     /// What the damper takes in all ticks, J.
@@ -68,18 +68,18 @@ impl Motion {
         block * DoubleDouble::of(f64::from(TICKS / BLOCK))
     }
 
-    fn drives<T: Scalar>(&self) -> Vec<Drive<T>> {
-        let drive = |&(force, displacement): &(f64, f64)| {
+    fn drives<T: Scalar>(&self) -> Vec<PortSample<T>> {
+        let sample = |&(force, displacement): &(f64, f64)| {
             let (period, velocity) = (T::of(1e-3), T::of(1e3 * displacement));
-            Drive::new(period, T::of(0.0), velocity, T::of(displacement), T::of(force))
+            PortSample::new(period, T::of(0.0), velocity, T::of(displacement), T::of(force))
         };
-        self.samples.iter().map(drive).collect()
+        self.samples.iter().map(sample).collect()
     }
 }
 
 /// A stabilizer with one kind of ledger, and what it is led through.
 struct Bench<T: Scalar, A> {
-    drives: Vec<Drive<T>>,
+    drives: Vec<PortSample<T>>,
     popc: Lolc<T, PortEnergy, lyapunov::Held, A>,
 }
 
@@ -102,8 +102,8 @@ impl<T: Scalar, A: Accumulator<T> + 'static> Bench<T, A> {
     fn run(&self, popc: &mut Lolc<T, PortEnergy, lyapunov::Held, A>, blocks: u32) -> T {
         let mut sum = T::of(0.0);
         for _ in 0..blocks {
-            for drive in &self.drives {
-                sum = popc.stabilize(drive, T::of(0.0)).sum;
+            for sample in &self.drives {
+                sum = popc.stabilize(sample, T::of(0.0)).observed_energy;
             }
         }
         sum

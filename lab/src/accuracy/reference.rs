@@ -1,6 +1,6 @@
 //! What errors are counted from.
 
-use lyapunov::{DoubleDouble, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, accumulators::DoubleDouble};
 
 use super::AccuracyError;
 use super::extrapolation::Extrapolation;

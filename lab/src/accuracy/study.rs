@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov::{DoubleDouble, Scalar};
+use lyapunov::{Scalar, accumulators::DoubleDouble};
 
 use super::front::front;
 use super::horizon::{BELIEVED, Growth};

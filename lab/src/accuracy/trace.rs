@@ -15,14 +15,14 @@ pub(super) fn trace<T: Space + Scalar>(
     ticks: usize,
     progress: Progress<'_>,
 ) -> Result<Vec<[T::Real; 2]>, AccuracyError> {
-    let mut drive = run.plant.start();
+    let mut sample = run.plant.start();
     let mut trace = Vec::with_capacity(ticks);
     for tick in 0..ticks {
-        if !(drive.position.lane(0).is_finite() && drive.velocity.lane(0).is_finite()) {
+        if !(sample.position.lane(0).is_finite() && sample.velocity.lane(0).is_finite()) {
             break;
         }
-        trace.push([drive.position.real(0), drive.velocity.real(0)]);
-        run.tick(&mut drive);
+        trace.push([sample.position.real(0), sample.velocity.real(0)]);
+        run.tick(&mut sample);
         if tick % BREATH == 0 {
             progress.tell(tick, ticks)?;
         }

@@ -8,7 +8,7 @@ use super::LinearPart;
 use super::loop_map::LoopMap;
 use super::polynomial::Polynomial;
 use super::roots::settle;
-use lyapunov::DoubleDouble;
+use lyapunov::accumulators::DoubleDouble;
 
 /// A crossing below this share of `m / T²` is one at 0, off by rounding.
 const NOTHING: f64 = 1e-24;

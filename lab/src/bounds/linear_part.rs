@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt;
 
-use lyapunov::{DampedMass, Impedance, Link};
+use lyapunov::bodies::{DampedMass, ElasticJoint, Impedance};
 
 use crate::Scene;
 use crate::scene::{Filter, Velocity};
@@ -30,7 +30,7 @@ pub struct LinearPart {
     pub period: f64,
     /// Servo ticks from one answer of the environment to the next.
     pub ratio: u64,
-    /// Servo ticks from an answer to its action.
+    /// Servo ticks from an answer to its correction.
     pub delay: u64,
     /// Where the velocity comes from.
     pub velocity: Estimate,
@@ -39,7 +39,7 @@ pub struct LinearPart {
     /// The hand.
     pub operator: Impedance<f64>,
     /// What joins the two; none where they move as one.
-    pub link: Option<Link<f64>>,
+    pub link: Option<ElasticJoint<f64>>,
     /// `M`, `B` and `K`.
     pub environment: Impedance<f64>,
 }
@@ -120,9 +120,10 @@ impl LinearPart {
                 damping: operator.damping.get(),
                 stiffness: operator.stiffness.get(),
             },
-            link: scene
-                .link
-                .map(|link| Link { stiffness: link.stiffness.get(), damping: link.damping.get() }),
+            link: scene.link.map(|link| ElasticJoint {
+                stiffness: link.stiffness.get(),
+                damping: link.damping.get(),
+            }),
             environment,
         })
     }

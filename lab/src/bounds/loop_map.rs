@@ -8,7 +8,7 @@ use super::linear_part::Estimate;
 use super::pair::Pair;
 use super::polynomial::Polynomial;
 use super::roots::{circle, settle};
-use lyapunov::DoubleDouble;
+use lyapunov::accumulators::DoubleDouble;
 
 /// Terms of the exponential's series: `0.5²⁸ / 28!` is far below a rounding.
 const DEGREE: u32 = 28;
@@ -25,7 +25,7 @@ const POLISH: f64 = 1e-8;
 /// with `m` the device's mass, `r` of the environment's damper and mass, and `D` the periods by which its answer is late.
 ///
 /// The plant is moved exactly over every servo tick by the increments `exp(A T) − I` (as
-/// [`held_input`](lyapunov::held_input) has them, in twice the digits), and the ticks of a period are put together in the
+/// [`held_input`](lyapunov::bodies::held_input) has them, in twice the digits), and the ticks of a period are put together in the
 /// same form, `(I + E)(I + F) − I = E + F + E F`. Nothing is ever added to the identity, and the polynomials are in `w`, so
 /// that a damping of `b T / m = 10⁻⁸` is there to all its digits.
 #[derive(Clone, Debug)]
@@ -282,7 +282,7 @@ fn rates(part: &LinearPart) -> DMatrix<DoubleDouble> {
     DMatrix::from_row_slice(5, 5, &rows.concat())
 }
 
-/// `exp(A) − I` by scaling and squaring, as [`held_input`](lyapunov::held_input).
+/// `exp(A) − I` by scaling and squaring, as [`held_input`](lyapunov::bodies::held_input).
 fn increments(rates: &DMatrix<DoubleDouble>) -> DMatrix<DoubleDouble> {
     let n = rates.nrows();
     let identity = DMatrix::<DoubleDouble>::identity(n, n);

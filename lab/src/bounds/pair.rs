@@ -1,6 +1,6 @@
 //! Complex numbers with about 31 digits.
 
-use lyapunov::DoubleDouble;
+use lyapunov::accumulators::DoubleDouble;
 use nalgebra::Complex;
 use num_traits::{One, Zero};
 

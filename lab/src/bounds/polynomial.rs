@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::pair::Pair;
-use lyapunov::DoubleDouble;
+use lyapunov::accumulators::DoubleDouble;
 
 /// A polynomial, by its coefficients from the constant one on.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,8 +1,10 @@
 //! A whole loop, put together from a scene.
 
 use lyapunov::{
-    Adapt, CoupledOscillators, Drive, Fallback, ForceLaw, Integrator, LyapunovCandidate, OnePort,
-    Oscillator, ParameterError, Plant, Signal,
+    LyapunovCandidate, OnePort, ParameterError, Plant, PortSample, Signal,
+    effects::{Fallback, OnePortExt},
+    environments::ForceLaw,
+    integrators::{CoupledOscillators, Integrator, Oscillator},
 };
 
 use super::plant::stepped;
@@ -56,9 +58,9 @@ impl<V: Space> Assembly<V> {
 
     /// One tick: the effort that acts until the next.
     #[inline]
-    pub fn tick(&mut self, drive: &mut Drive<V>) -> V {
-        let effort = self.port.respond(drive);
-        self.plant.advance_into(effort, drive);
+    pub fn tick(&mut self, sample: &mut PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
+        self.plant.advance_into(effort, sample);
         effort
     }
 
@@ -137,7 +139,7 @@ fn held<V: Space>(
 
 /// The port as its efforts reach the plant: clipped, and late.
 ///
-/// Neighbours are put into one box where nobody looks in between: every box costs a call through a table and a drive that
+/// Neighbours are put into one box where nobody looks in between: every box costs a call through a table and a sample that
 /// passes through memory.
 fn commanded<V: Space>(
     scene: &Scene,

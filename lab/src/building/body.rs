@@ -3,8 +3,9 @@
 use std::fmt;
 
 use lyapunov::{
-    CoupledOscillators, Drive, Friction, Integrator, Linked, ParameterError, Plant, Scalar, Signal,
-    State, Stepped, Tethered,
+    ParameterError, Plant, PortSample, Scalar, Signal,
+    bodies::{Friction, IntegratedPlant, OperatedBody, TwoMassBody},
+    integrators::{CoupledOscillators, Integrator, State},
 };
 
 use super::AnyPlant;
@@ -12,10 +13,10 @@ use super::seen::Operator;
 use crate::tick::Apart;
 
 /// Any tethered body made of parts `P`, boxed.
-pub(super) struct AnyBody<V: Signal, P>(Box<dyn Tethered<V, Parts = P>>);
+pub(super) struct AnyBody<V: Signal, P>(Box<dyn OperatedBody<V, Parts = P>>);
 
 impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
-    pub(super) fn new(body: impl Tethered<V, Parts = P> + 'static) -> Self {
+    pub(super) fn new(body: impl OperatedBody<V, Parts = P> + 'static) -> Self {
         Self(Box::new(body))
     }
 
@@ -32,22 +33,22 @@ impl<V: Signal, P> fmt::Debug for AnyBody<V, P> {
 }
 
 impl<V: Signal, P: Copy + 'static> Plant<V> for AnyBody<V, P> {
-    fn start(&self) -> Drive<V> {
+    fn start(&self) -> PortSample<V> {
         self.0.start()
     }
 
     #[inline]
-    fn advance(&mut self, effort: V) -> Drive<V> {
+    fn advance(&mut self, effort: V) -> PortSample<V> {
         self.0.advance(effort)
     }
 
     #[inline]
-    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
-        self.0.advance_into(effort, drive);
+    fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
+        self.0.advance_into(effort, sample);
     }
 }
 
-impl<V: Signal, P: Copy + 'static> Tethered<V> for AnyBody<V, P> {
+impl<V: Signal, P: Copy + 'static> OperatedBody<V> for AnyBody<V, P> {
     type Parts = P;
 
     fn rest_at(&mut self, rest: V) {
@@ -65,14 +66,14 @@ pub(super) trait Operated<V> {
     fn operator(&self) -> Apart<V>;
 }
 
-impl<V: Signal> Operated<V> for Linked<V> {
+impl<V: Signal> Operated<V> for TwoMassBody<V> {
     fn operator(&self) -> Apart<V> {
-        let (position, velocity) = Linked::operator(self);
+        let (position, velocity) = TwoMassBody::operator(self);
         Apart { position, velocity }
     }
 }
 
-impl<V, I> Operated<V> for Stepped<V, CoupledOscillators<V::Scalar>, I>
+impl<V, I> Operated<V> for IntegratedPlant<V, CoupledOscillators<V::Scalar>, I>
 where
     V: Signal,
     I: Integrator<V, CoupledOscillators<V::Scalar>>,
@@ -86,7 +87,7 @@ where
     }
 }
 
-impl<T: Scalar> Operated<T> for Friction<Linked<T>, T, 4> {
+impl<T: Scalar> Operated<T> for Friction<TwoMassBody<T>, T, 4> {
     fn operator(&self) -> Apart<T> {
         Operated::operator(self.body())
     }
@@ -99,26 +100,26 @@ pub(super) struct Watched<B, V: Signal> {
     seen: Operator<V>,
 }
 
-impl<V: Signal, B: Tethered<V> + Operated<V>> Watched<B, V> {
+impl<V: Signal, B: OperatedBody<V> + Operated<V>> Watched<B, V> {
     pub(super) fn new(body: B, seen: &Operator<V>) -> Self {
         seen.set(Some(body.operator()));
         Self { body, seen: Operator::clone(seen) }
     }
 }
 
-impl<V: Signal, B: Tethered<V> + Operated<V>> Plant<V> for Watched<B, V> {
-    fn start(&self) -> Drive<V> {
+impl<V: Signal, B: OperatedBody<V> + Operated<V>> Plant<V> for Watched<B, V> {
+    fn start(&self) -> PortSample<V> {
         self.body.start()
     }
 
-    fn advance(&mut self, effort: V) -> Drive<V> {
-        let drive = self.body.advance(effort);
+    fn advance(&mut self, effort: V) -> PortSample<V> {
+        let sample = self.body.advance(effort);
         self.seen.set(Some(self.body.operator()));
-        drive
+        sample
     }
 }
 
-impl<V: Signal, B: Tethered<V> + Operated<V>> Tethered<V> for Watched<B, V> {
+impl<V: Signal, B: OperatedBody<V> + Operated<V>> OperatedBody<V> for Watched<B, V> {
     type Parts = B::Parts;
 
     fn rest_at(&mut self, rest: V) {

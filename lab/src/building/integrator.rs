@@ -1,8 +1,11 @@
 //! An integrator that is chosen at run time.
 
 use lyapunov::{
-    Adaptive, DormandPrince5, DormandPrince8, ImplicitMechanics, ImplicitMidpoint, Integrator,
-    ParameterError, RungeKuttaNystrom4, Scalar, SemiImplicitEuler, Signal, State,
+    ParameterError, Scalar, Signal,
+    integrators::{
+        Adaptive, DormandPrince5, DormandPrince8, ImplicitMechanics, ImplicitMidpoint, Integrator,
+        RungeKuttaNystrom4, SemiImplicitEuler, State,
+    },
 };
 
 use crate::scene;

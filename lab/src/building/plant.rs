@@ -4,10 +4,17 @@ use std::fmt;
 use std::sync::Arc;
 
 use lyapunov::{
-    Body, Constant, Coordinates, CoupledOscillators, DampedMass, Drive, FirstAxis, Friction,
-    Impedance, Integrator, Link, Linked, Located, Mechanics, Oscillator, ParameterError, Perturb,
-    Plant, Pulse, Ramp, Random, RubbingOscillator, Samples, Scalar, Signal, Sine, Source, Step,
-    Stepped, Stribeck, Tethered, TwoMass,
+    ParameterError, Plant, PortSample, Scalar, Signal,
+    bodies::{
+        Body, DampedMass, ElasticJoint, Friction, Impedance, IntegratedPlant, OperatedBody,
+        PlantExt, Stribeck, TwoMassBody, TwoMassParts,
+    },
+    effects::{Random, Source},
+    integrators::{
+        Coordinates, CoupledOscillators, EventLocating, Integrator, Mechanics, Oscillator,
+        StickSlipOscillator,
+    },
+    trajectories::{Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step},
 };
 
 use super::Space;
@@ -38,25 +45,25 @@ impl<V: Signal> fmt::Debug for AnyPlant<V> {
 }
 
 impl<V: Signal> Plant<V> for AnyPlant<V> {
-    fn start(&self) -> Drive<V> {
+    fn start(&self) -> PortSample<V> {
         self.0.start()
     }
 
     #[inline]
-    fn advance(&mut self, effort: V) -> Drive<V> {
+    fn advance(&mut self, effort: V) -> PortSample<V> {
         self.0.advance(effort)
     }
 
     #[inline]
-    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
-        self.0.advance_into(effort, drive);
+    fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
+        self.0.advance_into(effort, sample);
     }
 }
 
 /// What a kind of body is made of, and how it is made, in a scene.
 trait Kind<V: Space> {
     type Parts: Copy + 'static;
-    type Body: Tethered<V, Parts = Self::Parts> + Copy + 'static;
+    type Body: OperatedBody<V, Parts = Self::Parts> + Copy + 'static;
 
     /// The parts, with the operator's stiffness and damping as given.
     fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts;
@@ -92,26 +99,26 @@ impl<V: Space> Kind<V> for Joined {
 struct Apart;
 
 impl<V: Space> Kind<V> for Apart {
-    type Parts = TwoMass<V::Scalar>;
-    type Body = Linked<V>;
+    type Parts = TwoMassParts<V::Scalar>;
+    type Body = TwoMassBody<V>;
 
     fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts {
         // A scene without a link has no linked body; then the link is not asked for.
         let link = scene.link.map_or((0.0, 0.0), |it| (it.stiffness.get(), it.damping.get()));
-        TwoMass {
+        TwoMassParts {
             operator: Impedance {
                 mass: of(scene.operator.mass),
                 damping: of(damping),
                 stiffness: of(stiffness),
             },
             device: DampedMass { mass: of(scene.device.mass), damping: of(scene.device.damping) },
-            link: Link { stiffness: of(link.0), damping: of(link.1) },
+            link: ElasticJoint { stiffness: of(link.0), damping: of(link.1) },
         }
     }
 
-    fn body(scene: &Scene, parts: Self::Parts) -> Result<Linked<V>, ParameterError> {
+    fn body(scene: &Scene, parts: Self::Parts) -> Result<TwoMassBody<V>, ParameterError> {
         let start = (V::at(&scene.initial.position), V::at(&scene.initial.velocity));
-        let body = Linked::new(parts, of(scene.period()))?;
+        let body = TwoMassBody::new(parts, of(scene.period()))?;
         Ok(body.resting_at(V::at(&scene.operator.rest)).starting(start.0, start.1))
     }
 }
@@ -134,8 +141,8 @@ pub(super) fn on_a_line<T: Scalar + Space>(
         // Behind a link friction moves exactly only: a scene that asks for both is not built.
         let parts =
             <Joined as Kind<T>>::parts(scene, scene.operator.stiffness, scene.operator.damping);
-        let dynamics = RubbingOscillator::new(parts, law)?;
-        let body = moved(scene, dynamics, Located::new(integrator), steps)?;
+        let dynamics = StickSlipOscillator::new(parts, law)?;
+        let body = moved(scene, dynamics, EventLocating::new(integrator), steps)?;
         return disturbed::<T, Joined>(scene, AnyBody::new(body));
     }
     if scene.link.is_some() {
@@ -196,14 +203,14 @@ fn moved<V, D, I>(
     dynamics: D,
     integrator: I,
     steps: u32,
-) -> Result<Stepped<V, D, I>, ParameterError>
+) -> Result<IntegratedPlant<V, D, I>, ParameterError>
 where
     V: Space,
     D: Mechanics<V, Coordinates: Coordinates<V>>,
     I: Integrator<V, D>,
 {
     let start = (V::at(&scene.initial.position), V::at(&scene.initial.velocity));
-    let body = Stepped::new(dynamics, integrator, of(scene.period()), steps)?;
+    let body = IntegratedPlant::new(dynamics, integrator, of(scene.period()), steps)?;
     Ok(body.resting_at(V::at(&scene.operator.rest)).starting(start.0, start.1))
 }
 

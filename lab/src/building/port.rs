@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{Action, Drive, OnePort, Signal};
+use lyapunov::{Correction, OnePort, PortSample, Signal};
 
 /// Any one-port, boxed: what a scene file builds, out of the adaptors that a program chains by type.
 pub struct Port<V: Signal>(Box<dyn OnePort<V>>);
@@ -22,11 +22,11 @@ impl<V: Signal> fmt::Debug for Port<V> {
 
 impl<V: Signal> OnePort<V> for Port<V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.0.respond(drive)
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        self.0.respond(sample)
     }
 
-    fn action(&self) -> Action<V> {
-        self.0.action()
+    fn correction(&self) -> Correction<V> {
+        self.0.correction()
     }
 }

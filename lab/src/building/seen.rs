@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use lyapunov::{Action, Drive, OnePort, Scalar, Signal, Stabilizer};
+use lyapunov::{Correction, OnePort, PortSample, Scalar, Signal, Stabilizer};
 
 use crate::tick::{Apart, Tick};
 
@@ -21,16 +21,16 @@ pub(crate) type Operator<V> = Rc<Cell<Option<Apart<V>>>>;
 /// What a stabilizer was told, and what it did.
 #[derive(Clone, Copy, Debug)]
 struct Sight<V: Signal> {
-    measured: Drive<V>,
+    measured: PortSample<V>,
     environment: V,
-    action: Action<V>,
+    correction: Correction<V>,
 }
 
 impl<V: Signal> Default for Seen<V> {
     fn default() -> Self {
         let (zero, none) = (V::zero(), V::Scalar::of(0.0));
-        let measured = Drive::starting(none, zero, zero);
-        let sight = Sight { measured, environment: zero, action: Action::none(zero) };
+        let measured = PortSample::starting(none, zero, zero);
+        let sight = Sight { measured, environment: zero, correction: Correction::none(zero) };
         Self {
             stabilizer: Rc::new(Cell::new(sight)),
             command: Rc::new(Cell::new(zero)),
@@ -41,10 +41,10 @@ impl<V: Signal> Default for Seen<V> {
 
 impl<V: Signal> Seen<V> {
     /// The tick whose sample the port was just asked for, before the plant moves on.
-    pub(crate) fn tick(&self, time: f64, truth: Drive<V>, applied: V) -> Tick<V> {
-        let Sight { measured, environment, action } = self.stabilizer.get();
+    pub(crate) fn tick(&self, time: f64, truth: PortSample<V>, applied: V) -> Tick<V> {
+        let Sight { measured, environment, correction } = self.stabilizer.get();
         let (command, operator) = (self.command.get(), self.operator.get());
-        Tick { time, truth, measured, environment, action, command, applied, operator }
+        Tick { time, truth, measured, environment, correction, command, applied, operator }
     }
 
     /// `stabilizer`, which writes down what it is told and what it does.
@@ -66,10 +66,10 @@ pub(super) struct Recorded<S, V: Signal> {
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Recorded<S, V> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        let action = self.stabilizer.stabilize(drive, effort);
-        self.seen.set(Sight { measured: *drive, environment: effort, action });
-        action
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let correction = self.stabilizer.stabilize(sample, effort);
+        self.seen.set(Sight { measured: *sample, environment: effort, correction });
+        correction
     }
 }
 
@@ -81,15 +81,15 @@ pub(super) struct Commanding<P, V> {
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Commanding<P, V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let effort = self.port.respond(drive);
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
         self.seen.set(effort);
         effort
     }
 
     #[inline]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }
 

@@ -2,7 +2,8 @@
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
-    Accumulator, Compensated, DoubleDouble, ParameterError, Plain, Scalar, Signal, Wide,
+    ParameterError, Scalar, Signal,
+    accumulators::{Accumulator, Compensated, DoubleDouble, Plain, Wide},
 };
 use nalgebra::SVector;
 

@@ -3,8 +3,11 @@
 use std::fmt;
 
 use lyapunov::{
-    Accumulator, Action, Compensated, Dissipation, Drive, ForceLaw, Held, Lolc, LyapunovCandidate,
-    NoStabilizer, OnePort, ParameterError, PortEnergy, Signal, Stabilizer,
+    Correction, Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy,
+    PortSample, Signal, Stabilizer,
+    accumulators::{Accumulator, Compensated},
+    environments::ForceLaw,
+    stabilizers::NoStabilizer,
 };
 
 use super::assembly::measured;
@@ -27,8 +30,12 @@ impl<V: Signal> AnyStabilizer<V> {
     }
 
     /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
-    pub(crate) fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
-        self.0.replay(samples, actions);
+    pub(crate) fn replay(
+        &mut self,
+        samples: &[(PortSample<V>, V)],
+        corrections: &mut [Correction<V>],
+    ) {
+        self.0.replay(samples, corrections);
     }
 }
 
@@ -129,8 +136,8 @@ impl From<scene::Lolc> for Booking {
 struct AnyCandidate<V: Signal>(Box<dyn LyapunovCandidate<V>>);
 
 impl<V: Signal> LyapunovCandidate<V> for AnyCandidate<V> {
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
-        self.0.decrease(drive)
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        self.0.decrease(sample)
     }
 }
 
@@ -141,8 +148,8 @@ impl<V: Signal> fmt::Debug for AnyStabilizer<V> {
 }
 
 impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        self.0.stabilize(drive, effort)
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.0.stabilize(sample, effort)
     }
 }
 
@@ -168,15 +175,15 @@ impl<V: Space> Render<V> for Crediting<'_> {
 trait Replay<V: Signal>: Stabilizer<V> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
 
-    fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]);
+    fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]);
 }
 
 /// A stabilizer that a loop calls through a table.
 struct Called<S>(S);
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        self.0.stabilize(drive, effort)
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.0.stabilize(sample, effort)
     }
 }
 
@@ -185,8 +192,8 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
         measured(scene, port.stabilized(AnyStabilizer(self)))
     }
 
-    fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
-        take(&mut self.0, samples, actions);
+    fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
+        take(&mut self.0, samples, corrections);
     }
 }
 
@@ -194,8 +201,8 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
 struct Fused<S>(S);
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        self.0.stabilize(drive, effort)
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.0.stabilize(sample, effort)
     }
 }
 
@@ -204,18 +211,18 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
         measured(scene, port.stabilized(self.0))
     }
 
-    fn replay(&mut self, samples: &[(Drive<V>, V)], actions: &mut [Action<V>]) {
-        take(&mut self.0, samples, actions);
+    fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
+        take(&mut self.0, samples, corrections);
     }
 }
 
 #[inline(never)]
 fn take<V: Signal>(
     stabilizer: &mut impl Stabilizer<V>,
-    samples: &[(Drive<V>, V)],
-    actions: &mut [Action<V>],
+    samples: &[(PortSample<V>, V)],
+    corrections: &mut [Correction<V>],
 ) {
-    for ((drive, effort), action) in samples.iter().zip(actions) {
-        *action = stabilizer.stabilize(drive, *effort);
+    for ((sample, effort), correction) in samples.iter().zip(corrections) {
+        *correction = stabilizer.stabilize(sample, *effort);
     }
 }

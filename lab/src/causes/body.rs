@@ -1,6 +1,9 @@
 //! What the body of a scene stores, is given and burns.
 
-use lyapunov::{Constant, Course, ParameterError, Pulse, Ramp, Samples, Sine, Step};
+use lyapunov::{
+    ParameterError,
+    trajectories::{Constant, Pulse, Ramp, Samples, Sine, Step, Trajectory},
+};
 use nalgebra::{DMatrix, DVector};
 
 use crate::scene::Motion;

@@ -1,6 +1,6 @@
 //! The environment's law in continuous time.
 
-use lyapunov::{ForceLaw, Kinematics, Time};
+use lyapunov::environments::{ForceLaw, Kinematics, Time};
 
 use crate::scene::Scene;
 

@@ -126,7 +126,7 @@ impl Meters {
             chatter.add(touch.force);
         }
         self.position.add(tick.time, touch.position);
-        self.observer.add(tick.time, tick.action.sum.lane(0));
+        self.observer.add(tick.time, tick.correction.observed_energy.lane(0));
         self.force.add(tick.time, touch.force);
     }
 

@@ -1,6 +1,6 @@
 //! What is felt while the wall pushes.
 
-use lyapunov::{ForceLaw, Kinematics};
+use lyapunov::environments::{ForceLaw, Kinematics};
 
 use crate::scene::{Scene, Wall};
 
@@ -42,7 +42,7 @@ pub(super) fn wall(scene: &Scene) -> Option<Wall> {
 pub(super) struct Contacts {
     /// What transparency is measured against; the other meters need none.
     wall: Option<Wall>,
-    law: Option<lyapunov::Wall<f64>>,
+    law: Option<lyapunov::environments::Wall<f64>>,
     long: f64,
     now: Contact,
     short_peak: Option<f64>,
@@ -86,7 +86,7 @@ impl Contacts {
         } else {
             self.end();
         }
-        // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
+        // InContact the surface or pushed: a force that comes late or stays on too long is an error as well.
         if let Some(law) = &self.law
             && (touch.environment != 0.0 || depth > 0.0)
         {

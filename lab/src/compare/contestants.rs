@@ -11,15 +11,15 @@ use crate::{AnyStabilizer, Space};
 /// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
 ///
 /// ```
-/// use lyapunov::{Action, Drive, Stabilizer};
+/// use lyapunov::{Correction, PortSample, Stabilizer};
 /// use lyapunov_lab::compare::{Comparison, Contestants};
 /// use lyapunov_lab::paper;
 ///
 /// /// A damper that is always there, N·s/m.
 /// struct Damper(f64);
 /// impl Stabilizer<f64> for Damper {
-///     fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
-///         Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }
+///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+///         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }
 ///     }
 /// }
 ///

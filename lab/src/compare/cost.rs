@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use lyapunov::{Action, Drive, ParameterError};
+use lyapunov::{Correction, ParameterError, PortSample};
 
 use super::contestants::Contestant;
 use super::score::StepTime;
@@ -20,7 +20,7 @@ const ROUNDS: usize = 31;
 const STEPS: usize = 1 << 15;
 
 /// What stood before a stabilizer, tick by tick.
-pub(super) type Samples<V> = Vec<(Drive<V>, V)>;
+pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
 
 /// Times the step of every contestant over the samples of its own run.
 ///
@@ -60,10 +60,10 @@ fn replay<V: Space>(
 ) -> Result<Duration, ParameterError> {
     let fresh = (0..passes).map(|_| contestant.stabilizer(scene));
     let mut stabilizers = fresh.collect::<Result<Vec<_>, _>>()?;
-    let mut actions = vec![Action::none(V::zero()); samples.len()];
+    let mut corrections = vec![Correction::none(V::zero()); samples.len()];
     let start = Instant::now();
     for stabilizer in &mut stabilizers {
-        stabilizer.replay(black_box(samples), black_box(&mut actions));
+        stabilizer.replay(black_box(samples), black_box(&mut corrections));
     }
     Ok(start.elapsed())
 }

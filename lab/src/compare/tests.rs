@@ -1,6 +1,6 @@
 //! Comparisons of whole scenes, against straight calculations over their rows.
 
-use lyapunov::{Action, Drive, Stabilizer};
+use lyapunov::{Correction, PortSample, Stabilizer};
 
 use super::samples::scene;
 use super::*;
@@ -12,8 +12,8 @@ use crate::{Rollout, Row, Scene};
 struct Damper(f64);
 
 impl Stabilizer<f64> for Damper {
-    fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
-        Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }
     }
 }
 
@@ -137,7 +137,8 @@ fn settings_are_the_scene_s_or_the_defaults() {
     assert_eq!(text(&scene("")), "held work, cap 0.5 (the defaults)");
     // They reach the stabilizers: POPC of the comparison is POPC of the scene.
     let own = scene("stabilizer.popc.damping_cap = 0.1\ninitial.velocity = 0.3\n");
-    let active = Rollout::<f64>::of(&own).unwrap().filter(|tick| tick.action.alpha > 0.0).count();
+    let active =
+        Rollout::<f64>::of(&own).unwrap().filter(|tick| tick.correction.alpha > 0.0).count();
     assert!(active > 0);
     close(standard(&own)[1].active, 100.0 * active as f64 / 101.0, "active");
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use lyapunov::Time;
+use lyapunov::environments::Time;
 
 use super::Reference;
 use crate::compare::Settings;

@@ -1,6 +1,6 @@
 //! What a scene file can name.
 
-use lyapunov::{NoStabilizer, ParameterError};
+use lyapunov::{ParameterError, stabilizers::NoStabilizer};
 
 use crate::compare::Settings;
 use crate::scene::{Candidate, Draft, Lolc, Popc, Scene, Stabilizer};

@@ -1,9 +1,15 @@
 //! How each is made.
 
 use lyapunov::{
-    Beyond, DampingLimit, Dissipation, ForceBound, ForceLaw, Kinematics, Lolc, LyapunovCandidate,
-    NoStabilizer, ParameterError, Plain, Popc, PortEnergy, ReferenceFollowing, Refine, Scalar,
-    Storage, Store, Tank, Windowed,
+    DampingLimit, Dissipation, Lolc, LyapunovCandidate, ParameterError, Popc, PortEnergy, Scalar,
+    StorageFunction,
+    accumulators::Plain,
+    candidates::InContact,
+    environments::{ForceLaw, Kinematics},
+    stabilizers::{
+        ForceBound, NoStabilizer, ReferenceFollowing, StabilizerExt, Tank, TankLimits,
+        WindowedCredit,
+    },
 };
 
 use super::basis::SLOTS;
@@ -46,13 +52,13 @@ impl Member {
             Self::Budgeted => AnyStabilizer::called(popc.budgeted(of(basis.stored()))?),
             Self::Bounded => AnyStabilizer::called(popc.bounded(energy)?),
             Self::Windowed => {
-                let sum = Windowed::<T, Plain<T>, SLOTS>::of_ticks(basis.slot())?;
+                let sum = WindowedCredit::<T, Plain<T>, SLOTS>::of_ticks(basis.slot())?;
                 AnyStabilizer::called(popc.summed_by(sum))
             }
             Self::ContactReset => {
                 // What has no surface is touched throughout.
                 let position = of(basis.surface.unwrap_or(f64::NEG_INFINITY));
-                AnyStabilizer::called(popc.reset_at(Beyond { position }))
+                AnyStabilizer::called(popc.reset_at(InContact { position }))
             }
             Self::Threshold => AnyStabilizer::called(popc.above_velocity(of(basis.threshold()))?),
             Self::Spread => AnyStabilizer::called(popc.spread_over::<T>(ticks)?),
@@ -70,7 +76,8 @@ impl Member {
             }
             Self::Tank => {
                 let (floor, power) = (T::zero(), of(f64::INFINITY));
-                let store = Store { start: energy, floor, ceiling: of(CEILING) * energy, power };
+                let store =
+                    TankLimits { start: energy, floor, ceiling: of(CEILING) * energy, power };
                 AnyStabilizer::called(Tank::new(PortEnergy, store)?)
             }
         })
@@ -86,7 +93,7 @@ struct Following<T: Scalar> {
 impl<T: Scalar + Space> Following<T> {
     fn of(self, stored: impl Fn(T, T) -> T + 'static) -> AnyStabilizer<T> {
         let [x, v] = self.start;
-        let stored = Storage::starting(stored, x, v);
+        let stored = StorageFunction::starting(stored, x, v);
         AnyStabilizer::called(ReferenceFollowing::new((PortEnergy, stored), self.limit))
     }
 }

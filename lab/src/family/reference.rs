@@ -1,6 +1,9 @@
 //! What an environment stores.
 
-use lyapunov::{ForceLaw, Kinematics, LyapunovCandidate, ParameterError, Signal};
+use lyapunov::{
+    LyapunovCandidate, ParameterError, Signal,
+    environments::{ForceLaw, Kinematics},
+};
 
 use crate::scene::{Environment, Rates, Render, Scene};
 

@@ -2,7 +2,7 @@
 
 use super::double::Double;
 
-/// What an action tells of the account on one tick, J.
+/// What an correction tells of the account on one tick, J.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Told {
     /// The observer sum `L(n)`.

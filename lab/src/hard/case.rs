@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::NoStabilizer;
+use lyapunov::stabilizers::NoStabilizer;
 use serde::{Serialize, Serializer};
 
 use super::naive::Naive;

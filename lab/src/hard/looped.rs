@@ -68,8 +68,8 @@ fn looped<V: Space>(
     let mut rollout = Rollout::assemble(scene, stabilizer)?;
     // To the end, also where the motion has left the range of the scalar.
     for _ in 0..=scene.ticks() {
-        let Tick { measured, environment, action, .. } = rollout.tick();
-        meters.watch(&measured, environment, &action);
+        let Tick { measured, environment, correction, .. } = rollout.tick();
+        meters.watch(&measured, environment, &correction);
     }
     Ok(meters.tallies())
 }

@@ -9,9 +9,9 @@
 //! ```
 //!
 //! Nothing is added: no period in the sum (it cancels in α), no limit, no look at what is divided by, at what was
-//! measured, or at what acted.
+//! measured, or at what applied.
 
-use lyapunov::{Action, Drive, Stabilizer};
+use lyapunov::{Correction, PortSample, Stabilizer};
 use nalgebra::SVector;
 
 /// The observer/controller of the paper's examples, as printed.
@@ -42,24 +42,24 @@ macro_rules! naive {
         }
 
         impl Stabilizer<$real> for Naive<$real> {
-            fn stabilize(&mut self, drive: &Drive<$real>, f: $real) -> Action<$real> {
-                let v = drive.velocity;
+            fn stabilize(&mut self, sample: &PortSample<$real>, f: $real) -> Correction<$real> {
+                let v = sample.velocity;
                 let alpha = self.alpha(f * v, v * v);
-                let sum = self.sum * drive.period;
-                Action { sum, alpha, ..Action::none(f + alpha * v) }
+                let sum = self.sum * sample.period;
+                Correction { observed_energy: sum, alpha, ..Correction::none(f + alpha * v) }
             }
         }
 
         impl<const N: usize> Stabilizer<SVector<$real, N>> for Naive<$real> {
             fn stabilize(
                 &mut self,
-                drive: &Drive<SVector<$real, N>>,
+                sample: &PortSample<SVector<$real, N>>,
                 f: SVector<$real, N>,
-            ) -> Action<SVector<$real, N>> {
-                let v = drive.velocity;
+            ) -> Correction<SVector<$real, N>> {
+                let v = sample.velocity;
                 let alpha = self.alpha(f.dot(&v), v.dot(&v));
-                let sum = self.sum * drive.period;
-                Action { sum, alpha, ..Action::none(f + v * alpha) }
+                let sum = self.sum * sample.period;
+                Correction { observed_energy: sum, alpha, ..Correction::none(f + v * alpha) }
             }
         }
     )*};
@@ -75,19 +75,25 @@ mod tests {
     #[test]
     fn two_ticks_by_hand() {
         let mut naive = Naive::<f64>::default();
-        let drive = Drive::new(1e-3, 0.0, 0.5, 5e-4, 0.0);
-        let action = naive.stabilize(&drive, -1.0);
-        assert_eq!((action.effort, action.alpha, action.sum), (0.0, 2.0, -0.5e-3));
-        let action = naive.stabilize(&drive, 0.0);
-        assert_eq!((action.effort, action.alpha, action.sum), (0.0, 0.0, 0.0));
+        let sample = PortSample::new(1e-3, 0.0, 0.5, 5e-4, 0.0);
+        let correction = naive.stabilize(&sample, -1.0);
+        assert_eq!(
+            (correction.effort, correction.alpha, correction.observed_energy),
+            (0.0, 2.0, -0.5e-3)
+        );
+        let correction = naive.stabilize(&sample, 0.0);
+        assert_eq!(
+            (correction.effort, correction.alpha, correction.observed_energy),
+            (0.0, 0.0, 0.0)
+        );
     }
 
     /// A debt, and then no motion: divided by v² = 0, times v = 0.
     #[test]
     fn a_debt_at_rest_is_divided_by_nothing() {
         let mut naive = Naive::<f64>::default();
-        naive.stabilize(&Drive::new(1e-3, 0.0, 1e-3, 1e-6, 0.0), -1.0);
+        naive.stabilize(&PortSample::new(1e-3, 0.0, 1e-3, 1e-6, 0.0), -1.0);
         naive.square = 0.0;
-        assert!(naive.stabilize(&Drive::starting(1e-3, 0.0, 0.0), -1.0).effort.is_nan());
+        assert!(naive.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), -1.0).effort.is_nan());
     }
 }

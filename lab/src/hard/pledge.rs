@@ -31,7 +31,7 @@ pub(super) enum Account {
 
 /// What a stabilizer may do to an effort.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Correction {
+pub(super) enum Manner {
     /// Add a damping.
     Damps,
     /// Make it smaller.
@@ -48,17 +48,13 @@ pub(super) struct Pledge {
     /// What account is kept.
     pub(super) account: Account,
     /// What may be done to an effort.
-    pub(super) correction: Correction,
+    pub(super) manner: Manner,
 }
 
 impl Pledge {
     /// POPC's: every joule is accounted for, and only damping is added.
-    pub(super) const POPC: Self = Self {
-        credit: Credit::None,
-        budget: 0.0,
-        account: Account::Whole,
-        correction: Correction::Damps,
-    };
+    pub(super) const POPC: Self =
+        Self { credit: Credit::None, budget: 0.0, account: Account::Whole, manner: Manner::Damps };
 
     /// With the credit of a damper that is always there, N·s/m.
     pub(super) fn damper(damping: f64) -> Self {
@@ -90,13 +86,13 @@ impl Pledge {
             Member::ForceBound => Self {
                 credit: Credit::Moved { damping: of(basis.damping) },
                 budget: of(basis.energy),
-                correction: Correction::Cuts,
+                manner: Manner::Cuts,
                 ..Self::POPC
             },
             Member::Tank => Self {
                 budget: of(basis.energy),
                 account: Account::Forgetful,
-                correction: Correction::Cuts,
+                manner: Manner::Cuts,
                 ..Self::POPC
             },
         }

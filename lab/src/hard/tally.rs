@@ -21,7 +21,7 @@ pub struct Tally {
     pub shortfall: f64,
     /// The largest effort commanded or acting on one axis, N.
     pub peak_force: f64,
-    /// The largest effort that acted on one axis, as the drives tell, N.
+    /// The largest effort that applied on one axis, as the drives tell, N.
     pub acting: f64,
     /// The largest share of what the account may be off by.
     pub off: f64,

@@ -4,11 +4,11 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use lyapunov::laws::Law;
-use lyapunov::{Action, Drive, Mask, Scalar, Signal, Stabilizer};
+use lyapunov::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};
 
 use super::balance::{Balance, Told};
 use super::double::Double;
-use super::pledge::{Account, Correction, Credit, Pledge};
+use super::pledge::{Account, Credit, Manner, Pledge};
 use super::tally::{Tally, larger};
 
 /// What has to be known to judge a run.
@@ -59,10 +59,10 @@ impl<S> Watched<S> {
 }
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watched<S> {
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        let action = self.stabilizer.stabilize(drive, effort);
-        self.record.0.borrow_mut().watch(drive, effort, &action);
-        action
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let correction = self.stabilizer.stabilize(sample, effort);
+        self.record.0.borrow_mut().watch(sample, effort, &correction);
+        correction
     }
 }
 
@@ -77,7 +77,7 @@ impl Meters {
             shaken: false,
             balance: Balance::new(
                 T::epsilon().lane(0) / 2.0,
-                T::tiny().lane(0),
+                T::smallest_normal().lane(0),
                 terms.pledge.budget,
             ),
             held: match &terms.pledge.credit {
@@ -85,7 +85,7 @@ impl Meters {
                 _ => 0.0,
             },
             epsilon: T::epsilon().lane(0),
-            tiny: T::tiny().lane(0),
+            tiny: T::smallest_normal().lane(0),
             largest: T::largest().lane(0),
             tally: Tally::default(),
             terms,
@@ -94,11 +94,16 @@ impl Meters {
     }
 
     /// One more tick: what the stabilizer was told, and what it did.
-    pub(super) fn watch<V: Signal>(&mut self, drive: &Drive<V>, effort: V, action: &Action<V>) {
+    pub(super) fn watch<V: Signal>(
+        &mut self,
+        sample: &PortSample<V>,
+        effort: V,
+        correction: &Correction<V>,
+    ) {
         // What several periods under other efforts did; of a single one this is exactly zero.
-        let others = drive.work - drive.acted.times(drive.displacement);
+        let others = sample.work - sample.applied.times(sample.displacement);
         for (lane, meter) in self.0.iter_mut().enumerate() {
-            meter.watch(Sight::of(lane, drive, others, effort, action));
+            meter.watch(Sight::of(lane, sample, others, effort, correction));
         }
     }
 
@@ -137,7 +142,7 @@ impl Axes {
         &self.values[..self.count]
     }
 
-    fn pair(&self, other: &Self) -> f64 {
+    fn inner(&self, other: &Self) -> f64 {
         self.all().iter().zip(other.all()).map(|(a, b)| a * b).sum()
     }
 
@@ -158,7 +163,7 @@ struct Sight {
     position: Axes,
     velocity: Axes,
     displacement: Axes,
-    acted: Axes,
+    applied: Axes,
     work: Axes,
     others: Axes,
     effort: Axes,
@@ -172,36 +177,37 @@ struct Sight {
 impl Sight {
     fn of<V: Signal>(
         lane: usize,
-        drive: &Drive<V>,
+        sample: &PortSample<V>,
         others: V,
         effort: V,
-        action: &Action<V>,
+        correction: &Correction<V>,
     ) -> Self {
         Self {
-            period: drive.period.lane(lane),
-            position: Axes::of(drive.position, lane),
-            velocity: Axes::of(drive.velocity, lane),
-            displacement: Axes::of(drive.displacement, lane),
-            acted: Axes::of(drive.acted, lane),
-            work: Axes::of(drive.work, lane),
+            period: sample.period.lane(lane),
+            position: Axes::of(sample.position, lane),
+            velocity: Axes::of(sample.velocity, lane),
+            displacement: Axes::of(sample.displacement, lane),
+            applied: Axes::of(sample.applied, lane),
+            work: Axes::of(sample.work, lane),
             others: Axes::of(others, lane),
             effort: Axes::of(effort, lane),
-            out: Axes::of(action.effort, lane),
-            sum: action.sum.lane(lane),
-            alpha: action.alpha.lane(lane),
-            shortfall: action.shortfall.lane(lane),
-            accepted: action.accepted.lane(lane),
+            out: Axes::of(correction.effort, lane),
+            sum: correction.observed_energy.lane(lane),
+            alpha: correction.alpha.lane(lane),
+            shortfall: correction.shortfall.lane(lane),
+            accepted: correction.accepted.lane(lane),
         }
     }
 
     fn sound(&self) -> bool {
-        let drive = [&self.position, &self.velocity, &self.displacement, &self.acted, &self.work];
-        self.period.is_finite() && self.effort.finite() && drive.iter().all(|axes| axes.finite())
+        let sample =
+            [&self.position, &self.velocity, &self.displacement, &self.applied, &self.work];
+        self.period.is_finite() && self.effort.finite() && sample.iter().all(|axes| axes.finite())
     }
 
     /// `v² T`, J per N·s/m.
     fn square(&self) -> f64 {
-        self.velocity.pair(&self.velocity) * self.period
+        self.velocity.inner(&self.velocity) * self.period
     }
 
     /// What the correction is to burn, J: nothing without a damping, whatever the velocity.
@@ -243,10 +249,10 @@ impl Meter {
             _ => 0.0,
         };
         for axis in 0..sight.velocity.count {
-            let work = Double::product(sight.acted.values[axis], sight.displacement.values[axis]);
+            let work = Double::product(sight.applied.values[axis], sight.displacement.values[axis]);
             let v = sight.velocity.values[axis];
             let others = sight.others.values[axis];
-            // What acted or moved is not known, but the work is.
+            // What applied or moved is not known, but the work is.
             let known = (work.value() + others).is_finite();
             terms[3 * axis] = if known { work } else { sight.work.values[axis].into() };
             terms[3 * axis + 1] = if known { others.into() } else { Double::default() };
@@ -267,7 +273,7 @@ impl Meter {
         match &self.terms.pledge.credit {
             Credit::None | Credit::Damper { .. } => 0.0,
             Credit::Moved { damping } => {
-                damping * (sight.displacement.pair(&sight.displacement) / sight.period)
+                damping * (sight.displacement.inner(&sight.displacement) / sight.period)
             }
             Credit::Reference { reference, .. } => {
                 let now = reference.stored(sight.position.values[0], sight.velocity.values[0]);
@@ -287,7 +293,7 @@ impl Meter {
         // Energies near the end of the scalar's range are turned away, and the account is no longer whole; so are squares of
         // velocities, of which the energies are made.
         let told =
-            if sound { sight.velocity.pair(&sight.velocity).max(sight.square()) } else { 0.0 };
+            if sound { sight.velocity.inner(&sight.velocity).max(sight.square()) } else { 0.0 };
         let energy = told.max(self.balance.size());
         if energy > self.largest / 64.0 && self.tally.out_of_range.is_none() {
             self.tally.out_of_range = Some(tick);
@@ -304,7 +310,7 @@ impl Meter {
                 let [out, given, v] =
                     [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
                 let rounding = 8.0 * epsilon * (out.abs() + given.abs());
-                if self.terms.pledge.correction == Correction::Cuts {
+                if self.terms.pledge.manner == Manner::Cuts {
                     let grown = out.abs() - given.abs();
                     require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
                     continue;
@@ -319,7 +325,7 @@ impl Meter {
             let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
             require(Law::Served, served >= -rounding || !in_range);
         }
-        require(Law::WithinLimit, sight.acted.largest() <= self.terms.force || !sound);
+        require(Law::WithinLimit, sight.applied.largest() <= self.terms.force || !sound);
         let dissipated = if sight.accepted { sight.burnt() } else { 0.0 };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
         let off = match self.terms.pledge.account {
@@ -350,8 +356,8 @@ impl Meter {
         tally.given = larger(tally.given, self.terms.pledge.budget - self.balance.supplied());
         tally.shortfall = larger(tally.shortfall, sight.shortfall);
         tally.peak_force = larger(tally.peak_force, sight.out.largest());
-        if sight.acted.finite() {
-            tally.acting = larger(tally.acting, sight.acted.largest());
+        if sight.applied.finite() {
+            tally.acting = larger(tally.acting, sight.applied.largest());
         }
     }
 }

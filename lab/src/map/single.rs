@@ -79,7 +79,7 @@ impl Meters {
         let (position, force) = (tick.truth.position.axis(0), tick.applied.axis(0));
         let split = self.share.split(tick);
         self.ticks += 1;
-        self.active += u64::from(tick.action.alpha.lane(0) > 0.0);
+        self.active += u64::from(tick.correction.alpha.lane(0) > 0.0);
         self.peak = self.peak.max(force.abs());
         self.settling.add(position);
         self.energies.add(position, split.environment, split.controller);

@@ -47,7 +47,7 @@ impl Share {
         Split { late, environment, controller: applied - environment }
     }
 
-    /// Whether a force of the environment has not acted yet.
+    /// Whether a force of the environment has not applied yet.
     pub(crate) fn is_waiting(&self) -> bool {
         self.waiting.iter().any(|force| *force != 0.0)
     }

@@ -1,9 +1,11 @@
 //! From a model to its loop.
 
 use lyapunov::{
-    AdmittanceDevice, ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, MotorEnergy,
-    MotorParts, ParameterError, ProstheticLeg, QuadraticForm, Scalar, TwoLinkArm, UprightEnergy,
-    VanDerPol,
+    ParameterError, Scalar,
+    models::{
+        AdmittanceDevice, ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, MotorEnergy,
+        MotorParts, ProstheticLeg, QuadraticForm, TwoLinkArm, UprightEnergy, VanDerPol,
+    },
 };
 use nalgebra::SVector;
 

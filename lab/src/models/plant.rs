@@ -188,9 +188,9 @@ impl Plant {
 
 impl Limb {
     /// The limb in the scalar of a loop.
-    pub(super) fn limb<T: library::Scalar>(&self) -> library::Limb<T> {
-        let rod = library::Limb::rod(T::of(self.mass.get()), T::of(self.length.get()));
-        library::Limb {
+    pub(super) fn limb<T: library::Scalar>(&self) -> library::models::RigidLink<T> {
+        let rod = library::models::RigidLink::rod(T::of(self.mass.get()), T::of(self.length.get()));
+        library::models::RigidLink {
             centre: self.centre.map_or(rod.centre, |it| T::of(it.get())),
             inertia: self.inertia.map_or(rod.inertia, |it| T::of(it.get())),
             ..rod

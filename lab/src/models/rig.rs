@@ -1,9 +1,14 @@
 //! A plant behind its port, ready to run.
 
 use lyapunov::{
-    self as library, Adapt, AffinePlant, ControlAffine, DampingLimit, Decay, Lolc,
-    LyapunovFunction, Mask, NoStabilizer, OnePort, ParameterError, Plant, Popc, PortEnergy,
-    RungeKutta4, Scalar, Signal, StateFeedback, WithState, decrease_of,
+    self as library, DampingLimit, Lolc, Mask, OnePort, ParameterError, Plant, Popc, PortEnergy,
+    Scalar, Signal,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{
+        AffinePlant, ControlAffine, Decay, LyapunovFunction, StateFeedback, WithState, decrease_of,
+    },
+    stabilizers::NoStabilizer,
 };
 use nalgebra::SVector;
 
@@ -131,22 +136,22 @@ where
     fn run(&self, contestant: Contestant, watch: &Watch<'_>) -> Result<Outcome, CompareError> {
         let mut stabilizer = self.stabilizer(contestant);
         let mut port = self.controller.clone().stabilized(&mut *stabilizer);
-        let (mut plant, mut drive) = (self.plant, self.plant.start());
+        let (mut plant, mut sample) = (self.plant, self.plant.start());
         let mut meter = Meter::new(self.ticks, self.servo_rate, self.began());
         for tick in 1..=self.ticks + 1 {
-            let (flow, value) = (drive.velocity, plant.value().lane(0));
-            if !(drive.position.finite().all() && value.is_finite()) {
+            let (flow, value) = (sample.velocity, plant.value().lane(0));
+            if !(sample.position.finite().all() && value.is_finite()) {
                 break;
             }
-            let effort = port.respond(&drive);
-            let action = port.action();
-            drive = plant.advance(effort);
+            let effort = port.respond(&sample);
+            let correction = port.correction();
+            sample = plant.advance(effort);
             meter.add(Tick {
                 value,
-                effort: effort.pair(effort).sqrt().lane(0),
-                alpha: action.alpha.lane(0),
-                shortfall: action.shortfall.lane(0),
-                taken: (action.alpha * flow.pair(drive.displacement)).lane(0),
+                effort: effort.inner(effort).sqrt().lane(0),
+                alpha: correction.alpha.lane(0),
+                shortfall: correction.shortfall.lane(0),
+                taken: (correction.alpha * flow.inner(sample.displacement)).lane(0),
             });
             if tick % self.breath == 0 && watch(self.breath).is_break() {
                 return Err(CompareError::Stopped);

@@ -1,6 +1,6 @@
 //! What the observer of a log sums.
 
-use lyapunov::{Beyond, Dissipation, Drive, LyapunovCandidate, PortEnergy};
+use lyapunov::{Dissipation, LyapunovCandidate, PortEnergy, PortSample, candidates::InContact};
 use serde::Serialize;
 
 use super::bad::LARGEST;
@@ -39,7 +39,7 @@ impl Candidate {
             Self::Spring => Credit::None,
             Self::DeviceDamping { damping } => Credit::Always(damper(damping)?),
             Self::MassSpringDamper { damping, surface } if surface.is_finite() => {
-                Credit::Beyond(damper(damping)?.gated(Beyond { position: surface }))
+                Credit::InContact(damper(damping)?.gated(InContact { position: surface }))
             }
             Self::MassSpringDamper { surface, .. } => {
                 return Err(ObserveError::new(format!("the surface is at {surface} m"))
@@ -66,22 +66,22 @@ pub(super) struct Credited(Credit);
 enum Credit {
     None,
     Always(Dissipation<f64>),
-    Beyond(Dissipation<f64, Beyond<f64>>),
+    InContact(Dissipation<f64, InContact<f64>>),
 }
 
 impl Credited {
-    /// What is credited over a drive, J.
-    pub(super) fn credit(&mut self, drive: &Drive<f64>) -> f64 {
+    /// What is credited over a sample, J.
+    pub(super) fn credit(&mut self, sample: &PortSample<f64>) -> f64 {
         match &mut self.0 {
             Credit::None => 0.0,
-            Credit::Always(damper) => damper.decrease(drive),
-            Credit::Beyond(damper) => damper.decrease(drive),
+            Credit::Always(damper) => damper.decrease(sample),
+            Credit::InContact(damper) => damper.decrease(sample),
         }
     }
 }
 
 impl LyapunovCandidate<f64> for Credited {
-    fn decrease(&mut self, drive: &Drive<f64>) -> f64 {
-        PortEnergy.decrease(drive) + self.credit(drive)
+    fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
+        PortEnergy.decrease(sample) + self.credit(sample)
     }
 }

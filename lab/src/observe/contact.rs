@@ -70,7 +70,7 @@ struct Open {
     paused: u32,
 }
 
-/// What acted from one row to the next.
+/// What applied from one row to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Push {
     pub(super) from: f64,

@@ -1,6 +1,6 @@
 //! From one good row to the next.
 
-use lyapunov::Drive;
+use lyapunov::PortSample;
 
 use super::log::Sample;
 
@@ -12,7 +12,7 @@ pub(super) const GAP: f64 = 1.5;
 pub(super) struct Step {
     pub(super) from: Sample,
     pub(super) to: Sample,
-    /// The least and the largest force known to have acted meanwhile, N.
+    /// The least and the largest force known to have applied meanwhile, N.
     pub(super) forces: (f64, f64),
     /// Whether there are bad rows in between.
     pub(super) spans: bool,
@@ -30,9 +30,9 @@ impl Step {
     }
 
     /// What the device did over the step, by the rule that guards keep (docs/contract.md): of all the forces that
-    /// may have acted the one that did the least work, and over a gap of the two velocities, the measured one
+    /// may have applied the one that did the least work, and over a gap of the two velocities, the measured one
     /// and the mean, the smaller. So no sum says more than was absorbed.
-    pub(super) fn drive(&self, median: f64) -> Drive<f64> {
+    pub(super) fn sample(&self, median: f64) -> PortSample<f64> {
         let Self { from, to, forces, .. } = self;
         let (period, displacement) = (self.period(), to.x - from.x);
         let mean = displacement / period;
@@ -46,7 +46,7 @@ impl Step {
             None => mean,
         };
         let work = (forces.0 * displacement).min(forces.1 * displacement);
-        Drive { work, ..Drive::new(period, to.x, velocity, displacement, from.f) }
+        PortSample { work, ..PortSample::new(period, to.x, velocity, displacement, from.f) }
     }
 }
 

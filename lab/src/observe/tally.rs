@@ -1,6 +1,6 @@
 //! Energy that went into a port and came out of it.
 
-use lyapunov::{Accumulator, Compensated};
+use lyapunov::accumulators::{Accumulator, Compensated};
 
 /// Energy that went into a port and came out of it, and the motion meanwhile.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! The observers over the steps of a log.
 
-use lyapunov::{Compensated, Held, Ledger, Observer, Sampled, Work};
+use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
 use super::bad::{Bad, BadRows, Reason, SHORTEST};
 use super::candidate::Credited;
@@ -50,35 +50,35 @@ impl Watch {
 
     pub(super) fn add(&mut self, entry: &Entry<'_>) {
         match entry {
-            Entry::Good(sample) => self.good(sample),
+            Entry::Good(reading) => self.good(reading),
             Entry::Bad(bad) => self.bad(bad),
         }
     }
 
-    fn good(&mut self, sample: &Sample) {
+    fn good(&mut self, reading: &Sample) {
         if let Some(last) = self.last {
-            if sample.t - last.t < SHORTEST {
-                let (line, time) = (sample.line, sample.t);
+            if reading.t - last.t < SHORTEST {
+                let (line, time) = (reading.line, reading.t);
                 let reason = Reason::Order { time, last: last.t, line: last.line };
                 return self.bad(&Bad { line, reason, time: None, force: None });
             }
             let (least, most) = self.forces.take().unwrap_or((last.f, last.f));
             let forces = (least.min(last.f), most.max(last.f));
             let spans = std::mem::take(&mut self.spans);
-            self.step(Step { from: last, to: *sample, forces, spans });
+            self.step(Step { from: last, to: *reading, forces, spans });
         } else {
             (self.spans, self.forces) = (false, None);
-            self.first = Some(*sample);
-            self.account.start(sample);
+            self.first = Some(*reading);
+            self.account.start(reading);
         }
         self.rows += 1;
-        self.last = Some(*sample);
+        self.last = Some(*reading);
     }
 
     fn bad(&mut self, bad: &Bad<'_>) {
         self.bad.add(bad.line, &bad.reason);
         self.spans = true;
-        // A force is believed if it acted after the last good row.
+        // A force is believed if it applied after the last good row.
         if let (Some(time), Some(force), Some(last)) = (bad.time, bad.force, self.last)
             && time > last.t
         {
@@ -181,22 +181,22 @@ impl Account {
         }
     }
 
-    fn start(&mut self, sample: &Sample) {
+    fn start(&mut self, reading: &Sample) {
         (self.held_course, self.sampled_course) =
-            (Sum::starting(sample.t), Sum::starting(sample.t));
-        self.traces.add(sample, 0.0, 0.0);
+            (Sum::starting(reading.t), Sum::starting(reading.t));
+        self.traces.add(reading, 0.0, 0.0);
     }
 
     fn book(&mut self, step: &Step, median: f64) {
         if step.is_gap(median) {
             self.gaps.add(step);
         }
-        let drive = step.drive(median);
-        let motion = drive.velocity * drive.velocity * drive.period;
-        self.port.add(drive.work, motion);
-        self.credited.add(self.held.candidate.credit(&drive), 0.0);
-        let held = self.held.observe(&drive, step.to.f);
-        let sampled = self.sampled.observe(&drive, step.to.f);
+        let sample = step.sample(median);
+        let motion = sample.velocity * sample.velocity * sample.period;
+        self.port.add(sample.work, motion);
+        self.credited.add(self.held.candidate.credit(&sample), 0.0);
+        let held = self.held.observe(&sample, step.to.f);
+        let sampled = self.sampled.observe(&sample, step.to.f);
         self.held_course.add(step.to.t, held);
         self.sampled_course.add(step.to.t, sampled);
         self.repair.add(step.to.t, self.port.damper(-held));
@@ -204,7 +204,7 @@ impl Account {
             from: step.from.t,
             to: step.to.t,
             force: step.from.f,
-            work: drive.work,
+            work: sample.work,
             motion,
         });
         self.traces.push(step.from.t, step.from.f);

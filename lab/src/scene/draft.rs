@@ -81,6 +81,6 @@ impl Draft {
 
     /// The tick from which on an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
     pub fn tick_of(&self, instant: f64) -> u64 {
-        lyapunov::tick_of(instant, self.servo_rate.get())
+        lyapunov::trajectories::tick_of(instant, self.servo_rate.get())
     }
 }

@@ -36,7 +36,7 @@ pub struct Summary {
     settling: Settling<f64>,
     /// Largest magnitude of the environment's force, N.
     pub environment_peak: f64,
-    /// Largest magnitude of the force that acted on the plant, N.
+    /// Largest magnitude of the force that applied on the plant, N.
     pub acting_peak: f64,
     /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J; infinite from where
     /// it leaves the range of f64.

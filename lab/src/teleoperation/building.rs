@@ -1,9 +1,11 @@
 //! From a teleoperator to its loop.
 
 use lyapunov::{
-    self as library, Body, ConstantDelay, DampingLimit, DriftCompensated, Exact, Impedance,
-    Located, Lossy, NoStabilizer, ParameterError, Popc, PortEnergy, Scalar, Station, Stepped,
-    VaryingDelay, WalledOscillator, WaveTransform,
+    self as library, DampingLimit, ParameterError, Popc, PortEnergy, Scalar,
+    bodies::{Body, Impedance, IntegratedPlant},
+    channels::{ConstantDelay, LossyChannel, VaryingDelay},
+    integrators::{EventLocating, Exact, WalledOscillator},
+    stabilizers::{DriftCompensated, NoStabilizer, TwoPortSide, WaveTransform},
 };
 
 use super::contestant::Contestant;
@@ -20,7 +22,7 @@ const ROOM: usize = 2049;
 pub(super) type Refused = (&'static str, ParameterError);
 
 /// A channel, boxed.
-pub(super) type AnyChannel<T> = Box<dyn library::Channel<Message<T>>>;
+pub(super) type AnyChannel<T> = Box<dyn library::channels::Channel<Message<T>>>;
 
 /// The master in its hand.
 pub(super) fn master<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refused> {
@@ -44,7 +46,8 @@ pub(super) fn slave<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refus
     };
     let (position, stiffness) = (T::of(position.get()), T::of(stiffness.get()));
     let walled = WalledOscillator::new(parts, stiffness, position).map_err(&refused)?;
-    let walled = Stepped::<T, _, _>::new(walled, Located::new(Exact::new()), period(file), 1);
+    let walled =
+        IntegratedPlant::<T, _, _>::new(walled, EventLocating::new(Exact::new()), period(file), 1);
     Ok(AnyPlant::new(walled.map_err(refused)?.starting(start, rest)))
 }
 
@@ -68,7 +71,7 @@ fn channel<T: Scalar>(it: Channel, seed: u64) -> Result<AnyChannel<T>, Refused> 
 }
 
 fn losing<T: Scalar>(
-    channel: impl library::Channel<Message<T>> + 'static,
+    channel: impl library::channels::Channel<Message<T>> + 'static,
     it: Channel,
     seed: u64,
 ) -> Result<AnyChannel<T>, Refused> {
@@ -76,7 +79,7 @@ fn losing<T: Scalar>(
     if loss == 0.0 {
         return Ok(Box::new(channel));
     }
-    Ok(Box::new(Lossy::new(channel, loss, seed, silence).map_err(in_table("channel.loss"))?))
+    Ok(Box::new(LossyChannel::new(channel, loss, seed, silence).map_err(in_table("channel.loss"))?))
 }
 
 /// What `contestant` joins the two by.
@@ -101,15 +104,18 @@ pub(super) fn link<T: Scalar>(
             slave: Box::new(Popc::new(PortEnergy, mobility)),
         }),
         Contestant::TwoPort => Box::new(Velocities {
-            master: Box::new(Station::new(damper)),
-            slave: Box::new(Station::new(mobility)),
+            master: Box::new(TwoPortSide::new(damper)),
+            slave: Box::new(TwoPortSide::new(mobility)),
         }),
         Contestant::Compensated => {
             let speed = T::of(file.stabilizer.compensation_speed.get());
-            let slave = DriftCompensated::new(Station::new(mobility), speed)
+            let slave = DriftCompensated::new(TwoPortSide::new(mobility), speed)
                 .and_then(|slave| slave.meeting(stiffness * period))
                 .map_err(in_table("stabilizer.compensation_speed"))?;
-            Box::new(Velocities { master: Box::new(Station::new(damper)), slave: Box::new(slave) })
+            Box::new(Velocities {
+                master: Box::new(TwoPortSide::new(damper)),
+                slave: Box::new(slave),
+            })
         }
         Contestant::Waves => {
             let impedance = T::of(file.wave_impedance());

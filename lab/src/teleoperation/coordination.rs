@@ -1,6 +1,6 @@
 //! The slave's controller.
 
-use lyapunov::{Drive, Scalar};
+use lyapunov::{PortSample, Scalar};
 
 /// The coordinating controller on one tick: a spring from the commanded position, and a damper from the velocity that is
 /// commanded for the tick.
@@ -14,10 +14,10 @@ pub(super) struct Coordination<T> {
 }
 
 impl<T: Scalar> Coordination<T> {
-    /// A spring of `stiffness` N/m and a damper of `damping` N·s/m that pull the slave, of which `drive` tells, to `command` m.
-    pub(super) fn new(stiffness: T, damping: T, command: T, drive: &Drive<T>) -> Self {
-        let spring = stiffness * (command - drive.position);
-        Self { spring, damping, velocity: drive.velocity }
+    /// A spring of `stiffness` N/m and a damper of `damping` N·s/m that pull the slave, of which `sample` tells, to `command` m.
+    pub(super) fn new(stiffness: T, damping: T, command: T, sample: &PortSample<T>) -> Self {
+        let spring = stiffness * (command - sample.position);
+        Self { spring, damping, velocity: sample.velocity }
     }
 
     /// The force on the slave under the commanded velocity `flow`, N.

@@ -1,6 +1,9 @@
 //! Stabilizers at one end of a link.
 
-use lyapunov::{DriftCompensated, NoStabilizer, Popc, Scalar, Stabilizer, Station};
+use lyapunov::{
+    Popc, Scalar, Stabilizer,
+    stabilizers::{DriftCompensated, NoStabilizer, TwoPortSide},
+};
 
 /// A stabilizer at one end of a link, which may be told of energies and tell of its own; one that does neither is alone.
 pub(super) trait End<T: Scalar>: Stabilizer<T> {
@@ -17,7 +20,7 @@ impl<T: Scalar> End<T> for NoStabilizer {}
 
 impl<T: Scalar> End<T> for Popc<T> {}
 
-impl<T: Scalar> End<T> for Station<T> {
+impl<T: Scalar> End<T> for TwoPortSide<T> {
     fn receive(&mut self, energy: T) {
         Self::receive(self, energy);
     }
@@ -27,7 +30,7 @@ impl<T: Scalar> End<T> for Station<T> {
     }
 }
 
-impl<T: Scalar> End<T> for DriftCompensated<Station<T>, T> {
+impl<T: Scalar> End<T> for DriftCompensated<TwoPortSide<T>, T> {
     fn receive(&mut self, energy: T) {
         Self::receive(self, energy);
     }

@@ -1,6 +1,6 @@
 //! The loop of a teleoperator, run.
 
-use lyapunov::{Action, Drive, Load, Plant, Scalar};
+use lyapunov::{AdmittanceSample, Correction, Plant, PortSample, Scalar};
 
 use super::building::{self, AnyChannel, Refused};
 use super::contestant::Contestant;
@@ -30,9 +30,9 @@ struct Rig<T: Scalar> {
 
 /// What both ports tell on a tick, and what is known from the tick before.
 struct State<T: Scalar> {
-    master: Drive<T>,
-    slave: Drive<T>,
-    load: Drive<T>,
+    master: PortSample<T>,
+    slave: PortSample<T>,
+    load: PortSample<T>,
     /// Where the slave is wanted, m.
     command: T,
     arrived: Message<T>,
@@ -100,7 +100,7 @@ impl<T: Scalar> Rig<T> {
     fn start(&self) -> State<T> {
         let (master, slave) = (self.master.start(), self.slave.start());
         let zero = T::of(0.0);
-        let load = Load::starting(self.period, zero).into();
+        let load = AdmittanceSample::starting(self.period, zero).into();
         let command = slave.position;
         State { master, slave, load, command, arrived: (zero, zero), crossed: 0.0 }
     }
@@ -130,13 +130,14 @@ impl<T: Scalar> Rig<T> {
         *master = self.master.advance(felt.effort);
         *slave = self.slave.advance(-pull);
         *command += flow * self.period;
-        *load = Load::new(self.period, T::of(0.0), -pull, -pull * self.period, flow).into();
+        *load =
+            AdmittanceSample::new(self.period, T::of(0.0), -pull, -pull * self.period, flow).into();
         *crossed += (master.work + load.work).lane(0);
         sound
     }
 }
 
 /// What a correction is about to burn, J.
-fn burnt<T: Scalar>(drive: &Drive<T>, action: &Action<T>) -> f64 {
-    (action.alpha * (drive.velocity * drive.velocity * drive.period)).lane(0)
+fn burnt<T: Scalar>(sample: &PortSample<T>, correction: &Correction<T>) -> f64 {
+    (correction.alpha * (sample.velocity * sample.velocity * sample.period)).lane(0)
 }

@@ -28,11 +28,11 @@ pub(crate) fn runs<V: Space>(
     let mut fresh = fresh.collect::<Result<Vec<_>, _>>()?;
     let start = Instant::now();
     for run in black_box(&mut fresh) {
-        let mut drive = run.plant.start();
+        let mut sample = run.plant.start();
         for _ in 0..ticks {
-            run.tick(&mut drive);
+            run.tick(&mut sample);
         }
-        black_box(drive);
+        black_box(sample);
     }
     Ok(start.elapsed())
 }

@@ -18,12 +18,12 @@ fn decays<V: Space>(scene: &Scene) -> bool {
     let mut moved = scene.to_draft();
     moved.initial.velocity = lyapunov_lab::scene::Finite::new(1.0).unwrap().into();
     let mut assembly = Assembly::<V>::of(&moved.check().unwrap()).unwrap();
-    let mut drive = assembly.plant.start();
+    let mut sample = assembly.plant.start();
     let mut stretch = || {
         let mut most = 0.0_f64;
         for _ in 0..STRETCH {
-            assembly.tick(&mut drive);
-            let away = drive.position.axis(0).abs();
+            assembly.tick(&mut sample);
+            let away = sample.position.axis(0).abs();
             most = if away.is_finite() { most.max(away) } else { f64::INFINITY };
         }
         most

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Drive, OnePort};
+use lyapunov::{OnePort, PortSample};
 use lyapunov_lab::bounds::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene};
 use nalgebra::DMatrix;
@@ -18,15 +18,15 @@ const TWO_RATES: Kind = Kind { slowest: 6, ..ONE_RATE };
 fn least(scene: &Scene, displacements: &[f64]) -> (f64, f64) {
     let mut port = Assembly::<f64>::of(scene).unwrap().port;
     let (period, damping) = (scene.period(), scene.device.damping.get());
-    let (mut position, mut acted) = (0.0, port.respond(&Drive::starting(period, 0.0, 0.0)));
+    let (mut position, mut applied) = (0.0, port.respond(&PortSample::starting(period, 0.0, 0.0)));
     let (mut energy, mut least, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
     for moved in displacements {
-        let taken = acted * moved + damping * moved * moved / period;
+        let taken = applied * moved + damping * moved * moved / period;
         energy += taken;
-        size += (acted * moved).abs();
+        size += (applied * moved).abs();
         least = least.min(energy);
         position += moved;
-        acted = port.respond(&Drive::new(period, position, moved / period, *moved, acted));
+        applied = port.respond(&PortSample::new(period, position, moved / period, *moved, applied));
     }
     (least, size)
 }
@@ -74,12 +74,12 @@ fn matters(scene: &Scene) -> bool {
 fn answer(scene: &Scene) -> Vec<f64> {
     let mut port = Assembly::<f64>::of(scene).unwrap().port;
     let period = scene.period();
-    let mut acted = port.respond(&Drive::starting(period, 0.0, 0.0));
+    let mut applied = port.respond(&PortSample::starting(period, 0.0, 0.0));
     let mut displacements = vec![1.0];
     displacements.resize(600, 0.0);
     let answer = displacements.into_iter().map(|moved| {
-        acted = port.respond(&Drive::new(period, 1.0, moved / period, moved, acted));
-        acted
+        applied = port.respond(&PortSample::new(period, 1.0, moved / period, moved, applied));
+        applied
     });
     answer.collect()
 }
@@ -122,14 +122,15 @@ fn form(scene: &Scene, count: usize) -> DMatrix<f64> {
     let mut form = DMatrix::zeros(count, count);
     for pushed in 0..count {
         let mut port = Assembly::<f64>::of(scene).unwrap().port;
-        let mut acted = port.respond(&Drive::starting(period, 0.0, 0.0));
+        let mut applied = port.respond(&PortSample::starting(period, 0.0, 0.0));
         let mut position = 0.0;
         for tick in 0..count {
-            form[(tick, pushed)] += 0.5 * acted;
-            form[(pushed, tick)] += 0.5 * acted;
+            form[(tick, pushed)] += 0.5 * applied;
+            form[(pushed, tick)] += 0.5 * applied;
             let moved = if tick == pushed { 1.0 } else { 0.0 };
             position += moved;
-            acted = port.respond(&Drive::new(period, position, moved / period, moved, acted));
+            applied =
+                port.respond(&PortSample::new(period, position, moved / period, moved, applied));
         }
         form[(pushed, pushed)] += damping / period;
     }

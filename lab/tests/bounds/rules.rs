@@ -1,7 +1,7 @@
 //! Gil's rule, the limit of friction and encoder, and what does not apply.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Drive, OnePort};
+use lyapunov::{OnePort, PortSample};
 use lyapunov_lab::bounds::Limits;
 use lyapunov_lab::{Assembly, Scene};
 
@@ -48,13 +48,13 @@ fn energies(text: &str, positions: &[f64]) -> Vec<f64> {
     let mut port = Assembly::<f64>::of(&scene).unwrap().port;
     let (period, damping) = (scene.period(), scene.device.damping.get());
     let coulomb = scene.effects.friction.unwrap().coulomb.get();
-    let (mut place, mut acted) = (0.0, port.respond(&Drive::starting(period, 0.0, 0.0)));
+    let (mut place, mut applied) = (0.0, port.respond(&PortSample::starting(period, 0.0, 0.0)));
     let mut energy = 0.0;
     let energies = positions.iter().map(|position| {
         let moved = position - place;
-        energy += acted * moved + damping * moved * moved / period + coulomb * moved.abs();
+        energy += applied * moved + damping * moved * moved / period + coulomb * moved.abs();
         place = *position;
-        acted = port.respond(&Drive::new(period, place, moved / period, moved, acted));
+        applied = port.respond(&PortSample::new(period, place, moved / period, moved, applied));
         energy
     });
     energies.collect()

@@ -1,21 +1,21 @@
 //! A stabilizer of one's own fails a hard case in the words of the shipped laws.
 
 use lyapunov::laws::{self, Law, Samples};
-use lyapunov::{Action, DampingLimit, Drive, Lolc, PortEnergy, Stabilizer};
+use lyapunov::{Correction, DampingLimit, Lolc, PortEnergy, PortSample, Stabilizer};
 use lyapunov_lab::AnyStabilizer;
 use lyapunov_lab::hard::{Catalogue, Tally};
 
-/// A stabilizer with something wrong in what it makes of the right action.
+/// A stabilizer with something wrong in what it makes of the right correction.
 #[derive(Clone)]
 struct Wrong {
     popc: Lolc<f64, PortEnergy>,
-    spoil: fn(&Drive<f64>, f64, Action<f64>) -> Action<f64>,
+    spoil: fn(&PortSample<f64>, f64, Correction<f64>) -> Correction<f64>,
 }
 
 impl Stabilizer<f64> for Wrong {
-    fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
-        let action = self.popc.stabilize(drive, effort);
-        (self.spoil)(drive, effort, action)
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        let correction = self.popc.stabilize(sample, effort);
+        (self.spoil)(sample, effort, correction)
     }
 }
 
@@ -32,7 +32,11 @@ fn tried(case: &str, stabilizer: &(impl Stabilizer<f64> + Clone + 'static)) -> T
 
 /// The case and the shipped laws name the same law.
 #[track_caller]
-fn fails(case: &str, law: Law, spoil: fn(&Drive<f64>, f64, Action<f64>) -> Action<f64>) {
+fn fails(
+    case: &str,
+    law: Law,
+    spoil: fn(&PortSample<f64>, f64, Correction<f64>) -> Correction<f64>,
+) {
     let wrong = Wrong { popc: Lolc::new(PortEnergy, limit()), spoil };
     let (broken, _) = tried(case, &wrong).broken.expect("broken");
     let samples = Samples::<f64>::new(1e-3);
@@ -55,58 +59,65 @@ fn a_right_one_breaks_nothing() {
 
 #[test]
 fn a_division_by_rest_is_not_finite() {
-    fails("a debt at rest", Law::Finite, |drive, effort, action| {
-        let square = drive.velocity.powi(2) * drive.period;
+    fails("a debt at rest", Law::Finite, |sample, effort, correction| {
+        let square = sample.velocity.powi(2) * sample.period;
         let most = if square > 0.0 { limit().most() } else { f64::INFINITY };
-        let alpha = if action.sum < 0.0 { (-action.sum / square).min(most) } else { 0.0 };
-        let accepted = effort.is_finite() && drive.finite();
-        let effort = if accepted { effort + alpha * drive.velocity } else { 0.0 };
-        Action { effort, alpha, accepted, ..action }
+        let alpha = if correction.observed_energy < 0.0 {
+            (-correction.observed_energy / square).min(most)
+        } else {
+            0.0
+        };
+        let accepted = effort.is_finite() && sample.finite();
+        let effort = if accepted { effort + alpha * sample.velocity } else { 0.0 };
+        Correction { effort, alpha, accepted, ..correction }
     });
 }
 
 #[test]
 fn a_pull_along_the_motion_does_not_oppose() {
-    fails("a debt at rest", Law::Opposes, |drive, effort, action| {
-        let pulled = effort - action.alpha * drive.velocity;
-        Action { effort: if action.accepted { pulled } else { 0.0 }, ..action }
+    fails("a debt at rest", Law::Opposes, |sample, effort, correction| {
+        let pulled = effort - correction.alpha * sample.velocity;
+        Correction { effort: if correction.accepted { pulled } else { 0.0 }, ..correction }
     });
 }
 
 #[test]
 fn a_negative_damping_is_told() {
-    fails("a debt at rest", Law::NoNegativeDamping, |_, _, action| Action {
-        alpha: -action.alpha,
-        ..action
+    fails("a debt at rest", Law::NoNegativeDamping, |_, _, correction| Correction {
+        alpha: -correction.alpha,
+        ..correction
     });
 }
 
 #[test]
 fn a_debt_that_is_not_told_is_not_served() {
-    fails("a debt at rest", Law::Served, |_, _, action| Action { shortfall: 0.0, ..action });
+    fails("a debt at rest", Law::Served, |_, _, correction| Correction {
+        shortfall: 0.0,
+        ..correction
+    });
 }
 
 #[test]
 fn a_sum_that_forgets_does_not_balance() {
-    fails("a debt at rest", Law::Balances, |_, _, action| Action {
-        sum: action.sum * (1.0 - 1e-9),
-        ..action
+    fails("a debt at rest", Law::Balances, |_, _, correction| Correction {
+        observed_energy: correction.observed_energy * (1.0 - 1e-9),
+        ..correction
     });
 }
 
 #[test]
 fn a_correction_beyond_the_limit_is_told() {
-    fails("a debt at rest", Law::WithinLimit, |drive, effort, action| {
-        let alpha = if action.alpha > 0.0 { action.alpha + 200.0 } else { 0.0 };
-        let effort = if action.accepted { effort + alpha * drive.velocity } else { 0.0 };
-        Action { effort, alpha, ..action }
+    fails("a debt at rest", Law::WithinLimit, |sample, effort, correction| {
+        let alpha = if correction.alpha > 0.0 { correction.alpha + 200.0 } else { 0.0 };
+        let effort = if correction.accepted { effort + alpha * sample.velocity } else { 0.0 };
+        Correction { effort, alpha, ..correction }
     });
 }
 
 #[test]
 fn a_sample_that_is_not_finite_has_to_be_rejected() {
-    fails("NaN once", Law::Rejects, |_, effort, action| Action {
-        effort: if action.accepted { action.effort } else { effort },
-        ..action
+    fails("NaN once", Law::Rejects, |_, effort, correction| Correction {
+        effort: if correction.accepted { correction.effort } else { effort },
+        ..correction
     });
 }

@@ -1,9 +1,14 @@
 //! The other models against the loops of their examples.
 
 use lyapunov::{
-    Adapt, AdmittanceDevice, AffinePlant, ArmEnergy, ControlAffine, DampingLimit, DcMotor, Decay,
-    Ground, LegEnergy, Limb, Lolc, LyapunovFunction, MotorEnergy, MotorParts, OnePort, Plant,
-    ProstheticLeg, RungeKutta4, StateFeedback, TwoLinkArm, WithState, decrease_of,
+    DampingLimit, Lolc, OnePort, Plant,
+    effects::OnePortExt,
+    integrators::RungeKutta4,
+    models::{
+        AdmittanceDevice, AffinePlant, ArmEnergy, ControlAffine, DcMotor, Decay, Ground, LegEnergy,
+        LyapunovFunction, MotorEnergy, MotorParts, ProstheticLeg, RigidLink, StateFeedback,
+        TwoLinkArm, WithState, decrease_of,
+    },
 };
 use lyapunov_lab::models::Contestant;
 use nalgebra::{SVector, Vector1, Vector2, Vector3, Vector4};
@@ -40,10 +45,10 @@ impl<P, F, const N: usize> Example<P, F, N> {
         let decay = Decay::new(energy, self.decay).unwrap();
         let lolc = Lolc::new((decrease_of(energy, start), decay), limit);
         let mut port = controller.stabilized(lolc);
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         let mut values = vec![plant.value()];
         for _ in 0..self.ticks {
-            drive = plant.advance(port.respond(&drive));
+            sample = plant.advance(port.respond(&sample));
             values.push(plant.value());
         }
         values
@@ -113,7 +118,7 @@ fn the_admittance_device_is_its_loop_in_a_program() {
 
 #[test]
 fn the_arm_is_its_example() {
-    let arm = TwoLinkArm::new(Limb::rod(2.0, 0.4), Limb::rod(1.0, 0.3)).unwrap();
+    let arm = TwoLinkArm::new(RigidLink::rod(2.0, 0.4), RigidLink::rod(1.0, 0.3)).unwrap();
     let stiffness = [40.0, 10.0];
     let example = Example {
         plant: arm,
@@ -131,7 +136,7 @@ fn the_arm_is_its_example() {
 #[test]
 fn the_leg_is_its_example() {
     let ground = Ground { stiffness: 2e4, damping: 0.5, drag: 0.2 };
-    let (thigh, shank) = (Limb::rod(4.0, 0.4), Limb::rod(2.5, 0.45));
+    let (thigh, shank) = (RigidLink::rod(4.0, 0.4), RigidLink::rod(2.5, 0.45));
     let leg = ProstheticLeg::new(thigh, shank, [0.3, -0.6], ground).unwrap();
     let (stiffness, damping) = ([300.0, 150.0], [4.0, 2.0]);
     let example = Example {

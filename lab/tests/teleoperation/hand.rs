@@ -1,7 +1,7 @@
 //! The shipped files written out by hand: nothing of the library but its random numbers.
 
 use approx::abs_diff_eq;
-use lyapunov::{Random, Source};
+use lyapunov::effects::{Random, Source};
 use lyapunov_lab::teleoperation::{Contestant, Score, Teleoperator};
 
 use crate::teleoperation::shipped::{NAMES, compared, parsed, text};

@@ -1,46 +1,50 @@
 //! The law of an adaptor: a port that owns another.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Action, Drive, OnePort, Scalar, Signal};
+use crate::{Correction, OnePort, PortSample, Scalar, Signal};
 
-/// A port that tells of an action that nothing else tells of: what [`adaptor`] puts inside of one.
+/// A port that tells of an correction that nothing else tells of: what [`adaptor`] puts inside of one.
 #[derive(Clone, Copy, Debug)]
 pub struct Probe<V: Signal> {
-    action: Action<V>,
+    correction: Correction<V>,
 }
 
 impl<V: Signal> Probe<V> {
     fn new() -> Self {
         let of = V::Scalar::of;
         let effort = V::splat(of(0.25));
-        let action =
-            Action { sum: of(-3.0), alpha: of(5.0), shortfall: of(7.0), ..Action::none(effort) };
-        Self { action }
+        let correction = Correction {
+            observed_energy: of(-3.0),
+            alpha: of(5.0),
+            shortfall: of(7.0),
+            ..Correction::none(effort)
+        };
+        Self { correction }
     }
 }
 
 impl<V: Signal> OnePort<V> for Probe<V> {
-    fn respond(&mut self, _drive: &Drive<V>) -> V {
-        self.action.effort
+    fn respond(&mut self, _drive: &PortSample<V>) -> V {
+        self.correction.effort
     }
 
-    fn action(&self) -> Action<V> {
-        self.action
+    fn correction(&self) -> Correction<V> {
+        self.correction
     }
 }
 
 /// Checks that the adaptor that `wrap` makes around a port keeps the law [`HandsOn`](Law::HandsOn) over the drives of
-/// `samples`: its [`OnePort::action`] is that of the port it owns.
+/// `samples`: its [`OnePort::correction`] is that of the port it owns.
 ///
-/// [`Stabilized`](crate::Stabilized) is no adaptor in this sense: it tells of its own action.
+/// [`Stabilized`](crate::Stabilized) is no adaptor in this sense: it tells of its own correction.
 ///
 /// ```
-/// use lyapunov_core::{Drive, OnePort, Signal, laws};
+/// use lyapunov_core::{PortSample, OnePort, Signal, laws};
 /// /// Turns the effort round, and forgets to hand on what the stabilizer inside did.
 /// struct Turned<P>(P);
 /// impl<V: Signal, P: OnePort<V>> OnePort<V> for Turned<P> {
-///     fn respond(&mut self, drive: &Drive<V>) -> V {
-///         V::zero() - self.0.respond(drive)
+///     fn respond(&mut self, sample: &PortSample<V>) -> V {
+///         V::zero() - self.0.respond(sample)
 ///     }
 /// }
 /// let broken = laws::adaptor::<f64, _>(Turned, laws::Samples::new(1e-3)).unwrap_err();
@@ -48,22 +52,22 @@ impl<V: Signal> OnePort<V> for Probe<V> {
 /// ```
 ///
 /// # Errors
-/// The first sample after which the action is another.
+/// The first sample after which the correction is another.
 pub fn adaptor<V: Signal, P: OnePort<V>>(
     wrap: impl FnOnce(Probe<V>) -> P,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let probe = Probe::new();
-    let inside = probe.action;
+    let inside = probe.correction;
     let mut port = wrap(probe);
-    for (tick, (drive, _)) in samples.into_iter().enumerate() {
-        port.respond(&drive);
-        let (now, told) = (Tick(tick), port.action());
+    for (tick, (sample, _)) in samples.into_iter().enumerate() {
+        port.respond(&sample);
+        let (now, told) = (Tick(tick), port.correction());
         now.same(Law::HandsOn, told.effort, inside.effort)?;
-        now.same(Law::HandsOn, told.sum, inside.sum)?;
+        now.same(Law::HandsOn, told.observed_energy, inside.observed_energy)?;
         now.same(Law::HandsOn, told.alpha, inside.alpha)?;
         now.same(Law::HandsOn, told.shortfall, inside.shortfall)?;
-        now.require(Law::HandsOn, told.accepted, told.sum)?;
+        now.require(Law::HandsOn, told.accepted, told.observed_energy)?;
     }
     Ok(())
 }

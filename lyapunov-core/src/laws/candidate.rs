@@ -1,7 +1,7 @@
 //! The laws of a Lyapunov candidate.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Drive, LyapunovCandidate, Scalar, Signal};
+use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Checks that `candidate` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NothingForNothing`](Law::NothingForNothing) and [`Recovers`](Law::Recovers) over `samples`.
@@ -10,25 +10,25 @@ use crate::{Drive, LyapunovCandidate, Scalar, Signal};
 /// The first law that is broken.
 pub fn candidate<V: Signal, C: LyapunovCandidate<V> + Clone>(
     candidate: &C,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (candidate.clone(), candidate.clone());
-    for (tick, (drive, _)) in samples.into_iter().enumerate() {
+    for (tick, (sample, _)) in samples.into_iter().enumerate() {
         let now = Tick(tick);
-        let decrease = one.decrease(&drive);
+        let decrease = one.decrease(&sample);
         now.finite(Law::Finite, decrease)?;
-        now.same(Law::Repeatable, decrease, other.decrease(&drive))?;
+        now.same(Law::Repeatable, decrease, other.decrease(&sample))?;
 
         let mut resting = one.clone();
-        let still = Drive::starting(drive.period, drive.position, V::zero());
+        let still = PortSample::starting(sample.period, sample.position, V::zero());
         resting.decrease(&still);
         let credited = resting.decrease(&still);
         now.same(Law::NothingForNothing, credited, V::Scalar::of(0.0))?;
 
         let mut shaken = one.clone();
         let nan = V::splat(V::Scalar::of(f64::NAN));
-        shaken.decrease(&Drive::new(drive.period, nan, nan, nan, nan));
-        now.finite(Law::Recovers, shaken.decrease(&drive))?;
+        shaken.decrease(&PortSample::new(sample.period, nan, nan, nan, nan));
+        now.finite(Law::Recovers, shaken.decrease(&sample))?;
     }
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! The law that a candidate loses what its function loses.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Drive, LyapunovCandidate, Scalar, Signal};
+use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Checks that the decreases that `candidate` tells over `drives` keep the law [`AddsUp`](Law::AddsUp): from the first
-/// drive on they sum to `V(start) − V(n)`, where `value` tells `V` at a drive.
+/// sample on they sum to `V(start) − V(n)`, where `value` tells `V` at a sample.
 ///
 /// They may be apart by `share` of all the ups and downs of `V` so far, and by rounding. A candidate by differences
 /// keeps the law with a share of 0; one by rates, `−V̇ T`, with as much as its quadrature errs, which is of the order of
@@ -14,8 +14,8 @@ use crate::{Drive, LyapunovCandidate, Scalar, Signal};
 /// [`Finite`](Law::Finite), or [`AddsUp`](Law::AddsUp) with what the sum is off by.
 pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
     candidate: &C,
-    value: impl Fn(&Drive<V>) -> V::Scalar,
-    drives: impl IntoIterator<Item = Drive<V>>,
+    value: impl Fn(&PortSample<V>) -> V::Scalar,
+    drives: impl IntoIterator<Item = PortSample<V>>,
     share: V::Scalar,
 ) -> Result<(), Violation> {
     let mut candidate = candidate.clone();
@@ -25,11 +25,11 @@ pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
     let start = value(&first);
     let zero = V::Scalar::of(0.0);
     let (mut last, mut told, mut travelled, mut rounding) = (start, zero, zero, zero);
-    for (index, drive) in drives.enumerate() {
+    for (index, sample) in drives.enumerate() {
         let now = Tick(index + 1);
-        let here = value(&drive);
+        let here = value(&sample);
         now.finite(Law::Finite, here)?;
-        told += candidate.decrease(&drive);
+        told += candidate.decrease(&sample);
         now.finite(Law::Finite, told)?;
         travelled += (here - last).magnitude();
         rounding += (told.magnitude() + here.magnitude() + last.magnitude()) * V::Scalar::epsilon();

@@ -114,7 +114,7 @@ where
     let size = fine.into_iter().fold(from.map(Scalar::magnitude), |size, at| {
         size.zip(at, |size, axis| size.larger(axis.magnitude()))
     });
-    let size = size.map(|axis| axis + U::Scalar::tiny());
+    let size = size.map(|axis| axis + U::Scalar::smallest_normal());
     let errors = COARSE.map(|steps| {
         let mut integrator = integrator.clone();
         let coarse =

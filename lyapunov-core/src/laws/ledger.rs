@@ -2,7 +2,8 @@
 
 use crate::laws::{Law, Tick, Violation};
 use crate::{
-    Accumulator, Compensated, Drive, LyapunovCandidate, Requirement, Scalar, Signal, Stabilizer,
+    Accumulator, Compensated, LyapunovCandidate, PortSample, Requirement, Scalar, Signal,
+    Stabilizer,
 };
 
 /// Checks that `stabilizer` keeps the laws [`WithinLimit`](Law::WithinLimit) and [`Balances`](Law::Balances) over
@@ -20,7 +21,7 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
     stabilizer: &S,
     candidate: &C,
     limit: V::Scalar,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut stabilizer, mut candidate) = (stabilizer.clone(), candidate.clone());
     let zero = V::Scalar::of(0.0);
@@ -28,26 +29,26 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
     let (mut absolute, mut largest, mut ticks) = (zero, zero, zero);
     // A limit that is not one is told as a breach of it on the first tick.
     let limit = Requirement::Limit.check("limit", limit).unwrap_or(zero);
-    for (tick, (drive, effort)) in samples.into_iter().enumerate() {
+    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
         let now = Tick(tick);
-        let decrease = candidate.decrease(&drive);
-        let action = stabilizer.stabilize(&drive, effort);
-        let most = drive.velocity.map(|v| v.magnitude() * limit);
-        let correction = (action.effort - effort).map(Scalar::magnitude);
-        let size = action.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
-        now.not_below_zero(Law::WithinLimit, (most - correction).sum(), size.sum())?;
+        let decrease = candidate.decrease(&sample);
+        let correction = stabilizer.stabilize(&sample, effort);
+        let most = sample.velocity.map(|v| v.magnitude() * limit);
+        let added = (correction.effort - effort).map(Scalar::magnitude);
+        let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
+        now.not_below_zero(Law::WithinLimit, (most - added).sum(), size.sum())?;
 
         supplied.add(decrease);
         let sum = supplied.value();
         absolute += decrease.magnitude();
         largest = largest.larger(sum.magnitude());
         ticks += V::Scalar::of(1.0);
-        let burnt = action.alpha * (drive.velocity.pair(drive.velocity) * drive.period);
-        let stored = action.sum.larger(zero);
-        let error = (sum - (stored - burnt - action.shortfall)).magnitude();
+        let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
+        let stored = correction.observed_energy.larger(zero);
+        let error = (sum - (stored - burnt - correction.shortfall)).magnitude();
         let unit = V::Scalar::epsilon() * V::Scalar::of(0.5);
         let allowed = V::Scalar::of(4.0) * unit * (absolute + ticks * largest)
-            + ticks * V::Scalar::of(4.0) * V::Scalar::tiny();
+            + ticks * V::Scalar::of(4.0) * V::Scalar::smallest_normal();
         now.require(Law::Balances, !allowed.below(error), error)?;
     }
     Ok(())

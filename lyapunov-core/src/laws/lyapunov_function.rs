@@ -32,7 +32,7 @@ pub fn lyapunov_function<X: Signal, F: LyapunovFunction<X>>(
         let value = function.value(state);
         now.finite(Law::Finite, value)?;
         now.finite(Law::Finite, function.gradient(state))?;
-        let away = state.pair(state).above(X::Scalar::tiny());
+        let away = state.inner(state).above(X::Scalar::smallest_normal());
         now.require(Law::Positive, !away | value.above(zero), value)?;
         slopes(now, function, state)?;
     }
@@ -65,7 +65,7 @@ fn slopes<X: Signal>(
             + of(0.5) * bend.magnitude()
             + of(8.0) * X::Scalar::epsilon() * heights / step
             + share * (told.magnitude() + steepness)
-            + X::Scalar::tiny();
+            + X::Scalar::smallest_normal();
         let apart = (told - near).magnitude();
         now.require(Law::Slope, apart.below(tolerance), told - near)?;
     }

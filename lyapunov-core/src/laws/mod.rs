@@ -4,13 +4,13 @@
 //! samples) and answers with the first law that is broken, the tick and the number that broke it.
 //!
 //! ```
-//! use lyapunov_core::{Action, Drive, Stabilizer, laws};
+//! use lyapunov_core::{Correction, PortSample, Stabilizer, laws};
 //! /// A damper that is always there.
 //! #[derive(Clone)]
 //! struct Damper(f64);
 //! impl Stabilizer<f64> for Damper {
-//!     fn stabilize(&mut self, drive: &Drive<f64>, effort: f64) -> Action<f64> {
-//!         Action { alpha: self.0, ..Action::none(effort + self.0 * drive.velocity) }.checked()
+//!     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+//!         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }.checked()
 //!     }
 //! }
 //! laws::stabilizer(&Damper(2.0), laws::Samples::new(1e-3))?;
@@ -71,7 +71,7 @@ pub enum Law {
     Recovers,
     /// Where nothing moves and nothing acts, nothing is credited.
     NothingForNothing,
-    /// The drive tells the motion: displacements lead from position to position, the work is the effort's over
+    /// The sample tells the motion: displacements lead from position to position, the work is the effort's over
     /// them, and the effort told is the one applied.
     TellsTheTruth,
     /// An adaptor tells what the stabilizer inside did.
@@ -104,8 +104,8 @@ impl fmt::Display for Law {
             Self::Rejects => "a sample that is not finite must be rejected with a finite effort",
             Self::Recovers => "after a sample that is not finite, the next must be finite again",
             Self::NothingForNothing => "where nothing happens, nothing must be credited",
-            Self::TellsTheTruth => "the drive must tell what moved and what acted",
-            Self::HandsOn => "an adaptor must hand on the action of the port it owns",
+            Self::TellsTheTruth => "the sample must tell what moved and what applied",
+            Self::HandsOn => "an adaptor must hand on the correction of the port it owns",
             Self::LaneByLane => "a lane must not depend on the others",
             Self::Converges => "the error must fall with the step as the order says",
             Self::ZeroAtRest => "V must be 0 at rest",
@@ -154,7 +154,7 @@ impl Tick {
 
     /// Breaks `law` where `value` is below 0 by more than the rounding of terms as large as `size`.
     fn not_below_zero<T: Scalar>(self, law: Law, value: T, size: T) -> Result<(), Violation> {
-        let rounding = T::of(16.0) * T::epsilon() * size + T::tiny();
+        let rounding = T::of(16.0) * T::epsilon() * size + T::smallest_normal();
         self.require(law, !value.below(-rounding), value)
     }
 

@@ -1,7 +1,7 @@
 //! The laws of a one-port.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Drive, OnePort, Signal};
+use crate::{OnePort, PortSample, Signal};
 
 /// Checks that `port` keeps the laws [`Finite`](Law::Finite) and [`Repeatable`](Law::Repeatable) over the
 /// drives of `samples`.
@@ -10,14 +10,14 @@ use crate::{Drive, OnePort, Signal};
 /// The first law that is broken.
 pub fn one_port<V: Signal, P: OnePort<V> + Clone>(
     port: &P,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (port.clone(), port.clone());
-    for (tick, (drive, _)) in samples.into_iter().enumerate() {
+    for (tick, (sample, _)) in samples.into_iter().enumerate() {
         let now = Tick(tick);
-        let effort = one.respond(&drive);
+        let effort = one.respond(&sample);
         now.finite(Law::Finite, effort)?;
-        now.same(Law::Repeatable, effort, other.respond(&drive))?;
+        now.same(Law::Repeatable, effort, other.respond(&sample))?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! The laws of a plant.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Drive, Plant, Scalar, Signal};
+use crate::{Plant, PortSample, Scalar, Signal};
 
 /// Checks that `plant` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable) and
 /// [`TellsTheTruth`](Law::TellsTheTruth) under the efforts of `samples`.
@@ -10,7 +10,7 @@ use crate::{Drive, Plant, Scalar, Signal};
 /// The first law that is broken.
 pub fn plant<V: Signal, P: Plant<V> + Clone>(
     plant: &P,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (plant.clone(), plant.clone());
     let mut last = one.start();
@@ -18,16 +18,16 @@ pub fn plant<V: Signal, P: Plant<V> + Clone>(
     Tick(0).same(Law::TellsTheTruth, last.work, V::zero())?;
     for (tick, (_, effort)) in samples.into_iter().enumerate() {
         let now = Tick(tick);
-        let drive = one.advance(effort);
-        now.require(Law::Finite, drive.finite(), drive.position.sum())?;
-        now.same(Law::Repeatable, drive.position, other.advance(effort).position)?;
-        now.same(Law::TellsTheTruth, drive.acted, effort)?;
-        let apart = (drive.position - last.position - drive.displacement).map(Scalar::magnitude);
-        let size = drive.position.map(Scalar::magnitude) + last.position.map(Scalar::magnitude);
+        let sample = one.advance(effort);
+        now.require(Law::Finite, sample.finite(), sample.position.sum())?;
+        now.same(Law::Repeatable, sample.position, other.advance(effort).position)?;
+        now.same(Law::TellsTheTruth, sample.applied, effort)?;
+        let apart = (sample.position - last.position - sample.displacement).map(Scalar::magnitude);
+        let size = sample.position.map(Scalar::magnitude) + last.position.map(Scalar::magnitude);
         let zero = V::Scalar::of(0.0);
         now.not_below_zero(Law::TellsTheTruth, zero - apart.sum(), size.sum())?;
-        now.same(Law::TellsTheTruth, drive.work, effort.times(drive.displacement))?;
-        last = drive;
+        now.same(Law::TellsTheTruth, sample.work, effort.times(sample.displacement))?;
+        last = sample;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
-//! What the laws drive a part through.
+//! What the laws sample a part through.
 
-use crate::{Drive, Scalar, Signal};
+use crate::{PortSample, Scalar, Signal};
 
 /// How many samples there are.
 const COUNT: usize = 2000;
@@ -12,7 +12,7 @@ const COUNT: usize = 2000;
 pub struct Samples<V: Signal> {
     period: V::Scalar,
     position: V,
-    acted: V,
+    applied: V,
     tick: usize,
     seed: u64,
 }
@@ -20,7 +20,7 @@ pub struct Samples<V: Signal> {
 impl<V: Signal> Samples<V> {
     /// Samples of a loop with this `period`, s.
     pub fn new(period: V::Scalar) -> Self {
-        Self { period, position: V::zero(), acted: V::zero(), tick: 0, seed: 1 }
+        Self { period, position: V::zero(), applied: V::zero(), tick: 0, seed: 1 }
     }
 
     /// The same kind of samples with other numbers.
@@ -43,7 +43,7 @@ impl<V: Signal> Samples<V> {
 }
 
 impl<V: Signal> Iterator for Samples<V> {
-    type Item = (Drive<V>, V);
+    type Item = (PortSample<V>, V);
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.tick == COUNT {
@@ -55,10 +55,11 @@ impl<V: Signal> Iterator for Samples<V> {
         let velocity = if resting { V::zero() } else { self.signal(size) };
         let displacement = velocity.scale(self.period);
         self.position = self.position + displacement;
-        let drive = Drive::new(self.period, self.position, velocity, displacement, self.acted);
+        let sample =
+            PortSample::new(self.period, self.position, velocity, displacement, self.applied);
         let effort = self.signal(1e2 * size);
-        self.acted = effort;
+        self.applied = effort;
         self.tick += 1;
-        Some((drive, effort))
+        Some((sample, effort))
     }
 }

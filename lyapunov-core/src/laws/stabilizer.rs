@@ -1,7 +1,7 @@
 //! The laws of a stabilizer.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{Action, Drive, Scalar, Signal, Stabilizer};
+use crate::{Correction, PortSample, Scalar, Signal, Stabilizer};
 
 /// Checks that `stabilizer` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
@@ -9,13 +9,13 @@ use crate::{Action, Drive, Scalar, Signal, Stabilizer};
 ///
 /// They check honesty (finite, passive, with debts told), not that a loop becomes stable: run a scene for that.
 /// What a stabilizer tells of its damping is taken on trust. A limit of the actuator belongs outside of it, where
-/// the next drive tells what acted: an effort clipped inside may feed power into the motion by what it cuts off.
+/// the next sample tells what applied: an effort clipped inside may feed power into the motion by what it cuts off.
 ///
 /// # Errors
 /// The first law that is broken.
 pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
     stabilizer: &S,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     check(stabilizer, samples, opposes)
 }
@@ -30,37 +30,40 @@ pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
 /// The first law that is broken.
 pub fn limiter<V: Signal, S: Stabilizer<V> + Clone>(
     stabilizer: &S,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     check(stabilizer, samples, no_larger)
 }
 
 /// What a correction has to be like.
-type Correction<V> = fn(Tick, &Drive<V>, V, &Action<V>) -> Result<(), Violation>;
+type Manner<V> = fn(Tick, &PortSample<V>, V, &Correction<V>) -> Result<(), Violation>;
 
 fn check<V: Signal, S: Stabilizer<V> + Clone>(
     stabilizer: &S,
-    samples: impl IntoIterator<Item = (Drive<V>, V)>,
-    correction: Correction<V>,
+    samples: impl IntoIterator<Item = (PortSample<V>, V)>,
+    manner: Manner<V>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (stabilizer.clone(), stabilizer.clone());
-    for (tick, (drive, effort)) in samples.into_iter().enumerate() {
+    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
         let now = Tick(tick);
-        let action = one.stabilize(&drive, effort);
-        now.finite(Law::Finite, action.effort)?;
-        now.finite(Law::Finite, action.sum + action.alpha + action.shortfall)?;
-        now.require(Law::Finite, action.accepted, effort.sum())?;
-        keeps_its_word(now, &drive, &action)?;
-        correction(now, &drive, effort, &action)?;
+        let correction = one.stabilize(&sample, effort);
+        now.finite(Law::Finite, correction.effort)?;
+        now.finite(
+            Law::Finite,
+            correction.observed_energy + correction.alpha + correction.shortfall,
+        )?;
+        now.require(Law::Finite, correction.accepted, effort.sum())?;
+        keeps_its_word(now, &sample, &correction)?;
+        manner(now, &sample, effort, &correction)?;
 
-        let again = other.stabilize(&drive, effort);
-        now.same(Law::Repeatable, action.effort, again.effort)?;
-        now.same(Law::Repeatable, action.sum, again.sum)?;
-        now.same(Law::Repeatable, action.alpha, again.alpha)?;
+        let again = other.stabilize(&sample, effort);
+        now.same(Law::Repeatable, correction.effort, again.effort)?;
+        now.same(Law::Repeatable, correction.observed_energy, again.observed_energy)?;
+        now.same(Law::Repeatable, correction.alpha, again.alpha)?;
 
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            rejects(now, one.clone(), &drive, effort, V::Scalar::of(bad))?;
-            survives(now, &one, &drive, effort, V::Scalar::of(bad))?;
+            rejects(now, one.clone(), &sample, effort, V::Scalar::of(bad))?;
+            survives(now, &one, &sample, effort, V::Scalar::of(bad))?;
         }
     }
     Ok(())
@@ -68,37 +71,37 @@ fn check<V: Signal, S: Stabilizer<V> + Clone>(
 
 fn keeps_its_word<V: Signal>(
     now: Tick,
-    drive: &Drive<V>,
-    action: &Action<V>,
+    sample: &PortSample<V>,
+    correction: &Correction<V>,
 ) -> Result<(), Violation> {
     let zero = V::Scalar::of(0.0);
-    now.not_below_zero(Law::NoNegativeDamping, action.alpha, zero)?;
-    now.not_below_zero(Law::NoNegativeDamping, action.shortfall, zero)?;
-    let burnt = action.alpha * (drive.velocity.pair(drive.velocity) * drive.period);
-    let served = action.sum + burnt + action.shortfall;
-    now.not_below_zero(Law::Served, served, action.sum.magnitude())
+    now.not_below_zero(Law::NoNegativeDamping, correction.alpha, zero)?;
+    now.not_below_zero(Law::NoNegativeDamping, correction.shortfall, zero)?;
+    let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
+    let served = correction.observed_energy + burnt + correction.shortfall;
+    now.not_below_zero(Law::Served, served, correction.observed_energy.magnitude())
 }
 
 fn opposes<V: Signal>(
     now: Tick,
-    drive: &Drive<V>,
+    sample: &PortSample<V>,
     effort: V,
-    action: &Action<V>,
+    correction: &Correction<V>,
 ) -> Result<(), Violation> {
-    let power = (action.effort - effort).pair(drive.velocity);
-    let size = action.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
-    now.not_below_zero(Law::Opposes, power, size.pair(drive.velocity.map(Scalar::magnitude)))
+    let power = (correction.effort - effort).inner(sample.velocity);
+    let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
+    now.not_below_zero(Law::Opposes, power, size.inner(sample.velocity.map(Scalar::magnitude)))
 }
 
 /// On every axis between 0 and the effort it was given.
 fn no_larger<V: Signal>(
     now: Tick,
-    _drive: &Drive<V>,
+    _drive: &PortSample<V>,
     effort: V,
-    action: &Action<V>,
+    correction: &Correction<V>,
 ) -> Result<(), Violation> {
     let zero = V::Scalar::of(0.0);
-    let beyond = action.effort.zip(effort, |out, given| {
+    let beyond = correction.effort.zip(effort, |out, given| {
         let (least, most) = (given.smaller(zero), given.larger(zero));
         (out - most).larger(zero) + (least - out).larger(zero)
     });
@@ -106,26 +109,26 @@ fn no_larger<V: Signal>(
     now.not_below_zero(Law::NoLarger, -beyond.sum(), size)
 }
 
-/// Each field of the drive bad, and then a sound sample.
+/// Each field of the sample bad, and then a sound sample.
 fn survives<V: Signal, S: Stabilizer<V> + Clone>(
     now: Tick,
     stabilizer: &S,
-    drive: &Drive<V>,
+    sample: &PortSample<V>,
     effort: V,
     bad: V::Scalar,
 ) -> Result<(), Violation> {
     let spoilt = V::splat(bad);
     for flawed in [
-        Drive { period: bad, ..*drive },
-        Drive { position: spoilt, ..*drive },
-        Drive { velocity: spoilt, ..*drive },
-        Drive { displacement: spoilt, ..*drive },
-        Drive { acted: spoilt, ..*drive },
-        Drive { work: spoilt, ..*drive },
+        PortSample { period: bad, ..*sample },
+        PortSample { position: spoilt, ..*sample },
+        PortSample { velocity: spoilt, ..*sample },
+        PortSample { displacement: spoilt, ..*sample },
+        PortSample { applied: spoilt, ..*sample },
+        PortSample { work: spoilt, ..*sample },
     ] {
         let mut stabilizer = stabilizer.clone();
         now.finite(Law::Rejects, stabilizer.stabilize(&flawed, effort).effort)?;
-        let accepted = stabilizer.stabilize(drive, effort);
+        let accepted = stabilizer.stabilize(sample, effort);
         now.finite(Law::Recovers, accepted.effort)?;
         now.require(Law::Recovers, accepted.accepted, bad)?;
     }
@@ -136,14 +139,14 @@ fn survives<V: Signal, S: Stabilizer<V> + Clone>(
 fn rejects<V: Signal>(
     now: Tick,
     mut stabilizer: impl Stabilizer<V>,
-    drive: &Drive<V>,
+    sample: &PortSample<V>,
     effort: V,
     bad: V::Scalar,
 ) -> Result<(), Violation> {
-    let rejected = stabilizer.stabilize(drive, V::splat(bad));
+    let rejected = stabilizer.stabilize(sample, V::splat(bad));
     now.finite(Law::Rejects, rejected.effort)?;
     now.require(Law::Rejects, !rejected.accepted, bad)?;
-    let accepted = stabilizer.stabilize(drive, effort);
+    let accepted = stabilizer.stabilize(sample, effort);
     now.finite(Law::Recovers, accepted.effort)?;
     now.require(Law::Recovers, accepted.accepted, bad)
 }

@@ -1,7 +1,7 @@
 //! A control-affine plant behind its port.
 
 use lyapunov_core::{
-    Drive, Integrator, LyapunovFunction, ParameterError, Plant, Requirement, Scalar,
+    Integrator, LyapunovFunction, ParameterError, Plant, PortSample, Requirement, Scalar,
 };
 use nalgebra::SVector;
 use num_traits::Zero;
@@ -16,7 +16,7 @@ use crate::{ControlAffine, WithFlow, WithState};
 /// V̇ = L_f V − e · y        so e · ∫ y dt is what V loses to the effort, on each input exactly
 /// ```
 ///
-/// The drive tells `y`, `∫ y dt` over the period and the state ([`WithState`]). Summed over
+/// The sample tells `y`, `∫ y dt` over the period and the state ([`WithState`]). Summed over
 /// [`PortEnergy`](lyapunov_core::PortEnergy) that is what the input took from `V`, the drift left out; over
 /// [`decrease_of`](crate::decrease_of) it is all that `V` lost.
 ///
@@ -29,9 +29,9 @@ use crate::{ControlAffine, WithFlow, WithState};
 /// let mut plant =
 ///     AffinePlant::new(VanDerPol::new(1.0)?, circle, RungeKutta4, 0.01, 1)?.starting(start);
 /// let mut port = StateFeedback::new(|x: Vector2<f64>| Vector1::new(-2.0 * x[1]));
-/// let mut drive = plant.start();
+/// let mut sample = plant.start();
 /// for _ in 0..1000 {
-///     drive = plant.advance(port.respond(&drive));
+///     sample = plant.advance(port.respond(&sample));
 /// }
 /// assert!(plant.state().norm() < 0.01); // more damping than the oscillator's own feeds
 /// # Ok::<(), ParameterError>(())
@@ -104,17 +104,17 @@ where
     I: Integrator<SVector<T, M>, WithFlow<P, F, N>>,
 {
     #[inline]
-    fn start(&self) -> Drive<WithState<T, N, M>> {
-        Drive::starting(self.period, self.at, self.flow())
+    fn start(&self) -> PortSample<WithState<T, N, M>> {
+        PortSample::starting(self.period, self.at, self.flow())
     }
 
     #[inline]
-    fn advance(&mut self, effort: WithState<T, N, M>) -> Drive<WithState<T, N, M>> {
+    fn advance(&mut self, effort: WithState<T, N, M>) -> PortSample<WithState<T, N, M>> {
         let before = self.at;
         for _ in 0..self.steps {
             let (at, input) = (self.at, effort.input);
             self.at = at + self.integrator.step(&self.dynamics, at, input, self.interval);
         }
-        Drive::new(self.period, self.at, self.flow(), self.at - before, effort)
+        PortSample::new(self.period, self.at, self.flow(), self.at - before, effort)
     }
 }

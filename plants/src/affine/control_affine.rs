@@ -48,7 +48,7 @@ pub trait ControlAffine<T: Scalar, const N: usize, const M: usize> {
         F: LyapunovFunction<SVector<T, N>>,
     {
         let gradient = function.gradient(state);
-        SVector::from(self.input_fields(state).map(|field| field.pair(gradient)))
+        SVector::from(self.input_fields(state).map(|field| field.inner(gradient)))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What makes boundedness convergence, as a term of a candidate.
 
 use lyapunov_core::{
-    Drive, LyapunovCandidate, LyapunovFunction, ParameterError, Requirement, Scalar,
+    LyapunovCandidate, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar,
 };
 use nalgebra::SVector;
 
@@ -37,7 +37,7 @@ where
     F: LyapunovFunction<SVector<T, N>>,
 {
     #[inline]
-    fn decrease(&mut self, drive: &Drive<WithState<T, N, M>>) -> T {
-        -(self.rate * self.function.value(drive.position.state) * drive.period)
+    fn decrease(&mut self, sample: &PortSample<WithState<T, N, M>>) -> T {
+        -(self.rate * self.function.value(sample.position.state) * sample.period)
     }
 }

@@ -1,6 +1,6 @@
 //! All that a Lyapunov function of the state loses, as a candidate.
 
-use lyapunov_core::{LyapunovFunction, Scalar, Storage};
+use lyapunov_core::{LyapunovFunction, Scalar, StorageFunction};
 use nalgebra::SVector;
 
 use crate::WithState;
@@ -15,19 +15,19 @@ use crate::WithState;
 /// use lyapunov_plants::{QuadraticForm, decrease_of};
 /// use nalgebra::Vector2;
 /// let candidate = decrease_of(QuadraticForm::sum_of_squares(), Vector2::new(0.5, 0.0));
-/// # let _: lyapunov_core::Storage<_, f64> = candidate;
+/// # let _: lyapunov_core::StorageFunction<_, f64> = candidate;
 /// # fn used<const M: usize>(c: impl lyapunov_core::LyapunovCandidate<lyapunov_plants::WithState<f64, 2, M>>) {}
 /// # used::<1>(candidate);
 /// ```
 pub fn decrease_of<T, F, const N: usize, const M: usize>(
     function: F,
     state: SVector<T, N>,
-) -> Storage<impl Fn(WithState<T, N, M>, WithState<T, N, M>) -> T + Copy, T>
+) -> StorageFunction<impl Fn(WithState<T, N, M>, WithState<T, N, M>) -> T + Copy, T>
 where
     T: Scalar,
     F: LyapunovFunction<SVector<T, N>> + Copy,
 {
     let value = move |at: WithState<T, N, M>, _| function.value(at.state);
     let start = WithState { input: SVector::zeros(), state };
-    Storage::starting(value, start, start)
+    StorageFunction::starting(value, start, start)
 }

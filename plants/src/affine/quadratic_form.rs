@@ -59,11 +59,11 @@ fn positive_definite<const N: usize>(mut rows: [[f64; N]; N]) -> Result<(), Para
 impl<T: Scalar, const N: usize> LyapunovFunction<SVector<T, N>> for QuadraticForm<T, N> {
     #[inline]
     fn value(&self, state: SVector<T, N>) -> T {
-        T::of(0.5) * state.pair(self.gradient(state))
+        T::of(0.5) * state.inner(self.gradient(state))
     }
 
     #[inline]
     fn gradient(&self, state: SVector<T, N>) -> SVector<T, N> {
-        SVector::from(self.rows.map(|row| row.pair(state)))
+        SVector::from(self.rows.map(|row| row.inner(state)))
     }
 }

@@ -1,6 +1,6 @@
 //! The nominal controller.
 
-use lyapunov_core::{Drive, OnePort, Scalar};
+use lyapunov_core::{OnePort, PortSample, Scalar};
 use nalgebra::SVector;
 
 use crate::WithState;
@@ -30,7 +30,7 @@ where
     K: Fn(SVector<T, N>) -> SVector<T, M>,
 {
     #[inline]
-    fn respond(&mut self, drive: &Drive<WithState<T, N, M>>) -> WithState<T, N, M> {
-        WithState::of_input(-(self.law)(drive.position.state))
+    fn respond(&mut self, sample: &PortSample<WithState<T, N, M>>) -> WithState<T, N, M> {
+        WithState::of_input(-(self.law)(sample.position.state))
     }
 }

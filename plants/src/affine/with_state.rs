@@ -8,21 +8,21 @@ use num_traits::Zero;
 
 /// `M` inputs, and beside them the `N` states, which travel with them but are pushed by nothing.
 ///
-/// Controllers and candidates are given a drive and nothing else, and they need the whole state, so it travels in the
-/// drive. That makes the port of a control-affine plant a port like any other, to be held, delayed, saturated, guarded
+/// Controllers and candidates are given a sample and nothing else, and they need the whole state, so it travels in the
+/// sample. That makes the port of a control-affine plant a port like any other, to be held, delayed, saturated, guarded
 /// and stabilized:
 ///
-/// | of a drive or effort | `input` | `state` |
+/// | of a sample or effort | `input` | `state` |
 /// |---|---|---|
 /// | `position` | `∫ y dt` since the start | `x` |
 /// | `velocity` | `y = L_g V` | 0 |
 /// | `displacement` | `∫ y dt` over the period | `Δx` |
-/// | effort, `acted` | `e = −u` | 0 |
+/// | effort, `applied` | `e = −u` | 0 |
 /// | `work` | `eᵢ ∫ yᵢ dt` | 0 |
 ///
-/// The state has neither velocity nor effort: they are 0 in every drive of an [`AffinePlant`](crate::AffinePlant) or of
-/// [`Measured`](crate::Measured). A damper `α` acts on the inputs alone, therefore, and `v²` is `y²`. Velocities must not be
-/// taken from displacements here ([`differenced`](crate::Adapt::differenced) and its kin): the flow is computed from
+/// The state has neither velocity nor effort: they are 0 in every sample of an [`AffinePlant`](crate::AffinePlant) or of
+/// [`MeasuredPlant`](crate::MeasuredPlant). A damper `α` acts on the inputs alone, therefore, and `v²` is `y²`. Velocities must not be
+/// taken from displacements here ([`differenced`](crate::OnePortExt::differenced) and its kin): the flow is computed from
 /// the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithState<T, const N: usize, const M: usize> {

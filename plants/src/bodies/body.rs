@@ -1,10 +1,10 @@
 //! What the operator holds: one mass.
 
-use lyapunov_core::{Drive, Mask, ParameterError, Plant, Requirement, Scalar, Signal};
+use lyapunov_core::{Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 use nalgebra::{Matrix2, Matrix3};
 
 use super::propagation::by_rows;
-use crate::{Impedance, Linear, Tethered, held_input};
+use crate::{Impedance, Linear, OperatedBody, held_input};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
@@ -121,22 +121,22 @@ fn keeping_area<T: Scalar>(mut increments: Matrix3<T::Real>) -> Matrix3<T::Real>
 
 impl<V: Signal> Plant<V> for Body<V> {
     #[inline(always)]
-    fn start(&self) -> Drive<V> {
-        Drive::starting(self.period, self.position, self.velocity)
+    fn start(&self) -> PortSample<V> {
+        PortSample::starting(self.period, self.position, self.velocity)
     }
 
     #[inline(always)]
-    fn advance(&mut self, effort: V) -> Drive<V> {
+    fn advance(&mut self, effort: V) -> PortSample<V> {
         let deflection = self.position - self.rest;
         let before = self.position;
         self.position = before + self.position_map.gain(deflection, self.velocity, effort);
         self.velocity = self.velocity + self.velocity_map.gain(deflection, self.velocity, effort);
         let displacement = self.position - before;
-        Drive::new(self.period, self.position, self.velocity, displacement, effort)
+        PortSample::new(self.period, self.position, self.velocity, displacement, effort)
     }
 }
 
-impl<V: Signal> Tethered<V> for Body<V> {
+impl<V: Signal> OperatedBody<V> for Body<V> {
     type Parts = Impedance<V::Scalar>;
 
     #[inline(always)]

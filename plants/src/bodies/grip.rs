@@ -1,8 +1,8 @@
 //! An operator who holds faster or looser.
 
-use lyapunov_core::{Drive, ParameterError, Plant, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 
-use crate::Tethered;
+use crate::OperatedBody;
 
 /// A body that is made of other parts from given ticks on, and of its own before the first.
 ///
@@ -22,7 +22,7 @@ impl<B, R, T: Scalar> Grip<B, R, T> {
     pub(crate) fn new<V>(mut body: B, own: B::Parts, table: R) -> Result<Self, ParameterError>
     where
         V: Signal<Scalar = T>,
-        B: Tethered<V>,
+        B: OperatedBody<V>,
         R: AsRef<[(u64, B::Parts)]>,
     {
         let period = body.start().period;
@@ -41,7 +41,7 @@ impl<B, R, T: Scalar> Grip<B, R, T> {
     #[inline]
     fn take_hold<V: Signal<Scalar = T>>(&mut self)
     where
-        B: Tethered<V>,
+        B: OperatedBody<V>,
         R: AsRef<[(u64, B::Parts)]>,
     {
         while let Some(&(tick, parts)) = self.table.as_ref().get(self.next)
@@ -58,31 +58,31 @@ impl<B, R, T: Scalar> Grip<B, R, T> {
 impl<V, B, R> Plant<V> for Grip<B, R, V::Scalar>
 where
     V: Signal,
-    B: Tethered<V>,
+    B: OperatedBody<V>,
     R: AsRef<[(u64, B::Parts)]>,
 {
     #[inline]
-    fn start(&self) -> Drive<V> {
+    fn start(&self) -> PortSample<V> {
         self.body.start()
     }
 
     #[inline]
-    fn advance(&mut self, effort: V) -> Drive<V> {
+    fn advance(&mut self, effort: V) -> PortSample<V> {
         self.take_hold();
         self.body.advance(effort)
     }
 
     #[inline]
-    fn advance_into(&mut self, effort: V, drive: &mut Drive<V>) {
+    fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         self.take_hold();
-        self.body.advance_into(effort, drive);
+        self.body.advance_into(effort, sample);
     }
 }
 
-impl<V, B, R> Tethered<V> for Grip<B, R, V::Scalar>
+impl<V, B, R> OperatedBody<V> for Grip<B, R, V::Scalar>
 where
     V: Signal,
-    B: Tethered<V>,
+    B: OperatedBody<V>,
     R: AsRef<[(u64, B::Parts)]>,
 {
     type Parts = B::Parts;

@@ -1,11 +1,11 @@
 //! A clock that does not keep time.
 
-use lyapunov_core::{Drive, ParameterError, Plant, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 
-use crate::Tethered;
+use crate::OperatedBody;
 
 /// A body that moves for `max(0, T + deviation g)` instead of `T`, with a standard normal number `g` of `normal`
-/// for each tick, while the drive tells `T`.
+/// for each tick, while the sample tells `T`.
 ///
 /// Who takes a velocity from the displacement divides by `T` and is wrong by the jitter. Position, displacement
 /// and the held effort's work are the true ones. A deviation of 0 changes nothing.
@@ -27,7 +27,7 @@ impl<B, P, T, G> Jitter<B, P, T, G> {
     ) -> Result<Self, ParameterError>
     where
         V: Signal<Scalar = T>,
-        B: Tethered<V, Parts = P>,
+        B: OperatedBody<V, Parts = P>,
         P: Copy,
         T: Scalar,
     {
@@ -41,27 +41,27 @@ impl<B, P, T, G> Jitter<B, P, T, G> {
 impl<V, B, G> Plant<V> for Jitter<B, B::Parts, V::Scalar, G>
 where
     V: Signal,
-    B: Tethered<V>,
+    B: OperatedBody<V>,
     G: FnMut() -> V::Scalar,
 {
     #[inline]
-    fn start(&self) -> Drive<V> {
-        Drive { period: self.period, ..self.body.start() }
+    fn start(&self) -> PortSample<V> {
+        PortSample { period: self.period, ..self.body.start() }
     }
 
     #[inline]
-    fn advance(&mut self, effort: V) -> Drive<V> {
+    fn advance(&mut self, effort: V) -> PortSample<V> {
         let interval = self.period + self.deviation * (self.normal)();
         // An interval so long that the motion leaves the scalar's range keeps the one before.
         let _ = self.body.reshape(self.parts, interval.larger(V::Scalar::of(0.0)));
-        Drive { period: self.period, ..self.body.advance(effort) }
+        PortSample { period: self.period, ..self.body.advance(effort) }
     }
 }
 
-impl<V, B, G> Tethered<V> for Jitter<B, B::Parts, V::Scalar, G>
+impl<V, B, G> OperatedBody<V> for Jitter<B, B::Parts, V::Scalar, G>
 where
     V: Signal,
-    B: Tethered<V>,
+    B: OperatedBody<V>,
     G: FnMut() -> V::Scalar,
 {
     type Parts = B::Parts;

@@ -1,33 +1,33 @@
 //! What the operator holds: bodies that move exactly or by steps, and what changes their course.
 
 mod body;
+mod external_force;
 mod friction;
 mod grip;
+mod hand_motion;
 mod impedance;
+mod integrated_plant;
 mod jitter;
 mod linear;
-mod linked;
-mod motion;
-mod perturb;
+mod operated_body;
+mod plant_ext;
 mod propagation;
-mod push;
-mod stepped;
-mod tethered;
-mod two_mass;
+mod two_mass_body;
+mod two_mass_parts;
 
 pub use body::Body;
 pub(crate) use body::impedance_increments;
+pub use external_force::ExternalForce;
 pub use friction::{Friction, Stribeck, Transition, Transitions};
 pub use grip::Grip;
+pub use hand_motion::HandMotion;
 pub use impedance::Impedance;
+pub use integrated_plant::IntegratedPlant;
 pub use jitter::Jitter;
 pub use linear::Linear;
-pub use linked::Linked;
-pub(crate) use linked::two_mass_increments;
-pub use motion::Motion;
-pub use perturb::Perturb;
+pub use operated_body::OperatedBody;
+pub use plant_ext::PlantExt;
 pub use propagation::held_input;
-pub use push::Push;
-pub use stepped::Stepped;
-pub use tethered::Tethered;
-pub use two_mass::{DampedMass, Link, TwoMass};
+pub use two_mass_body::TwoMassBody;
+pub(crate) use two_mass_body::two_mass_increments;
+pub use two_mass_parts::{DampedMass, ElasticJoint, TwoMassParts};

@@ -1,11 +1,11 @@
 //! What carries messages from one loop to another.
 
 mod constant_delay;
-mod lossy;
+mod lossy_channel;
 mod varying_delay;
 
 pub use constant_delay::ConstantDelay;
-pub use lossy::Lossy;
+pub use lossy_channel::LossyChannel;
 pub use varying_delay::VaryingDelay;
 
 /// One direction of a link between two loops that tick together: a message goes in on every tick, and the newest that

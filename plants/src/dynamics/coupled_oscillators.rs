@@ -3,7 +3,7 @@
 use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, Signal, State};
 
 use crate::bodies::two_mass_increments;
-use crate::{Assembled, ImplicitMechanics, Joined, LinearDynamics, TwoMass};
+use crate::{FromParts, ImplicitMechanics, LinearDynamics, TwoMassCoordinates, TwoMassParts};
 
 /// An operator and a device joined by a link, the operator on a spring that rests at the origin, in the coordinates
 /// `x_d` and `s = x_o − x_d`, alike on each axis:
@@ -14,7 +14,7 @@ use crate::{Assembled, ImplicitMechanics, Joined, LinearDynamics, TwoMass};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoupledOscillators<T> {
-    parts: TwoMass<T>,
+    parts: TwoMassParts<T>,
     per_operator: T,
     per_device: T,
 }
@@ -25,9 +25,9 @@ impl<T: Scalar> CoupledOscillators<T> {
     /// # Errors
     /// A mass or the link's stiffness not above 0 and finite; a damping or the operator's stiffness below 0,
     /// infinite or NaN; a mass so small against the rest that an acceleration is out of the scalar's range.
-    pub fn new(parts: TwoMass<T>) -> Result<Self, ParameterError> {
+    pub fn new(parts: TwoMassParts<T>) -> Result<Self, ParameterError> {
         let parts = parts.checked()?;
-        let TwoMass { operator, device, link } = parts;
+        let TwoMassParts { operator, device, link } = parts;
         let one = T::of(1.0);
         let held = one + operator.stiffness + operator.damping + link.stiffness + link.damping;
         let led = one + device.damping + link.stiffness + link.damping;
@@ -38,11 +38,16 @@ impl<T: Scalar> CoupledOscillators<T> {
 
     /// The forces on operator and device from outside of the link, and the link's, which pulls them together.
     #[inline]
-    fn forces<V>(&self, position: Joined<V>, velocity: Joined<V>, effort: V) -> [V; 3]
+    fn forces<V>(
+        &self,
+        position: TwoMassCoordinates<V>,
+        velocity: TwoMassCoordinates<V>,
+        effort: V,
+    ) -> [V; 3]
     where
         V: Signal<Scalar = T>,
     {
-        let TwoMass { operator, device, link } = self.parts;
+        let TwoMassParts { operator, device, link } = self.parts;
         let place = position.device + position.stretch;
         let rate = velocity.device + velocity.stretch;
         let on_operator = place.scale(-operator.stiffness) - rate.scale(operator.damping);
@@ -52,23 +57,28 @@ impl<T: Scalar> CoupledOscillators<T> {
     }
 }
 
-impl<T: Scalar> Assembled for CoupledOscillators<T> {
-    type Parts = TwoMass<T>;
+impl<T: Scalar> FromParts for CoupledOscillators<T> {
+    type Parts = TwoMassParts<T>;
 
-    fn made_of(&self, parts: TwoMass<T>) -> Result<Self, ParameterError> {
+    fn made_of(&self, parts: TwoMassParts<T>) -> Result<Self, ParameterError> {
         Self::new(parts)
     }
 }
 
 impl<V: Signal> Mechanics<V> for CoupledOscillators<V::Scalar> {
-    type Coordinates = Joined<V>;
+    type Coordinates = TwoMassCoordinates<V>;
 
     #[inline]
-    fn acceleration(&self, position: Joined<V>, velocity: Joined<V>, effort: V) -> Joined<V> {
+    fn acceleration(
+        &self,
+        position: TwoMassCoordinates<V>,
+        velocity: TwoMassCoordinates<V>,
+        effort: V,
+    ) -> TwoMassCoordinates<V> {
         let [on_operator, on_device, pull] = self.forces(position, velocity, effort);
         let operator = (on_operator - pull).scale(self.per_operator);
         let device = (on_device + pull).scale(self.per_device);
-        Joined { device, stretch: operator - device }
+        TwoMassCoordinates { device, stretch: operator - device }
     }
 }
 
@@ -78,13 +88,13 @@ impl<V: Signal> ImplicitMechanics<V> for CoupledOscillators<V::Scalar> {
     #[inline]
     fn implicit_acceleration(
         &self,
-        position: Joined<V>,
-        velocity: Joined<V>,
+        position: TwoMassCoordinates<V>,
+        velocity: TwoMassCoordinates<V>,
         effort: V,
         alpha: V::Scalar,
         beta: V::Scalar,
-    ) -> Joined<V> {
-        let TwoMass { operator, device, link } = self.parts;
+    ) -> TwoMassCoordinates<V> {
+        let TwoMassParts { operator, device, link } = self.parts;
         let [on_operator, on_device, pull] = self.forces(position, velocity, effort);
         let held = operator.mass + alpha * operator.stiffness + beta * operator.damping;
         let led = device.mass + beta * device.damping;
@@ -96,7 +106,7 @@ impl<V: Signal> ImplicitMechanics<V> for CoupledOscillators<V::Scalar> {
         let stretch = (on_operator.scale(share_led) - on_device.scale(share_held) - pull)
             .scale(V::Scalar::of(1.0) / (reduced + joint));
         let device = outside.scale(V::Scalar::of(1.0) / (held + led)) - stretch.scale(share_held);
-        Joined { device, stretch }
+        TwoMassCoordinates { device, stretch }
     }
 }
 
@@ -108,7 +118,11 @@ impl<V: Signal> LinearDynamics<V> for CoupledOscillators<V::Scalar> {
     }
 
     #[inline]
-    fn gain(increments: &Self::Increments, from: State<Joined<V>>, effort: V) -> State<Joined<V>> {
+    fn gain(
+        increments: &Self::Increments,
+        from: State<TwoMassCoordinates<V>>,
+        effort: V,
+    ) -> State<TwoMassCoordinates<V>> {
         let of = |row: [V::Scalar; 5]| {
             from.position.device.scale(row[0])
                 + from.position.stretch.scale(row[1])
@@ -118,8 +132,8 @@ impl<V: Signal> LinearDynamics<V> for CoupledOscillators<V::Scalar> {
         };
         let [device, stretch, velocity, stretching] = increments.map(of);
         State {
-            position: Joined { device, stretch },
-            velocity: Joined { device: velocity, stretch: stretching },
+            position: TwoMassCoordinates { device, stretch },
+            velocity: TwoMassCoordinates { device: velocity, stretch: stretching },
         }
     }
 }

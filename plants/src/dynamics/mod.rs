@@ -1,23 +1,23 @@
 //! Equations of motion for integrators, and what some integrators ask of them beside the acceleration.
 
-mod assembled;
 mod coordinates;
 mod coupled_oscillators;
+mod from_parts;
 mod implicit_mechanics;
-mod joined;
 mod linear_dynamics;
 mod oscillator;
-mod rubbing_oscillator;
+mod stick_slip_oscillator;
 mod switching;
+mod two_mass_coordinates;
 mod walled_oscillator;
 
-pub use assembled::Assembled;
 pub use coordinates::Coordinates;
 pub use coupled_oscillators::CoupledOscillators;
+pub use from_parts::FromParts;
 pub use implicit_mechanics::ImplicitMechanics;
-pub use joined::Joined;
 pub use linear_dynamics::LinearDynamics;
 pub use oscillator::Oscillator;
-pub use rubbing_oscillator::{Rubbing, RubbingOscillator};
+pub use stick_slip_oscillator::{StickSlipOscillator, StickSlipPhase};
 pub use switching::Switching;
-pub use walled_oscillator::{Walled, WalledOscillator};
+pub use two_mass_coordinates::TwoMassCoordinates;
+pub use walled_oscillator::{WallPhase, WalledOscillator};

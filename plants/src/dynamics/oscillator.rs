@@ -3,7 +3,7 @@
 use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, Signal, State};
 
 use crate::bodies::impedance_increments;
-use crate::{Assembled, Impedance, ImplicitMechanics, LinearDynamics};
+use crate::{FromParts, Impedance, ImplicitMechanics, LinearDynamics};
 
 /// A mass with a damper and a spring that rests at the origin: `ẍ = −(k x + b ẋ + f) / m`, alike on each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,7 +69,7 @@ impl<T: Scalar> Oscillator<T> {
     }
 }
 
-impl<T: Scalar> Assembled for Oscillator<T> {
+impl<T: Scalar> FromParts for Oscillator<T> {
     type Parts = Impedance<T>;
 
     fn made_of(&self, parts: Impedance<T>) -> Result<Self, ParameterError> {

@@ -6,7 +6,7 @@ use lyapunov_core::{Dynamics, Scalar};
 /// rest under friction.
 ///
 /// Each piece is an equation of its own that is smooth beyond its end too, so that an integrator may overstep
-/// it and come back. [`Located`](crate::Located) does; the equation itself is that of the piece in which a state is.
+/// it and come back. [`EventLocating`](crate::EventLocating) does; the equation itself is that of the piece in which a state is.
 /// Under one input, because pieces end where a number changes its sign; each lane is in a piece of its own.
 pub trait Switching<T: Scalar>: Dynamics<T> {
     /// A piece.

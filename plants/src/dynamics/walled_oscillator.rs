@@ -17,7 +17,7 @@ pub struct WalledOscillator<T> {
 
 /// An oscillator that is away from its wall, or touches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Walled<T> {
+pub struct WallPhase<T> {
     oscillator: Oscillator<T>,
     /// What the wall pushes at the origin, N.
     preload: T,
@@ -38,9 +38,9 @@ impl<T: Scalar> WalledOscillator<T> {
         Ok(Self { free, touching, stiffness, surface })
     }
 
-    fn on_side(&self, contact: T::Mask) -> Walled<T> {
+    fn on_side(&self, contact: T::Mask) -> WallPhase<T> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
-        Walled {
+        WallPhase {
             oscillator: Oscillator::chosen(contact, self.touching, self.free),
             preload: T::choose(contact, -self.stiffness * self.surface, zero),
             side: T::choose(contact, one, -one),
@@ -57,7 +57,7 @@ impl<T: Scalar> Mechanics<T> for WalledOscillator<T> {
     }
 }
 
-impl<T: Scalar> Mechanics<T> for Walled<T> {
+impl<T: Scalar> Mechanics<T> for WallPhase<T> {
     type Coordinates = T;
 
     #[inline]
@@ -66,7 +66,7 @@ impl<T: Scalar> Mechanics<T> for Walled<T> {
     }
 }
 
-impl<T: Scalar> ImplicitMechanics<T> for Walled<T> {
+impl<T: Scalar> ImplicitMechanics<T> for WallPhase<T> {
     #[inline]
     fn implicit_acceleration(&self, position: T, velocity: T, effort: T, alpha: T, beta: T) -> T {
         let effort = effort + self.preload;
@@ -74,7 +74,7 @@ impl<T: Scalar> ImplicitMechanics<T> for Walled<T> {
     }
 }
 
-impl<T: Scalar> LinearDynamics<T> for Walled<T> {
+impl<T: Scalar> LinearDynamics<T> for WallPhase<T> {
     /// The oscillator's, and the wall's push at the origin.
     type Increments = (<Oscillator<T> as LinearDynamics<T>>::Increments, T);
 
@@ -89,23 +89,23 @@ impl<T: Scalar> LinearDynamics<T> for Walled<T> {
 }
 
 impl<T: Scalar> Switching<T> for WalledOscillator<T> {
-    type Phase = Walled<T>;
+    type Phase = WallPhase<T>;
 
-    fn phase(&self, state: State<T>, _effort: T) -> Walled<T> {
+    fn phase(&self, state: State<T>, _effort: T) -> WallPhase<T> {
         self.on_side(state.position.above(self.surface))
     }
 
-    fn reserve(&self, phase: &Walled<T>, state: State<T>) -> T {
+    fn reserve(&self, phase: &WallPhase<T>, state: State<T>) -> T {
         (state.position - self.surface) * phase.side
     }
 
-    fn switched(&self, phase: &Walled<T>, _: State<T>, _: T) -> (Walled<T>, State<T>) {
+    fn switched(&self, phase: &WallPhase<T>, _: State<T>, _: T) -> (WallPhase<T>, State<T>) {
         let nothing = State { position: T::of(0.0), velocity: T::of(0.0) };
         (self.on_side(phase.side.below(T::of(0.0))), nothing)
     }
 
-    fn chosen(mask: T::Mask, yes: Walled<T>, no: Walled<T>) -> Walled<T> {
-        Walled {
+    fn chosen(mask: T::Mask, yes: WallPhase<T>, no: WallPhase<T>) -> WallPhase<T> {
+        WallPhase {
             oscillator: Oscillator::chosen(mask, yes.oscillator, no.oscillator),
             preload: T::choose(mask, yes.preload, no.preload),
             side: T::choose(mask, yes.side, no.side),

@@ -1,6 +1,6 @@
 //! Velocity over as many samples as lie on a line.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 /// A port that is told velocities over a window that is as long as the motion is straight:
 /// `v(n) = (x(n) − x(n−i)) / (i T)`, `v(0) = 0`.
@@ -10,7 +10,7 @@ use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar,
 /// the long window that a coarse encoder needs, fast motion the short one. This is the first-order adaptive windowing
 /// of Janabi-Sharifi, Hayward and Chen, in its end-fit form (Discrete-time adaptive windowing for velocity
 /// estimation, IEEE Transactions on Control Systems Technology 8(6), 2000). Each axis has its own window. Of one
-/// tick it is the backward difference, to the bit. `T` is the drive's period. Positions, displacements and work are
+/// tick it is the backward difference, to the bit. `T` is the sample's period. Positions, displacements and work are
 /// left as they are.
 ///
 /// Instead of trying every line against every sample, the slopes that serve all samples so far are kept as an
@@ -39,15 +39,15 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
     }
 
     /// The slope of the longest line that fits, m per tick.
-    fn slope(&self, drive: &Drive<V>) -> V {
+    fn slope(&self, sample: &PortSample<V>) -> V {
         let choose = <V::Scalar as Signal>::choose;
         let endless = V::Scalar::of(f64::INFINITY);
         let none = V::Scalar::of(f64::NAN);
-        let mut slope = if self.known == 0 { V::zero() } else { drive.displacement };
+        let mut slope = if self.known == 0 { V::zero() } else { sample.displacement };
         let (mut least, mut most) = (V::splat(-endless), V::splat(endless));
         for (index, &past) in self.past[..self.known].iter().enumerate() {
             let ticks = V::Scalar::of((index + 1) as f64);
-            let moved = drive.position - past;
+            let moved = sample.position - past;
             if index > 0 {
                 // Not a number stands for an axis whose line does not fit, or did not before.
                 let line = moved
@@ -59,7 +59,7 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
                 slope = line.zip(slope, |line, slope| choose(line.finite(), line, slope));
                 least = line.zip(least, |line, least| choose(line.finite(), least, endless));
             }
-            let band = drive.position.zip(moved, |position, moved| self.widened(position, moved));
+            let band = sample.position.zip(moved, |position, moved| self.widened(position, moved));
             least =
                 least.zip(moved.zip(band, |moved, band| (moved - band) / ticks), Scalar::larger);
             most = most.zip(moved.zip(band, |moved, band| (moved + band) / ticks), Scalar::smaller);
@@ -71,23 +71,24 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
     fn widened(&self, position: V::Scalar, moved: V::Scalar) -> V::Scalar {
         let size = position.magnitude() + moved.magnitude() + self.band;
         // The smallest normal number keeps the interval open around a rest at zero.
-        self.band + (V::Scalar::of(4.0) * V::Scalar::epsilon() * size + V::Scalar::tiny())
+        self.band
+            + (V::Scalar::of(4.0) * V::Scalar::epsilon() * size + V::Scalar::smallest_normal())
     }
 }
 
 impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for AdaptiveWindow<P, V, N> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let velocity = self.slope(drive).map(|slope| slope / drive.period);
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let velocity = self.slope(sample).map(|slope| slope / sample.period);
         let window = &mut self.past[..self.ticks];
         window.rotate_right(1);
-        window[0] = drive.position;
+        window[0] = sample.position;
         self.known = (self.known + 1).min(self.ticks);
-        self.port.respond(&Drive { velocity, ..*drive })
+        self.port.respond(&PortSample { velocity, ..*sample })
     }
 
     #[inline]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

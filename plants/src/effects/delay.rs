@@ -1,6 +1,6 @@
 //! Computation and transport that take whole ticks.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal};
 
 /// A port whose effort acts a number of calls late; before the first arrives nothing acts.
 ///
@@ -22,8 +22,8 @@ impl<P, V: Signal, const N: usize> Delay<P, V, N> {
 
 impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for Delay<P, V, N> {
     #[inline(always)]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let effort = self.port.respond(drive);
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
         let Some(slot) = self.waiting[..self.ticks].get_mut(self.next) else {
             return effort;
         };
@@ -33,7 +33,7 @@ impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for Delay<P, V, N> {
     }
 
     #[inline(always)]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

@@ -1,6 +1,6 @@
 //! Answers that are lost on the way.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal};
 
 use crate::{Fallback, Random, Source};
 
@@ -37,8 +37,8 @@ impl<P, V: Signal> Dropout<P, V> {
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let answer = self.port.respond(drive);
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let answer = self.port.respond(sample);
         let lost = self.random.chance(self.probability);
         let instead = match self.fallback {
             Fallback::Hold => self.arrived,
@@ -49,7 +49,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
     }
 
     #[inline]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

@@ -1,6 +1,6 @@
 //! Positions as an encoder counts them.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 use super::retold::Retold;
 
@@ -8,7 +8,7 @@ use super::retold::Retold;
 ///
 /// `xm(n) = round(x(n) / resolution) · resolution`; the displacement is that of the counts, and the work the
 /// acting effort's over that displacement: true up to the resolution times the effort. The velocity is left
-/// as it is; take it from the counts with [`Adapt::differenced`](crate::Adapt::differenced) inside.
+/// as it is; take it from the counts with [`OnePortExt::differenced`](crate::OnePortExt::differenced) inside.
 #[derive(Clone, Copy, Debug)]
 pub struct Encoder<P, V: Signal> {
     port: P,
@@ -25,13 +25,13 @@ impl<P, V: Signal> Encoder<P, V> {
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Encoder<P, V> {
     #[inline(always)]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let position = drive.position.map(|x| (x / self.resolution).rounded() * self.resolution);
-        self.port.respond(&self.retold.drive(drive, position))
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let position = sample.position.map(|x| (x / self.resolution).rounded() * self.resolution);
+        self.port.respond(&self.retold.sample(sample, position))
     }
 
     #[inline(always)]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

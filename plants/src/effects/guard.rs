@@ -1,18 +1,18 @@
 //! A port that bad samples do not reach.
 
-use lyapunov_core::{Action, Drive, OnePort, Scalar, Signal};
+use lyapunov_core::{Correction, OnePort, PortSample, Scalar, Signal};
 
 use crate::Fallback;
 
 /// A port that is called with finite drives only, and answers with finite efforts only.
 ///
-/// A drive with a NaN or an infinity in any field is turned away before anything inside is touched; the
-/// answer is the [`Fallback`], and the action says `accepted: false`, that effort and no damping. The next sound drive that is handed on
+/// A sample with a NaN or an infinity in any field is turned away before anything inside is touched; the
+/// answer is the [`Fallback`], and the correction says `accepted: false`, that effort and no damping. The next sound sample that is handed on
 /// spans the gap: the periods add up, the displacement is the difference of the two sound positions.
 ///
 /// **A ledger of held work never overstates what was absorbed meanwhile.** The work of ticks that were known is kept.
 /// Over the unknown part of the displacement `S` the work is taken to be the least of `f S` over the efforts
-/// `f` that acted there, axis by axis: exact if one effort acted throughout (as under [`Fallback::Hold`]), a
+/// `f` that applied there, axis by axis: exact if one effort applied throughout (as under [`Fallback::Hold`]), a
 /// lower bound if the motion did not turn round inside the gap. The velocity handed on is, axis by axis, the
 /// smaller in magnitude of the measured and the mean over the gap, and 0 where they disagree about the direction,
 /// so that no damper is credited for more than the mean motion burnt and no correction pushes along. Before the
@@ -32,14 +32,14 @@ pub struct Guard<P, V: Signal> {
     rejected: bool,
 }
 
-/// What is known of the time since the last sound drive.
+/// What is known of the time since the last sound sample.
 #[derive(Clone, Copy, Debug)]
 struct Gap<V: Signal> {
     period: V::Scalar,
     /// Work and displacement of the ticks for which both were sound.
     work: V,
     moved: V,
-    /// The range of the efforts that acted over the rest, if there was any.
+    /// The range of the efforts that applied over the rest, if there was any.
     unknown: Option<(V, V)>,
 }
 
@@ -69,48 +69,48 @@ impl<P, V: Signal> Guard<P, V>
 where
     V::Scalar: Scalar<Mask = bool>,
 {
-    /// Notes what a drive that is not sound still tells.
-    fn note(&mut self, drive: &Drive<V>) {
+    /// Notes what a sample that is not sound still tells.
+    fn note(&mut self, sample: &PortSample<V>) {
         let mut gap = self.gap.unwrap_or(Gap {
             period: V::Scalar::of(0.0),
             work: V::zero(),
             moved: V::zero(),
             unknown: None,
         });
-        gap.period += if drive.period.finite() { drive.period } else { self.period };
-        if drive.work.finite() && drive.displacement.finite() {
-            gap.work = gap.work + drive.work;
-            gap.moved = gap.moved + drive.displacement;
+        gap.period += if sample.period.finite() { sample.period } else { self.period };
+        if sample.work.finite() && sample.displacement.finite() {
+            gap.work = gap.work + sample.work;
+            gap.moved = gap.moved + sample.displacement;
         } else {
-            let acted = if drive.acted.finite() { drive.acted } else { self.told };
-            let (least, most) = gap.unknown.unwrap_or((acted, acted));
+            let applied = if sample.applied.finite() { sample.applied } else { self.told };
+            let (least, most) = gap.unknown.unwrap_or((applied, applied));
             gap.unknown =
-                Some((least.zip(acted, Scalar::smaller), most.zip(acted, Scalar::larger)));
+                Some((least.zip(applied, Scalar::smaller), most.zip(applied, Scalar::larger)));
         }
         self.gap = Some(gap);
     }
 
-    /// What the port inside answers to a sound drive, if that is sound.
-    fn ask(&mut self, drive: &Drive<V>) -> Option<V>
+    /// What the port inside answers to a sound sample, if that is sound.
+    fn ask(&mut self, sample: &PortSample<V>) -> Option<V>
     where
         P: OnePort<V>,
     {
         let whole = match self.gap.take() {
-            Some(gap) => self.span(drive, &gap),
-            None => *drive,
+            Some(gap) => self.span(sample, &gap),
+            None => *sample,
         };
-        self.period = drive.period;
-        self.position = Some(drive.position);
+        self.period = sample.period;
+        self.position = Some(sample.position);
         Some(self.port.respond(&whole)).filter(|effort| effort.finite())
     }
 
-    /// The sound drive `now` with what happened since the last one.
-    fn span(&self, now: &Drive<V>, gap: &Gap<V>) -> Drive<V> {
+    /// The sound sample `now` with what happened since the last one.
+    fn span(&self, now: &PortSample<V>, gap: &Gap<V>) -> PortSample<V> {
         let period = gap.period + now.period;
         let known = gap.work + now.work;
         let Some(position) = self.position else {
             let displacement = gap.moved + now.displacement;
-            return Drive { period, displacement, work: known, ..*now };
+            return PortSample { period, displacement, work: known, ..*now };
         };
         let displacement = now.position - position;
         let unseen = displacement - gap.moved - now.displacement;
@@ -123,7 +123,7 @@ where
             let careful = V::Scalar::choose(slower, mean, measured);
             V::Scalar::choose(turned, V::Scalar::of(0.0), careful)
         });
-        Drive { period, velocity, displacement, work: known + unseen_work, ..*now }
+        PortSample { period, velocity, displacement, work: known + unseen_work, ..*now }
     }
 }
 
@@ -134,11 +134,11 @@ where
     P: OnePort<V>,
 {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let effort = if drive.finite() {
-            self.ask(drive)
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let effort = if sample.finite() {
+            self.ask(sample)
         } else {
-            self.note(drive);
+            self.note(sample);
             None
         };
         self.rejected = effort.is_none();
@@ -148,13 +148,13 @@ where
     }
 
     #[inline]
-    fn action(&self) -> Action<V> {
-        let action = self.port.action();
+    fn correction(&self) -> Correction<V> {
+        let correction = self.port.correction();
         if !self.rejected {
-            return action;
+            return correction;
         }
         let zero = V::Scalar::of(0.0);
-        let shortfall = (zero - action.sum).larger(zero);
-        Action { effort: self.told, alpha: zero, shortfall, accepted: false, ..action }
+        let shortfall = (zero - correction.observed_energy).larger(zero);
+        Correction { effort: self.told, alpha: zero, shortfall, accepted: false, ..correction }
     }
 }

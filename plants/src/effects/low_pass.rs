@@ -2,14 +2,14 @@
 
 use core::f64::consts::TAU;
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 /// A port that is told velocities taken from displacements behind a low pass of first order:
 /// `v(n) = v(n−1) + a (Δx(n) / T − v(n−1))`, `a = ω T / (1 + ω T)`, `ω = 2 π cutoff`, `v(0) = 0`.
 ///
 /// It is the filter `ω / (s + ω)` by the backward Euler rule (Oppenheim and Schafer, Discrete-Time Signal Processing, on
-/// filters from differences), stable at every rate. `T` is the drive's period. The larger the cutoff, the nearer to the
-/// backward difference; an infinite one would be that, which is [`Adapt::differenced`](crate::Adapt::differenced).
+/// filters from differences), stable at every rate. `T` is the sample's period. The larger the cutoff, the nearer to the
+/// backward difference; an infinite one would be that, which is [`OnePortExt::differenced`](crate::OnePortExt::differenced).
 /// Positions, displacements and work are left as they are.
 ///
 /// A velocity that is not finite is told once and then forgotten, axis by axis.
@@ -38,23 +38,23 @@ impl<P, V: Signal> LowPass<P, V> {
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for LowPass<P, V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let turn = self.rate * drive.period;
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let turn = self.rate * sample.period;
         let share = turn / (V::Scalar::of(1.0) + turn);
         let velocity = match self.velocity {
-            Some(last) => last.zip(drive.displacement, |last, moved| {
-                last + share * (moved / drive.period - last)
+            Some(last) => last.zip(sample.displacement, |last, moved| {
+                last + share * (moved / sample.period - last)
             }),
             None => V::zero(),
         };
         let last = self.velocity.unwrap_or(velocity);
         self.velocity =
             Some(velocity.zip(last, |now, last| V::Scalar::choose(now.finite(), now, last)));
-        self.port.respond(&Drive { velocity, ..*drive })
+        self.port.respond(&PortSample { velocity, ..*sample })
     }
 
     #[inline]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

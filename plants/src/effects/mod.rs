@@ -1,28 +1,28 @@
 //! What acts on a port: adaptors that own it.
 
-mod adapt;
 mod adaptive_window;
+mod backward_difference;
 mod delay;
-mod difference;
 mod dropout;
 mod encoder;
 mod fallback;
 mod guard;
-mod hold;
 mod low_pass;
 mod noise;
+mod one_port_ext;
 mod retold;
 mod saturation;
+mod zero_order_hold;
 
-pub use adapt::Adapt;
 pub use adaptive_window::AdaptiveWindow;
+pub use backward_difference::BackwardDifference;
 pub use delay::Delay;
-pub use difference::Difference;
 pub use dropout::Dropout;
 pub use encoder::Encoder;
 pub use fallback::Fallback;
 pub use guard::Guard;
-pub use hold::Hold;
 pub use low_pass::LowPass;
 pub use noise::Noise;
+pub use one_port_ext::OnePortExt;
 pub use saturation::Saturation;
+pub use zero_order_hold::ZeroOrderHold;

@@ -1,6 +1,6 @@
 //! Positions with noise on them.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 use super::retold::Retold;
 use crate::{Random, Source};
@@ -34,21 +34,21 @@ impl<P, V: Signal> Noise<P, V> {
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Noise<P, V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
         let noise = self.random.normal::<V>().scale(self.deviation);
-        let noisy = self.retold.drive(drive, drive.position + noise);
+        let noisy = self.retold.sample(sample, sample.position + noise);
         // A displacement need not be the difference of rounded positions; without noise it is left alone.
         let some = self.deviation.above(V::Scalar::of(0.0));
-        self.port.respond(&Drive {
-            position: V::choose(some, noisy.position, drive.position),
-            displacement: V::choose(some, noisy.displacement, drive.displacement),
-            work: V::choose(some, noisy.work, drive.work),
-            ..*drive
+        self.port.respond(&PortSample {
+            position: V::choose(some, noisy.position, sample.position),
+            displacement: V::choose(some, noisy.displacement, sample.displacement),
+            work: V::choose(some, noisy.work, sample.work),
+            ..*sample
         })
     }
 
     #[inline]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

@@ -1,10 +1,10 @@
 //! An actuator that can do so much and no more.
 
-use lyapunov_core::{Action, Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 /// A port whose effort is clipped to `±force` on each axis; a NaN stays one.
 ///
-/// The drive tells a stabilizer inside what was really applied, so nothing else is needed to book it right.
+/// The sample tells a stabilizer inside what was really applied, so nothing else is needed to book it right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturation<P, T> {
     port: P,
@@ -19,12 +19,12 @@ impl<P, T: Scalar> Saturation<P, T> {
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Saturation<P, V::Scalar> {
     #[inline(always)]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.port.respond(drive).limited(self.force)
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        self.port.respond(sample).limited(self.force)
     }
 
     #[inline(always)]
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

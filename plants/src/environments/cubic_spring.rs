@@ -1,6 +1,6 @@
 //! A spring that hardens.
 
-use lyapunov_core::{Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 use crate::{ForceLaw, Kinematics};
 
@@ -11,10 +11,10 @@ use crate::{ForceLaw, Kinematics};
 /// fail farther out. With `c = 0` it is a [`Spring`](crate::Spring), to the last bit.
 ///
 /// ```
-/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_core::{PortSample, OnePort};
 /// use lyapunov_plants::CubicSpring;
 /// let mut spring: CubicSpring<f64> = CubicSpring::new(100.0, 1e6)?;
-/// let effort = spring.respond(&Drive::starting(1e-3, 0.01, 0.0));
+/// let effort = spring.respond(&PortSample::starting(1e-3, 0.01, 0.0));
 /// assert!((effort - 2.0).abs() < 1e-12); // 1 N and 1 N
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
@@ -48,12 +48,12 @@ impl<V: Signal> ForceLaw<V> for CubicSpring<V> {
     #[inline]
     fn force(&self, motion: &Kinematics<V>) -> V {
         let away = motion.position - self.position;
-        away.scale(self.stiffness + self.cubic * away.pair(away))
+        away.scale(self.stiffness + self.cubic * away.inner(away))
     }
 
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         let away = motion.position - self.position;
-        let square = away.pair(away);
+        let square = away.inner(away);
         let of = V::Scalar::of;
         of(0.5) * self.stiffness * square + of(0.25) * self.cubic * square * square
     }
@@ -61,7 +61,7 @@ impl<V: Signal> ForceLaw<V> for CubicSpring<V> {
 
 impl<V: Signal> OnePort<V> for CubicSpring<V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.force(&Kinematics::of(drive))
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        self.force(&Kinematics::of(sample))
     }
 }

@@ -1,6 +1,6 @@
 //! The law of an environment: its force and its stored energy as functions of the motion.
 
-use lyapunov_core::{Drive, OnePort, Scalar, Signal};
+use lyapunov_core::{OnePort, PortSample, Scalar, Signal};
 
 /// A time, known in `f64` whatever the scalar of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,16 +41,16 @@ pub struct Kinematics<V: Signal> {
 }
 
 impl<V: Signal> Kinematics<V> {
-    /// Motion at `position` m with `velocity` m/s, not accelerated, at time 0.
+    /// HandMotion at `position` m with `velocity` m/s, not accelerated, at time 0.
     #[inline(always)]
     pub fn at(position: V, velocity: V) -> Self {
         Self { time: Time::Seconds(0.0), position, velocity, acceleration: V::zero() }
     }
 
-    /// What a drive tells to a law that asks neither for time nor for acceleration.
+    /// What a sample tells to a law that asks neither for time nor for acceleration.
     #[inline(always)]
-    pub(super) fn of(drive: &Drive<V>) -> Self {
-        Self::at(drive.position, drive.velocity)
+    pub(super) fn of(sample: &PortSample<V>) -> Self {
+        Self::at(sample.position, sample.velocity)
     }
 }
 
@@ -70,13 +70,13 @@ pub struct Surface<V> {
 /// nothing, force and energy belong together as `∫ f v dt = S(end) − S(start)`.
 ///
 /// ```
-/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_core::{PortSample, OnePort};
 /// use lyapunov_plants::{ForceLaw, Kinematics, Wall};
 /// let mut wall = Wall::new(1000.0_f64, 2.0)?.at(0.01);
 /// let motion = Kinematics::at(0.015, 0.1);
 /// assert!((wall.force(&motion) - 5.2).abs() < 1e-12);
 /// assert!((wall.stored(&motion) - 0.0125).abs() < 1e-12);
-/// assert_eq!(wall.force(&motion), wall.respond(&Drive::starting(1e-3, 0.015, 0.1)));
+/// assert_eq!(wall.force(&motion), wall.respond(&PortSample::starting(1e-3, 0.015, 0.1)));
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 pub trait ForceLaw<V: Signal>: OnePort<V> {

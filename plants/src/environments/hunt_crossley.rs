@@ -1,6 +1,6 @@
 //! A contact that does not jump.
 
-use lyapunov_core::{Drive, LyapunovCandidate, OnePort, ParameterError, Requirement, Scalar};
+use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar};
 
 use crate::environments::one_sided::one_sided;
 use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time};
@@ -75,18 +75,18 @@ impl<T: Scalar> ForceLaw<T> for HuntCrossley<T> {
 
 impl<T: Scalar> OnePort<T> for HuntCrossley<T> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<T>) -> T {
-        self.force(&Kinematics::of(drive))
+    fn respond(&mut self, sample: &PortSample<T>) -> T {
+        self.force(&Kinematics::of(sample))
     }
 }
 
 impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<HuntCrossley<T>> {
     #[inline]
-    fn decrease(&mut self, drive: &Drive<T>) -> T {
+    fn decrease(&mut self, sample: &PortSample<T>) -> T {
         let Self(contact) = self;
-        let depth = drive.position - contact.position;
+        let depth = sample.position - contact.position;
         let damping = contact.spring(depth) * contact.damping;
-        let burnt = damping * (drive.velocity * drive.velocity * drive.period);
+        let burnt = damping * (sample.velocity * sample.velocity * sample.period);
         T::choose(depth.above(T::zero()) & burnt.finite(), burnt, T::zero())
     }
 }

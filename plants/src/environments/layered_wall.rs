@@ -1,6 +1,8 @@
 //! Something soft on something hard.
 
-use lyapunov_core::{Beyond, Dissipation, Drive, OnePort, ParameterError, Requirement, Scalar};
+use lyapunov_core::{
+    Dissipation, InContact, OnePort, ParameterError, PortSample, Requirement, Scalar,
+};
 
 use crate::environments::one_sided::one_sided;
 use crate::{ForceLaw, Kinematics, Surface, Time};
@@ -42,8 +44,8 @@ impl<T: Scalar> LayeredWall<T> {
 
     /// The credit of the wall's own damper, `b v² T` strictly beyond the surface, as that of a
     /// [`Wall`](crate::Wall::dissipation).
-    pub fn dissipation(&self) -> Dissipation<T, Beyond<T>> {
-        self.damper.gated(Beyond { position: self.position })
+    pub fn dissipation(&self) -> Dissipation<T, InContact<T>> {
+        self.damper.gated(InContact { position: self.position })
     }
 }
 
@@ -73,7 +75,7 @@ impl<T: Scalar> ForceLaw<T> for LayeredWall<T> {
 
 impl<T: Scalar> OnePort<T> for LayeredWall<T> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<T>) -> T {
-        self.force(&Kinematics::of(drive))
+    fn respond(&mut self, sample: &PortSample<T>) -> T {
+        self.force(&Kinematics::of(sample))
     }
 }

@@ -1,6 +1,6 @@
 //! The paper's example 2.
 
-use lyapunov_core::{Dissipation, Drive, OnePort, ParameterError, Scalar, Signal};
+use lyapunov_core::{Dissipation, OnePort, ParameterError, PortSample, Scalar, Signal};
 
 use crate::{ForceLaw, Impedance, Kinematics};
 
@@ -54,17 +54,17 @@ impl<V: Signal> ForceLaw<V> for MassSpringDamper<V> {
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         let Impedance { mass, stiffness, .. } = self.impedance;
         let (away, velocity) = (motion.position - self.position, motion.velocity);
-        let stored = away.scale(stiffness).pair(away) + velocity.scale(mass).pair(velocity);
+        let stored = away.scale(stiffness).inner(away) + velocity.scale(mass).inner(velocity);
         V::Scalar::of(0.5) * stored
     }
 }
 
 impl<V: Signal> OnePort<V> for MassSpringDamper<V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let gained = drive.velocity - self.velocity.unwrap_or(drive.velocity);
-        self.velocity = Some(drive.velocity);
-        let acceleration = gained.map(|change| change / drive.period);
-        self.force(&Kinematics { acceleration, ..Kinematics::of(drive) })
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let gained = sample.velocity - self.velocity.unwrap_or(sample.velocity);
+        self.velocity = Some(sample.velocity);
+        let acceleration = gained.map(|change| change / sample.period);
+        self.force(&Kinematics { acceleration, ..Kinematics::of(sample) })
     }
 }

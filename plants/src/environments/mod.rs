@@ -21,7 +21,7 @@ pub use hunt_crossley::HuntCrossley;
 pub use layered_wall::LayeredWall;
 pub use mass_spring_damper::MassSpringDamper;
 pub use moving_wall::MovingWall;
-pub use solids::{Contact, Cuboid, Nearest, Plane, Solid, Sphere};
+pub use solids::{Contact, Cuboid, NearestPoint, Plane, Solid, Sphere};
 pub use spring::Spring;
 pub use varying_spring::VaryingSpring;
 pub use wall::Wall;

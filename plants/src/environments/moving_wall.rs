@@ -1,6 +1,6 @@
 //! A wall that swings.
 
-use lyapunov_core::{Drive, LyapunovCandidate, OnePort, ParameterError, Scalar};
+use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Scalar};
 
 use crate::environments::oscillation::Oscillation;
 use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time, Wall};
@@ -9,7 +9,7 @@ use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time, Wall};
 /// `2π frequency amplitude cos(2π frequency t(n))`.
 ///
 /// Penetration and velocity are relative to the surface: `f = max(0, k p + b (v − v_surface))` for `p > 0`, else 0.
-/// A wall that is moved does work of its own, and may drive the port without any fault of sampling.
+/// A wall that is moved does work of its own, and may sample the port without any fault of sampling.
 ///
 /// `t(n) = n / rate`, with `n` the calls of this environment before the present one, none for the first. Time is
 /// never summed: the phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. Whatever keeps calls
@@ -18,11 +18,11 @@ use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time, Wall};
 /// An amplitude of 0 is the wall at rest, to the last bit.
 ///
 /// ```
-/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_core::{PortSample, OnePort};
 /// use lyapunov_plants::{MovingWall, Wall};
 /// // Asked every 10 ms, it swings once in 40 ms: it stands at 0, 2, 0 and −2 mm.
 /// let mut wall = MovingWall::new(Wall::new(1000.0_f64, 0.0)?, 0.002, 25.0, 100.0)?;
-/// let still = Drive::starting(0.01, 0.001, 0.0);
+/// let still = PortSample::starting(0.01, 0.001, 0.0);
 /// for force in [1.0, 0.0, 1.0, 3.0] {
 ///     assert!((wall.respond(&still) - force).abs() < 1e-12);
 /// }
@@ -85,19 +85,19 @@ impl<T: Scalar> ForceLaw<T> for MovingWall<T> {
 
 impl<T: Scalar> OnePort<T> for MovingWall<T> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<T>) -> T {
+    fn respond(&mut self, sample: &PortSample<T>) -> T {
         let time = self.motion.tick();
-        self.force(&Kinematics { time, ..Kinematics::of(drive) })
+        self.force(&Kinematics { time, ..Kinematics::of(sample) })
     }
 }
 
 impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<MovingWall<T>> {
     #[inline]
-    fn decrease(&mut self, drive: &Drive<T>) -> T {
+    fn decrease(&mut self, sample: &PortSample<T>) -> T {
         let Self(moving) = self;
         let time = moving.motion.tick();
-        let now = Kinematics { time, ..Kinematics::of(drive) };
+        let now = Kinematics { time, ..Kinematics::of(sample) };
         let (wall, Kinematics { velocity, .. }) = moving.seen_from_surface(&now);
-        wall.dissipation().decrease(&Drive { velocity, ..*drive })
+        wall.dissipation().decrease(&PortSample { velocity, ..*sample })
     }
 }

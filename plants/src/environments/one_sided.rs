@@ -6,7 +6,7 @@ use lyapunov_core::Scalar;
 #[inline(always)]
 pub(super) fn one_sided<T: Scalar>(depth: T, force: T) -> T {
     // Asked this way round, a NaN does not pass for "no contact": it stays one, to be turned away.
-    let free = depth.below(T::least()) | force.below(T::zero());
+    let free = depth.below(T::smallest_positive()) | force.below(T::zero());
     T::choose(free, T::zero(), force)
 }
 

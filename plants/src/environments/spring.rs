@@ -1,6 +1,6 @@
 //! The paper's example 1.
 
-use lyapunov_core::{Drive, OnePort, ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 use crate::{ForceLaw, Kinematics};
 
@@ -41,13 +41,13 @@ impl<V: Signal> ForceLaw<V> for Spring<V> {
 
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         let away = motion.position - self.position;
-        V::Scalar::of(0.5) * self.force(motion).pair(away)
+        V::Scalar::of(0.5) * self.force(motion).inner(away)
     }
 }
 
 impl<V: Signal> OnePort<V> for Spring<V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.force(&Kinematics::of(drive))
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        self.force(&Kinematics::of(sample))
     }
 }

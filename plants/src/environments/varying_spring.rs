@@ -1,6 +1,6 @@
 //! A spring that is not always as stiff.
 
-use lyapunov_core::{Drive, OnePort, ParameterError, Signal};
+use lyapunov_core::{OnePort, ParameterError, PortSample, Signal};
 
 use crate::environments::oscillation::Oscillation;
 use crate::{ForceLaw, Kinematics, Spring, Time};
@@ -17,10 +17,10 @@ use crate::{ForceLaw, Kinematics, Spring, Time};
 /// An amplitude of 0 is the spring alone, to the last bit.
 ///
 /// ```
-/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_core::{PortSample, OnePort};
 /// use lyapunov_plants::{Spring, VaryingSpring};
 /// let mut spring: VaryingSpring<f64> = VaryingSpring::new(Spring::new(100.0)?, 50.0, 25.0, 100.0)?;
-/// let still = Drive::starting(0.01, 0.02, 0.0);
+/// let still = PortSample::starting(0.01, 0.02, 0.0);
 /// for force in [2.0_f64, 3.0, 2.0, 1.0] {
 ///     assert!((spring.respond(&still) - force).abs() < 1e-12);
 /// }
@@ -67,8 +67,8 @@ impl<V: Signal> ForceLaw<V> for VaryingSpring<V> {
 
 impl<V: Signal> OnePort<V> for VaryingSpring<V> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
         let time = self.change.tick();
-        self.force(&Kinematics { time, ..Kinematics::of(drive) })
+        self.force(&Kinematics { time, ..Kinematics::of(sample) })
     }
 }

@@ -1,6 +1,8 @@
 //! The wall of the paper's evaluation.
 
-use lyapunov_core::{Beyond, Dissipation, Drive, OnePort, ParameterError, Requirement, Scalar};
+use lyapunov_core::{
+    Dissipation, InContact, OnePort, ParameterError, PortSample, Requirement, Scalar,
+};
 
 use crate::environments::one_sided::{depth_stored, one_sided};
 use crate::{ForceLaw, Kinematics, Surface, Time};
@@ -42,11 +44,11 @@ impl<T: Scalar> Wall<T> {
     /// The credit of the wall's own damper, counted beyond the surface: with
     /// [`PortEnergy`](lyapunov_core::PortEnergy) the candidate of the paper's example 2.
     ///
-    /// Beyond the surface means at the time of the observer's tick, strictly, also while a slower wall's
+    /// InContact the surface means at the time of the observer's tick, strictly, also while a slower wall's
     /// force is held or clipped to 0. The wall's damper is virtual: under a hold it burns less than this
     /// credits, and the sum may stay positive on a loop that gains energy.
-    pub fn dissipation(&self) -> Dissipation<T, Beyond<T>> {
-        self.damper.gated(Beyond { position: self.position })
+    pub fn dissipation(&self) -> Dissipation<T, InContact<T>> {
+        self.damper.gated(InContact { position: self.position })
     }
 }
 
@@ -68,7 +70,7 @@ impl<T: Scalar> ForceLaw<T> for Wall<T> {
 
 impl<T: Scalar> OnePort<T> for Wall<T> {
     #[inline(always)]
-    fn respond(&mut self, drive: &Drive<T>) -> T {
-        self.force(&Kinematics::of(drive))
+    fn respond(&mut self, sample: &PortSample<T>) -> T {
+        self.force(&Kinematics::of(sample))
     }
 }

@@ -126,7 +126,7 @@ impl<U: Signal, D: Dynamics<U>> EmbeddedPair<U, D> for DormandPrince8 {
         let fifth = size(gain, summed(&stages, FIFTH, interval));
         let third = size(gain, summed(&stages, THIRD, interval));
         // Without an error of order 5 there is no quotient, and none is needed.
-        let least = U::Scalar::tiny();
+        let least = U::Scalar::smallest_normal();
         let norm = (fifth * fifth + third * third * U::Scalar::of(0.01)).sqrt() + least;
         (gain, fifth * (fifth / norm))
     }

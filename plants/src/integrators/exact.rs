@@ -9,7 +9,7 @@ use crate::LinearDynamics;
 ///
 /// They are worked out where dynamics or interval are not those of the step before, and kept. That takes some
 /// thousands of operations; a step that finds them kept takes as many multiplications as they have entries.
-/// [`Body`](crate::Body) and [`Linked`](crate::Linked) have theirs from construction on.
+/// [`Body`](crate::Body) and [`TwoMassBody`](crate::TwoMassBody) have theirs from construction on.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact<U: Signal, D: LinearDynamics<U>> {
     kept: Option<(D, U::Scalar, D::Increments)>,

@@ -19,7 +19,7 @@ pub use inverted_pendulum::InvertedPendulum;
 pub use leg_energy::LegEnergy;
 pub use motor_energy::MotorEnergy;
 pub use prosthetic_leg::{Ground, ProstheticLeg};
-pub use two_link_arm::{Limb, TwoLinkArm};
+pub use two_link_arm::{RigidLink, TwoLinkArm};
 pub use upright_energy::UprightEnergy;
 pub use van_der_pol::VanDerPol;
 

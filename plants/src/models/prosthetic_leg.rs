@@ -4,7 +4,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
 
 use super::trigonometry::{cos, sin, versine};
-use crate::{ControlAffine, Limb, TwoLinkArm};
+use crate::{ControlAffine, RigidLink, TwoLinkArm};
 
 /// What a foot stands on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,8 +63,8 @@ impl<T: Scalar> ProstheticLeg<T> {
     /// A limb that no [`TwoLinkArm`] can be made of; a `posture` that is not finite; a `stiffness`, `damping` or
     /// `drag` of the ground below 0, infinite or NaN.
     pub fn new(
-        thigh: Limb<T>,
-        shank: Limb<T>,
+        thigh: RigidLink<T>,
+        shank: RigidLink<T>,
         posture: [T; 2],
         ground: Ground<T>,
     ) -> Result<Self, ParameterError> {

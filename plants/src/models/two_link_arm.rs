@@ -9,7 +9,7 @@ use crate::ControlAffine;
 
 /// A rigid link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limb<T> {
+pub struct RigidLink<T> {
     /// kg.
     pub mass: T,
     /// From joint to joint, or to the tip, m.
@@ -20,7 +20,7 @@ pub struct Limb<T> {
     pub inertia: T,
 }
 
-impl<T: Scalar> Limb<T> {
+impl<T: Scalar> RigidLink<T> {
     /// A uniform rod of `mass` kg and `length` m.
     pub fn rod(mass: T, length: T) -> Self {
         let inertia = mass * length * length / T::of(12.0);
@@ -69,7 +69,7 @@ impl<T: Scalar> TwoLinkArm<T> {
     /// # Errors
     /// `mass`, `length` or `centre` of a limb not above 0 and finite; its `inertia` below 0, infinite or NaN; limbs so
     /// large or small that the arm's inertia is out of the scalar's range.
-    pub fn new(upper: Limb<T>, lower: Limb<T>) -> Result<Self, ParameterError> {
+    pub fn new(upper: RigidLink<T>, lower: RigidLink<T>) -> Result<Self, ParameterError> {
         let (one, two) = (upper.checked()?, lower.checked()?);
         let coupling = two.mass * one.length * two.centre;
         let second = two.inertia + two.mass * two.centre * two.centre;

@@ -1,46 +1,46 @@
 //! How a correction comes: not at every velocity, not at once, not faster than a motor follows.
 //!
 //! Each owns a stabilizer and lets a share of its correction through. What is held back stays in the account, for under
-//! held work a ledger books what acted and not what was asked for; so each delays the payment and changes no sum. Under
+//! held work a ledger books what applied and not what was asked for; so each delays the payment and changes no sum. Under
 //! sampled work the ledger takes every correction as made in full, so what is held back there is lost.
 
 mod rate_limit;
-mod rise;
+mod soft_start;
 mod spread;
-mod threshold;
+mod velocity_threshold;
 
 pub use rate_limit::RateLimit;
-pub use rise::Rise;
+pub use soft_start::SoftStart;
 pub use spread::Spread;
-pub use threshold::Threshold;
+pub use velocity_threshold::VelocityThreshold;
 
-use lyapunov_core::{Action, Drive, Scalar, Signal};
+use lyapunov_core::{Correction, PortSample, Scalar, Signal};
 
-/// `action` with `share` of its correction of `effort`, if the share is below 1; it must not be below 0.
+/// `correction` with `share` of its correction of `effort`, if the share is below 1; it must not be below 0.
 #[inline]
 fn portion<V: Signal>(
-    action: Action<V>,
-    drive: &Drive<V>,
+    correction: Correction<V>,
+    sample: &PortSample<V>,
     effort: V,
     share: V::Scalar,
-) -> Action<V> {
+) -> Correction<V> {
     let zero = V::Scalar::of(0.0);
-    let cut = share.below(V::Scalar::of(1.0)) & action.accepted;
-    let part = effort + (action.effort - effort).scale(share);
-    let alpha = action.alpha * share;
-    let burnt = alpha * (drive.velocity.pair(drive.velocity) * drive.period);
-    let shortfall = (-(action.sum + burnt)).larger(zero);
-    Action {
-        effort: V::choose(cut, part, action.effort),
-        alpha: V::Scalar::choose(cut, alpha, action.alpha),
-        shortfall: V::Scalar::choose(cut, shortfall, action.shortfall),
-        ..action
+    let cut = share.below(V::Scalar::of(1.0)) & correction.accepted;
+    let part = effort + (correction.effort - effort).scale(share);
+    let alpha = correction.alpha * share;
+    let burnt = alpha * (sample.velocity.inner(sample.velocity) * sample.period);
+    let shortfall = (-(correction.observed_energy + burnt)).larger(zero);
+    Correction {
+        effort: V::choose(cut, part, correction.effort),
+        alpha: V::Scalar::choose(cut, alpha, correction.alpha),
+        shortfall: V::Scalar::choose(cut, shortfall, correction.shortfall),
+        ..correction
     }
     .checked()
 }
 
-/// What `action` adds to `effort`; nothing where it is not accepted.
+/// What `correction` adds to `effort`; nothing where it is not accepted.
 #[inline]
-fn correction<V: Signal>(action: &Action<V>, effort: V) -> V {
-    V::choose(action.accepted, action.effort - effort, V::zero())
+fn added<V: Signal>(correction: &Correction<V>, effort: V) -> V {
+    V::choose(correction.accepted, correction.effort - effort, V::zero())
 }

@@ -1,8 +1,10 @@
 //! Corrections no faster than a motor follows.
 
-use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer};
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+};
 
-use super::{correction, portion};
+use super::{added, portion};
 
 /// A stabilizer whose correction grows by at most `rate · T` newtons a tick on each axis, `rate` in N/s.
 ///
@@ -13,13 +15,13 @@ use super::{correction, portion};
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
-/// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.rate_limited(500.0)?;
-/// let drive = Drive::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// let sample = PortSample::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
 /// for most in [0.5, 1.0, 1.5] {
-///     let effort: f64 = popc.stabilize(&drive, 0.0).effort;
+///     let effort: f64 = popc.stabilize(&sample, 0.0).effort;
 ///     assert_abs_diff_eq!(effort, most, epsilon = 1e-12);
 /// }
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -40,12 +42,12 @@ impl<S, V: Signal> RateLimit<S, V> {
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for RateLimit<S, V> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        let action = self.stabilizer.stabilize(drive, effort);
-        let growth = (self.rate * drive.period).larger(zero);
+        let correction = self.stabilizer.stabilize(sample, effort);
+        let growth = (self.rate * sample.period).larger(zero);
         let mut share = one;
-        let _ = correction(&action, effort).zip(self.last, |wanted, last| {
+        let _ = added(&correction, effort).zip(self.last, |wanted, last| {
             let along =
                 (wanted.above(zero) & last.above(zero)) | (wanted.below(zero) & last.below(zero));
             let most = V::Scalar::choose(along, last.magnitude(), zero) + growth;
@@ -54,8 +56,8 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for RateLimit<S, V> {
             share = share.smaller(own);
             wanted
         });
-        let action = portion(action, drive, effort, share);
-        self.last = correction(&action, effort);
-        action
+        let correction = portion(correction, sample, effort, share);
+        self.last = added(&correction, effort);
+        correction
     }
 }

@@ -1,6 +1,8 @@
 //! A debt paid in instalments.
 
-use lyapunov_core::{Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer};
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+};
 
 use super::portion;
 
@@ -10,18 +12,18 @@ use super::portion;
 /// alone is paid in `N` equal parts, and one that grows meanwhile raises the rate. The rest of the debt is told as
 /// shortfall. One tick changes no bit. The stabilizer inside is one that tells a damping.
 ///
-/// The instalments are what the correction is meant to burn, `α v² T`. What it really burns shows in the next drive, and
+/// The instalments are what the correction is meant to burn, `α v² T`. What it really burns shows in the next sample, and
 /// what is lacking is a part of the next debt.
 ///
 /// ```
 /// use approx::abs_diff_eq;
-/// use lyapunov_core::{Drive, PortEnergy, Stabilizer};
-/// use lyapunov_stabilizers::{DampingLimit, Popc, Refine};
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.spread_over(4)?;
-/// let action = popc.stabilize(&Drive::new(1e-3, 0.0, 0.1, 1e-4, -2.0), 0.0); // a debt of 0.2 mJ
-/// let burnt: f64 = action.alpha * 0.1 * 0.1 * 1e-3;
-/// let left: f64 = action.shortfall;
+/// let correction = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, -2.0), 0.0); // a debt of 0.2 mJ
+/// let burnt: f64 = correction.alpha * 0.1 * 0.1 * 1e-3;
+/// let left: f64 = correction.shortfall;
 /// assert!(abs_diff_eq!(burnt, 0.5e-4, epsilon = 1e-15) && abs_diff_eq!(left, 1.5e-4, epsilon = 1e-15));
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
@@ -41,15 +43,15 @@ impl<S, T: Scalar> Spread<S, T> {
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        let action = self.stabilizer.stabilize(drive, effort);
-        let debt = (-action.sum).larger(V::Scalar::of(0.0));
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let correction = self.stabilizer.stabilize(sample, effort);
+        let debt = (-correction.observed_energy).larger(V::Scalar::of(0.0));
         self.part = (debt / self.ticks).larger(self.part.smaller(debt));
-        let burnt = action.alpha * (drive.velocity.pair(drive.velocity) * drive.period);
+        let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
         // What is burnt in full is the debt rounded up, which is no reason to cut it.
         let full = burnt * (V::Scalar::of(1.0) - V::Scalar::of(16.0) * V::Scalar::epsilon());
         let one = V::Scalar::of(1.0);
         let share = V::Scalar::choose(self.part.below(full), self.part / burnt, one);
-        portion(action, drive, effort, share)
+        portion(correction, sample, effort, share)
     }
 }

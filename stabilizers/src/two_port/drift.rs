@@ -1,10 +1,10 @@
 //! Positions that find back.
 
 use lyapunov_core::{
-    Accumulator, Action, Drive, ParameterError, Requirement, Scalar, Signal, Stabilizer,
+    Accumulator, Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
 };
 
-use super::Station;
+use super::TwoPortSide;
 
 /// A stabilizer of an admittance port that makes up for the position its corrections have cost.
 ///
@@ -15,7 +15,7 @@ use super::Station;
 /// energy that the last force does not tell of, and without it compensation makes debts. (Artigas, Ryu and Preusche, IROS 2010, and Chawda, Ly Van Quang, O'Malley and Ryu,
 /// HAPTICS 2014, compensate with what the passivity observer has to spare.) A speed of 0 changes no bit.
 ///
-/// The drive is a [`Load`](lyapunov_core::Load): `velocity` is the force, the effort in and out are flows. The
+/// The sample is a [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and out are flows. The
 /// correction that it tells of is the stabilizer's alone.
 #[derive(Clone, Copy, Debug)]
 pub struct DriftCompensated<S, V: Signal> {
@@ -51,14 +51,14 @@ impl<S, V: Signal> DriftCompensated<S, V> {
     }
 }
 
-impl<T: Scalar, V: Signal<Scalar = T>, A: Accumulator<T>> DriftCompensated<Station<T, A>, V> {
-    /// As [`Station::receive`].
+impl<T: Scalar, V: Signal<Scalar = T>, A: Accumulator<T>> DriftCompensated<TwoPortSide<T, A>, V> {
+    /// As [`TwoPortSide::receive`].
     #[inline]
     pub fn receive(&mut self, energy: T) {
         self.stabilizer.receive(energy);
     }
 
-    /// As [`Station::absorbed`].
+    /// As [`TwoPortSide::absorbed`].
     #[inline]
     pub fn absorbed(&self) -> T {
         self.stabilizer.absorbed()
@@ -67,20 +67,20 @@ impl<T: Scalar, V: Signal<Scalar = T>, A: Accumulator<T>> DriftCompensated<Stati
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for DriftCompensated<S, V> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        let action = self.stabilizer.stabilize(drive, effort);
-        let back = self.drift.map(|drift| -drift / drive.period).limited(self.speed);
+        let correction = self.stabilizer.stabilize(sample, effort);
+        let back = self.drift.map(|drift| -drift / sample.period).limited(self.speed);
         let sizes = back.map(Scalar::magnitude);
-        let answer = sizes.pair(action.effort.map(Scalar::magnitude) + sizes) * self.impedance;
-        let draw = (answer - back.pair(drive.velocity)) * drive.period;
-        let credit = action.sum.larger(zero);
+        let answer = sizes.inner(correction.effort.map(Scalar::magnitude) + sizes) * self.impedance;
+        let draw = (answer - back.inner(sample.velocity)) * sample.period;
+        let credit = correction.observed_energy.larger(zero);
         let share = V::Scalar::choose(draw.above(credit), credit / draw, one);
         let some = sizes.sum().above(zero);
-        let moved = action.effort + back.scale(share);
-        let flow = V::choose(some & action.accepted & moved.finite(), moved, action.effort);
-        let drift = self.drift + (flow - effort).scale(drive.period);
-        self.drift = V::choose(action.accepted & drift.finite(), drift, self.drift);
-        Action { effort: flow, ..action }.checked()
+        let moved = correction.effort + back.scale(share);
+        let flow = V::choose(some & correction.accepted & moved.finite(), moved, correction.effort);
+        let drift = self.drift + (flow - effort).scale(sample.period);
+        self.drift = V::choose(correction.accepted & drift.finite(), drift, self.drift);
+        Correction { effort: flow, ..correction }.checked()
     }
 }

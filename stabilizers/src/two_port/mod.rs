@@ -5,9 +5,9 @@ mod one_way;
 
 pub use drift::DriftCompensated;
 
-use lyapunov_core::{Accumulator, Action, Drive, Held, Plain, Scalar, Signal, Stabilizer};
+use lyapunov_core::{Accumulator, Correction, Held, Plain, PortSample, Scalar, Signal, Stabilizer};
 
-use crate::{Account, DampingLimit, Lolc, Refine};
+use crate::{DampingLimit, LimitCredit, Lolc, StabilizerExt};
 use one_way::OneWay;
 
 /// One side of a two-port passivity controller for teleoperation over a channel with delay.
@@ -20,18 +20,18 @@ use one_way::OneWay;
 /// Artigas and Preusche, Mechatronics 20(7), 2010, split the energies and compare them so; Artigas, Ryu and
 /// Preusche, IROS 2010, treat architectures with delay.)
 ///
-/// At the master motion comes in and a force goes out, and a drive is a drive. At the slave a force comes in and a
-/// velocity goes out to its controller: give it a [`Load`](lyapunov_core::Load), and it adds a velocity, which leaves a
+/// At the master motion comes in and a force goes out, and a sample is a sample. At the slave a force comes in and a
+/// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a velocity, which leaves a
 /// position error behind; [`DriftCompensated`] takes it back. Energies that only grow need digits: in `f32` they stop
 /// growing after a while, which is safe and useless, so take `f64`.
 ///
 /// ```
-/// use lyapunov_core::{Drive, Stabilizer};
-/// use lyapunov_stabilizers::{DampingLimit, Station};
+/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, TwoPortSide};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
-/// let (mut master, mut slave) = (Station::new(limit), Station::new(limit));
-/// let pushed = Drive::new(1e-3, 0.0, 0.1, 1e-4, 3.0); // absorbs 0.3 mJ
-/// let pushes = Drive::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // gives 0.2 mJ
+/// let (mut master, mut slave) = (TwoPortSide::new(limit), TwoPortSide::new(limit));
+/// let pushed = PortSample::new(1e-3, 0.0, 0.1, 1e-4, 3.0); // absorbs 0.3 mJ
+/// let pushes = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // gives 0.2 mJ
 /// master.stabilize(&pushed, 3.0);
 /// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not told yet: a debt
 /// slave.receive(master.absorbed());
@@ -39,21 +39,21 @@ use one_way::OneWay;
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Station<T, A = Plain<T>> {
+pub struct TwoPortSide<T, A = Plain<T>> {
     controller: Lolc<T, OneWay<T>, Held, A>,
 }
 
-impl<T: Scalar> Station<T> {
+impl<T: Scalar> TwoPortSide<T> {
     /// A side that injects at most `limit`, and has absorbed and received nothing yet.
     pub fn new(limit: DampingLimit<T>) -> Self {
         Self { controller: Lolc::new(OneWay::new(), limit) }
     }
 }
 
-impl<T: Scalar, A: Accumulator<T>> Station<T, A> {
+impl<T: Scalar, A: Accumulator<T>> TwoPortSide<T, A> {
     /// The same side with its account summed in a `B`.
-    pub fn summed_in<B: Accumulator<T>>(self) -> Station<T, B> {
-        Station { controller: self.controller.summed_in() }
+    pub fn summed_in<B: Accumulator<T>>(self) -> TwoPortSide<T, B> {
+        TwoPortSide { controller: self.controller.summed_in() }
     }
 
     /// Takes what the other side tells of its [`absorbed`](Self::absorbed) energy, J; to be called before a tick.
@@ -69,18 +69,18 @@ impl<T: Scalar, A: Accumulator<T>> Station<T, A> {
     }
 }
 
-impl<T, A> Refine for Station<T, A> {}
+impl<T, A> StabilizerExt for TwoPortSide<T, A> {}
 
-impl<T: Scalar, A: Accumulator<T>> Account<T> for Station<T, A> {
+impl<T: Scalar, A: Accumulator<T>> LimitCredit<T> for TwoPortSide<T, A> {
     #[inline]
-    fn forget_above(&mut self, most: T) {
-        self.controller.forget_above(most);
+    fn limit_credit(&mut self, most: T) {
+        self.controller.limit_credit(most);
     }
 }
 
-impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for Station<V::Scalar, A> {
+impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoPortSide<V::Scalar, A> {
     #[inline]
-    fn stabilize(&mut self, drive: &Drive<V>, effort: V) -> Action<V> {
-        self.controller.stabilize(drive, effort)
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.controller.stabilize(sample, effort)
     }
 }

@@ -1,9 +1,9 @@
 //! The account of one side of a link.
 
-use lyapunov_core::{Drive, LyapunovCandidate, Scalar, Signal};
+use lyapunov_core::{LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// What this side has been told that the other absorbed, less what this side gave: the candidate of a
-/// [`Station`](super::Station).
+/// [`TwoPortSide`](super::TwoPortSide).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OneWay<T> {
     received: T,
@@ -32,9 +32,9 @@ impl<T: Scalar> OneWay<T> {
 
 impl<V: Signal> LyapunovCandidate<V> for OneWay<V::Scalar> {
     #[inline]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let zero = V::Scalar::of(0.0);
-        let work = drive.work.sum();
+        let work = sample.work.sum();
         let total = self.absorbed + work.larger(zero);
         self.absorbed = V::Scalar::choose(total.finite(), total, self.absorbed);
         let credit = self.received - self.booked;

@@ -1,8 +1,12 @@
 //! Force and energy of each law belong together: neither is taken from the other.
 
 use lyapunov::{
-    Contact, ForceLaw, HuntCrossley, Impedance, Kinematics, LayeredWall, MassSpringDamper,
-    MovingWall, Plane, Signal, Sphere, Spring, Surface, Time, VaryingSpring, Wall,
+    Signal,
+    bodies::Impedance,
+    environments::{
+        Contact, ForceLaw, HuntCrossley, Kinematics, LayeredWall, MassSpringDamper, MovingWall,
+        Plane, Sphere, Spring, Surface, Time, VaryingSpring, Wall,
+    },
 };
 use nalgebra::Vector2;
 
@@ -37,7 +41,7 @@ pub(super) fn closes<V: Signal<Scalar = f64>>(
             _ => 2.0,
         };
         let share = weight * end / f64::from(6 * STEPS);
-        let power = law.force(&at).pair(at.velocity);
+        let power = law.force(&at).inner(at.velocity);
         work += share * (power - lost(&at));
         size += share * power.abs();
     }

@@ -2,7 +2,10 @@
 
 use core::f64::consts::PI;
 
-use lyapunov::{CubicSpring, Drive, ForceLaw, Kinematics, OnePort, Scalar, Spring};
+use lyapunov::{
+    OnePort, PortSample, Scalar,
+    environments::{CubicSpring, ForceLaw, Kinematics, Spring},
+};
 use nalgebra::Vector2;
 
 use super::closure::{closes, slopes, swing};
@@ -74,8 +77,8 @@ fn is_a_spring_without_the_cube<T: Scalar>() {
     let mut cubic = CubicSpring::<T>::new(stiffness, T::zero()).expect("a spring").at(position);
     let mut spring = Spring::<T>::new(stiffness).expect("a spring").at(position);
     for n in -50..50 {
-        let drive = Drive::starting(T::of(1e-3), T::of(0.7e-3 * f64::from(n)), T::of(0.1));
-        assert_eq!(cubic.respond(&drive), spring.respond(&drive));
+        let sample = PortSample::starting(T::of(1e-3), T::of(0.7e-3 * f64::from(n)), T::of(0.1));
+        assert_eq!(cubic.respond(&sample), spring.respond(&sample));
     }
 }
 

@@ -4,14 +4,16 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use approx::abs_diff_eq;
 use lyapunov::{
-    Contact, Cuboid, Drive, HuntCrossley, LayeredWall, OnePort, Plane, Signal, Solid, Sphere,
-    Spring, VaryingSpring,
+    OnePort, PortSample, Signal,
+    environments::{
+        Contact, Cuboid, HuntCrossley, LayeredWall, Plane, Solid, Sphere, Spring, VaryingSpring,
+    },
 };
 use nalgebra::{Vector2, Vector3};
 
 /// The effort at a place, at rest.
 fn at<V: Signal<Scalar = f64>>(port: &mut impl OnePort<V>, place: V) -> V {
-    port.respond(&Drive::starting(1e-3, place, V::zero()))
+    port.respond(&PortSample::starting(1e-3, place, V::zero()))
 }
 
 /// The work `∫ f dx` along a straight way, by the mid-points of `steps` pieces.
@@ -63,7 +65,7 @@ fn a_hunt_crossley_contact_restores_what_was_published() {
     let contact = HuntCrossley::new(stiffness, exponent, damping).expect("a contact");
     for speed in [0.05, 0.5, 2.0] {
         let slope = |[x, v]: [f64; 2]| {
-            let force: f64 = { contact }.respond(&Drive::starting(1e-3, x, v));
+            let force: f64 = { contact }.respond(&PortSample::starting(1e-3, x, v));
             [v, -force / mass]
         };
         let ahead = |[x, v]: [f64; 2], [dx, dv]: [f64; 2], dt: f64| [x + dt * dx, v + dt * dv];
@@ -129,9 +131,9 @@ where
             [0.0, 0.5, 1.0].map(|part| place((f64::from(n) + part) / f64::from(STEPS)));
         let effort = at(&mut port, middle);
         let step = to - from;
-        net += effort.pair(step);
-        gross += effort.pair(step).abs();
-        worst = f64::max(worst, effort.pair(effort).sqrt() * step.pair(step).sqrt());
+        net += effort.inner(step);
+        gross += effort.inner(step).abs();
+        worst = f64::max(worst, effort.inner(effort).sqrt() * step.inner(step).sqrt());
     }
     assert!(gross > 1.0, "{gross} J: the way does not enter the solid");
     assert!(net.abs() <= 1e-8 * gross + bends * worst, "{net:e} of {gross} J");

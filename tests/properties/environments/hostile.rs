@@ -4,7 +4,7 @@ use proptest::array::uniform16;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{Drive, LyapunovCandidate, OnePort};
+use lyapunov::{LyapunovCandidate, OnePort, PortSample};
 
 use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Plain, Varying};
 use crate::support::{Bits, CASES, Real, hold};
@@ -22,14 +22,14 @@ fn one_sided<E: Environment, T: Real>() {
     hold(CASES, uniform16(any::<Bits>()), |bits| {
         let parts = Parts::<T>::of(&bits, 0);
         // At the first call a moving surface stands at its position as well.
-        let drive = parts.drive([bits[10], bits[11]], 0);
+        let sample = parts.sample([bits[10], bits[11]], 0);
         let nan = T::of(f64::NAN);
         let outside = parts.position - T::of(0.01);
         let inside = parts.position + T::of(0.01);
         let away = T::of(if bits[12] % 2 == 0 { 1e25 } else { -1e25 });
         let still = T::of(0.0);
         for (position, velocity, answer) in [
-            (nan, drive.velocity, "NaN"),
+            (nan, sample.velocity, "NaN"),
             (nan, nan, "NaN"),
             (inside, nan, "NaN"),
             (outside, nan, "nothing"),
@@ -37,11 +37,11 @@ fn one_sided<E: Environment, T: Real>() {
             (parts.position, T::of(1.0), "nothing"),
             (away, still, if away.f64() > 0.0 { "a force" } else { "nothing" }),
         ] {
-            let drive = Drive { position, velocity, ..drive };
+            let sample = PortSample { position, velocity, ..sample };
             let (mut port, mut term) = E::build(parts);
-            let found = port.respond(&drive).f64();
-            prop_assert!(kind(found) == answer, "{found} is not {answer}: {drive:?}");
-            let credit = term.decrease(&drive).f64();
+            let found = port.respond(&sample).f64();
+            prop_assert!(kind(found) == answer, "{found} is not {answer}: {sample:?}");
+            let credit = term.decrease(&sample).f64();
             let contact = position.f64() > parts.position.f64();
             prop_assert!(contact || credit == 0.0, "credit {credit} out of contact");
         }
@@ -52,9 +52,9 @@ fn one_sided<E: Environment, T: Real>() {
 fn two_sided<E: Environment, T: Real>() {
     hold(CASES, uniform16(any::<Bits>()), |bits| {
         let parts = Parts::<T>::of(&bits, 0);
-        let drive = parts.drive([bits[10], bits[11]], 0);
+        let sample = parts.sample([bits[10], bits[11]], 0);
         let (mut port, _) = E::build(parts);
-        let found = port.respond(&Drive { position: T::of(f64::NAN), ..drive });
+        let found = port.respond(&PortSample { position: T::of(f64::NAN), ..sample });
         prop_assert!(found.f64().is_nan(), "{found:?} for a position that is not known");
         Ok(())
     });
@@ -85,8 +85,8 @@ fn the_next_sample_is_sound_again() {
     let parts = Parts::<f64>::of(&bits, 0);
     let (mut spoilt, _) = Moving::build(parts);
     let (mut sound, _) = Moving::build(parts);
-    let drive = Drive { position: parts.position + 0.05, ..parts.drive([1, 2], 0) };
-    spoilt.respond(&Drive { position: f64::NAN, velocity: f64::NAN, ..drive });
-    sound.respond(&drive);
-    assert_eq!(spoilt.respond(&drive), sound.respond(&drive));
+    let sample = PortSample { position: parts.position + 0.05, ..parts.sample([1, 2], 0) };
+    spoilt.respond(&PortSample { position: f64::NAN, velocity: f64::NAN, ..sample });
+    sound.respond(&sample);
+    assert_eq!(spoilt.respond(&sample), sound.respond(&sample));
 }

@@ -6,21 +6,21 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 
 use lyapunov::lanes::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4};
-use lyapunov::{Drive, LyapunovCandidate, OnePort, Scalar};
+use lyapunov::{LyapunovCandidate, OnePort, PortSample, Scalar};
 
 use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Varying, each};
 use crate::support::{Bits, CASES, Real, bad, hold, hostile, same};
 
 /// A motion near the surface, or any numbers at all.
-fn drive<T: Scalar, R: Real>(parts: &Parts<T>, bits: [Bits; 2], first: usize) -> Drive<T> {
-    let drive = parts.drive(bits, first);
+fn sample<T: Scalar, R: Real>(parts: &Parts<T>, bits: [Bits; 2], first: usize) -> PortSample<T> {
+    let sample = parts.sample(bits, first);
     let any = |bits: Bits| each(bits, first, |bits| hostile::<R>(bits >> 3).f64());
     let none = |bits: Bits| each(bits, first, |bits| bad::<R>(bits >> 3).f64());
     match bits[0] % 8 {
-        0 => Drive { position: any(bits[0]), velocity: any(bits[1]), ..drive },
-        1 => Drive { position: none(bits[0]), ..drive },
-        2 => Drive { velocity: none(bits[1]), ..drive },
-        _ => drive,
+        0 => PortSample { position: any(bits[0]), velocity: any(bits[1]), ..sample },
+        1 => PortSample { position: none(bits[0]), ..sample },
+        2 => PortSample { velocity: none(bits[1]), ..sample },
+        _ => sample,
     }
 }
 
@@ -35,15 +35,15 @@ fn equals<E: Environment, L: Scalar, R: Real>() {
                 (parts, E::build(parts))
             })
             .collect();
-        for (call, sample) in samples.into_iter().enumerate() {
-            let lanes = drive::<L, R>(&parts, sample, 0);
+        for (call, reading) in samples.into_iter().enumerate() {
+            let lanes = sample::<L, R>(&parts, reading, 0);
             let (effort, credit) = (port.respond(&lanes), term.decrease(&lanes));
             for (lane, (parts, (port, term))) in alone.iter_mut().enumerate() {
-                let drive = drive::<R, R>(parts, sample, lane);
-                prop_assert!(same(lanes.position.lane(lane), drive.position.f64()));
-                let (one, other) = (effort.lane(lane), port.respond(&drive).f64());
+                let sample = sample::<R, R>(parts, reading, lane);
+                prop_assert!(same(lanes.position.lane(lane), sample.position.f64()));
+                let (one, other) = (effort.lane(lane), port.respond(&sample).f64());
                 prop_assert!(same(one, other), "call {call}, lane {lane}: {one:e}, {other:e}");
-                let (one, other) = (credit.lane(lane), term.decrease(&drive).f64());
+                let (one, other) = (credit.lane(lane), term.decrease(&sample).f64());
                 prop_assert!(same(one, other), "credit {call}, lane {lane}: {one:e}, {other:e}");
             }
         }

@@ -8,8 +8,10 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 
 use lyapunov::{
-    Adapt, Contact, Dissipation, Drive, HuntCrossley, Impedance, LyapunovCandidate,
-    MassSpringDamper, MovingWall, OnePort, Sphere, Spring, Wall,
+    Dissipation, LyapunovCandidate, OnePort, PortSample,
+    bodies::Impedance,
+    effects::OnePortExt,
+    environments::{Contact, HuntCrossley, MassSpringDamper, MovingWall, Sphere, Spring, Wall},
 };
 
 use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Plain, Sample, Varying};
@@ -21,21 +23,21 @@ fn follows<E: Environment, T: Real>() {
         let parts = Parts::<T>::of(&bits, 0);
         let (mut port, mut term) = E::build(parts);
         let mut before = None;
-        for (call, sample) in samples.into_iter().enumerate() {
-            let drive = parts.drive(sample, 0);
-            let v = drive.velocity.f64();
+        for (call, reading) in samples.into_iter().enumerate() {
+            let sample = parts.sample(reading, 0);
+            let v = sample.velocity.f64();
             let law = E::law(
                 &parts.widened(),
                 Sample {
                     call: call as u32,
-                    x: drive.position.f64(),
+                    x: sample.position.f64(),
                     v,
                     before: before.unwrap_or(v),
-                    period: drive.period.f64(),
+                    period: sample.period.f64(),
                 },
             );
             before = Some(v);
-            let (force, credit) = (port.respond(&drive).f64(), term.decrease(&drive).f64());
+            let (force, credit) = (port.respond(&sample).f64(), term.decrease(&sample).f64());
             let [depth, made_of] = law.depth;
             if depth.abs() <= 8.0 * T::unit() * made_of {
                 continue;
@@ -98,8 +100,8 @@ fn acceleration_behind_a_hold_is_over_the_whole_hold() {
     let impedance = Impedance { mass: 7.0, damping: 0.0, stiffness: 0.0 };
     let mut spy = Spy::on(MassSpringDamper::<f64>::new(impedance).expect("a mass"));
     let mut held = (&mut spy).held(3).expect("a hold");
-    let drives = (0..7).map(|n| Drive::new(0.5, 0.0, f64::from(n), 0.5 * f64::from(n), 0.0));
-    let forces: Vec<f64> = drives.map(|drive| held.respond(&drive)).collect();
+    let drives = (0..7).map(|n| PortSample::new(0.5, 0.0, f64::from(n), 0.5 * f64::from(n), 0.0));
+    let forces: Vec<f64> = drives.map(|sample| held.respond(&sample)).collect();
     assert_eq!(forces, [0.0, 0.0, 0.0, 14.0, 14.0, 14.0, 14.0]);
 }
 
@@ -114,14 +116,14 @@ fn mass_spring_damper_on_several_axes() {
     for n in 0..20 {
         let at = Vector3::new(0.1, 0.2, -0.3) * f64::from(n);
         let velocity = at.map(|x| (3.0 * x).sin());
-        let drive = Drive::new(1e-3, at, velocity, Vector3::zeros(), Vector3::zeros());
-        let effort = whole.respond(&drive);
+        let sample = PortSample::new(1e-3, at, velocity, Vector3::zeros(), Vector3::zeros());
+        let effort = whole.respond(&sample);
         for (axis, port) in axes.iter_mut().enumerate() {
-            let alone = Drive::new(1e-3, at[axis], velocity[axis], 0.0, 0.0);
+            let alone = PortSample::new(1e-3, at[axis], velocity[axis], 0.0, 0.0);
             assert!(same(effort[axis], port.respond(&alone)));
         }
         let burnt: f64 = velocity.iter().map(|v| 3.0 * v * v * 1e-3).sum();
-        assert_abs_diff_eq!(credit.decrease(&drive), burnt, epsilon = 1e-15 * burnt);
+        assert_abs_diff_eq!(credit.decrease(&sample), burnt, epsilon = 1e-15 * burnt);
     }
 }
 
@@ -131,9 +133,9 @@ fn contact_begins_strictly_beyond_the_surface() {
     let contact = HuntCrossley::new(1e12, 0.5, 1.0).expect("a contact").at(0.25);
     let beyond = f64::from_bits(0.25f64.to_bits() + 1);
     for (x, touching) in [(0.25, false), (beyond, true), (0.2, false)] {
-        let drive = Drive::starting(1e-3, x, 1.0);
-        assert_eq!({ contact }.respond(&drive) > 0.0, touching);
-        assert_eq!(contact.dissipation().decrease(&drive) > 0.0, touching);
+        let sample = PortSample::starting(1e-3, x, 1.0);
+        assert_eq!({ contact }.respond(&sample) > 0.0, touching);
+        assert_eq!(contact.dissipation().decrease(&sample) > 0.0, touching);
     }
 }
 
@@ -141,7 +143,7 @@ fn contact_begins_strictly_beyond_the_surface() {
 #[test]
 fn a_spring_may_push_away() {
     let mut spring = Spring::new(-50.0).expect("a spring").at(0.5);
-    assert_eq!(spring.respond(&Drive::starting(1e-3, 0.75, 3.0)), -12.5);
+    assert_eq!(spring.respond(&PortSample::starting(1e-3, 0.75, 3.0)), -12.5);
     assert!(Spring::<f64>::new(f64::NAN).is_err());
 }
 
@@ -151,7 +153,7 @@ fn a_negative_damping_credits_nothing() {
     let impedance = Impedance { mass: 0.0, damping: -2.0, stiffness: 0.0 };
     let port = MassSpringDamper::<f64>::new(impedance).expect("an active one");
     assert_eq!(port.dissipation(), Dissipation::of(0.0).expect("none"));
-    assert_eq!({ port }.respond(&Drive::starting(1e-3, 0.0, 3.0)), -6.0);
+    assert_eq!({ port }.respond(&PortSample::starting(1e-3, 0.0, 3.0)), -6.0);
 }
 
 /// A credit of NaN would take a debt with it.
@@ -163,12 +165,13 @@ fn a_velocity_that_is_not_finite_credits_nothing() {
     let ball = Contact::with(Sphere::new(Vector2::zeros(), 0.5).expect("a ball"), 100.0, 2.0)
         .expect("a contact");
     let credits = |velocity| {
-        let drive = Drive::starting(1e-3, 0.25, velocity);
-        let plane = Drive::starting(1e-3, Vector2::new(0.25, 0.0), Vector2::new(velocity, 0.0));
+        let sample = PortSample::starting(1e-3, 0.25, velocity);
+        let plane =
+            PortSample::starting(1e-3, Vector2::new(0.25, 0.0), Vector2::new(velocity, 0.0));
         [
-            wall.dissipation().decrease(&drive),
-            moving.dissipation(1e3).expect("a rate").decrease(&drive),
-            hunt.dissipation().decrease(&drive),
+            wall.dissipation().decrease(&sample),
+            moving.dissipation(1e3).expect("a rate").decrease(&sample),
+            hunt.dissipation().decrease(&sample),
             ball.dissipation().decrease(&plane),
         ]
     };

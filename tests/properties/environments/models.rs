@@ -3,8 +3,11 @@
 use std::f64::consts::TAU;
 
 use lyapunov::{
-    Dissipation, Drive, HuntCrossley, Impedance, LayeredWall, LyapunovCandidate, MassSpringDamper,
-    MovingWall, OnePort, Scalar, Spring, VaryingSpring, Wall,
+    Dissipation, LyapunovCandidate, OnePort, PortSample, Scalar,
+    bodies::Impedance,
+    environments::{
+        HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Spring, VaryingSpring, Wall,
+    },
 };
 
 use crate::support::{Bits, log_between, unit};
@@ -52,12 +55,12 @@ impl<T: Scalar> Parts<T> {
     }
 
     /// A motion near the surface, in and out of contact.
-    pub(crate) fn drive(&self, bits: [Bits; 2], first: usize) -> Drive<T> {
+    pub(crate) fn sample(&self, bits: [Bits; 2], first: usize) -> PortSample<T> {
         let [x, v] = bits;
         let position = self.position + each(x, first, |bits| 0.02 * (unit(bits) - 0.5));
         let velocity = each(v, first, |bits| 4.0 * (unit(bits) - 0.5));
         let period = T::of(1.0) / self.rate;
-        Drive::new(period, position, velocity, velocity * period, T::of(0.0))
+        PortSample::new(period, position, velocity, velocity * period, T::of(0.0))
     }
 
     pub(crate) fn widened(&self) -> Parts<f64> {
@@ -76,7 +79,7 @@ impl<T: Scalar> Parts<T> {
     }
 }
 
-/// One sample: which call it is, where, how fast, how fast at the call before, and the time since then.
+/// One reading: which call it is, where, how fast, how fast at the call before, and the time since then.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
     pub(crate) call: u32,
@@ -100,7 +103,7 @@ pub(crate) trait Environment {
     /// The port and the credit of its own damper.
     fn build<T: Scalar>(parts: Parts<T>) -> (impl OnePort<T>, impl LyapunovCandidate<T>);
 
-    fn law(parts: &Parts<f64>, sample: Sample) -> Answer;
+    fn law(parts: &Parts<f64>, reading: Sample) -> Answer;
 }
 
 fn nothing<T: Scalar>() -> impl LyapunovCandidate<T> {
@@ -184,17 +187,17 @@ impl Environment for Moving {
         (moving, moving.dissipation(parts.rate).expect("its damper"))
     }
 
-    fn law(parts: &Parts<f64>, sample: Sample) -> Answer {
+    fn law(parts: &Parts<f64>, reading: Sample) -> Answer {
         let (k, b, a) = (parts.stiffness[0], parts.damping, parts.amplitude);
-        let phase = TAU * (parts.frequency * (f64::from(sample.call) / parts.rate));
+        let phase = TAU * (parts.frequency * (f64::from(reading.call) / parts.rate));
         let speed = TAU * parts.frequency * a;
-        let p = sample.x - (parts.position + a * phase.sin());
-        let v = sample.v - speed * phase.cos();
-        let whole = sample.x.abs() + parts.position.abs() + a;
-        let fast = sample.v.abs() + speed;
-        let burnt = b * v * v * sample.period;
+        let p = reading.x - (parts.position + a * phase.sin());
+        let v = reading.v - speed * phase.cos();
+        let whole = reading.x.abs() + parts.position.abs() + a;
+        let fast = reading.v.abs() + speed;
+        let burnt = b * v * v * reading.period;
         let force = [k * p + b * v, k * whole + b * fast];
-        let answer = pushing(p, force, burnt, b * fast * fast * sample.period);
+        let answer = pushing(p, force, burnt, b * fast * fast * reading.period);
         Answer { depth: [p, whole], ..answer }
     }
 }
@@ -208,9 +211,9 @@ impl Environment for Varying {
         (spring.expect("a varying spring"), nothing())
     }
 
-    fn law(parts: &Parts<f64>, sample: Sample) -> Answer {
-        let ([k, a], p) = (parts.stiffness, sample.x - parts.position);
-        let phase = TAU * (parts.frequency * (f64::from(sample.call) / parts.rate));
+    fn law(parts: &Parts<f64>, reading: Sample) -> Answer {
+        let ([k, a], p) = (parts.stiffness, reading.x - parts.position);
+        let phase = TAU * (parts.frequency * (f64::from(reading.call) / parts.rate));
         let size = (k + a) * p.abs();
         Answer { force: [(k + a * phase.sin()) * p, size], credit: [0.0, 0.0], depth: [1.0, 0.0] }
     }
@@ -228,8 +231,8 @@ impl<const ACTIVE: bool> Environment for Example2<ACTIVE> {
         (port, port.dissipation())
     }
 
-    fn law(parts: &Parts<f64>, sample: Sample) -> Answer {
-        let Sample { x, v, before, period, .. } = sample;
+    fn law(parts: &Parts<f64>, reading: Sample) -> Answer {
+        let Sample { x, v, before, period, .. } = reading;
         let (p, k, m) = (x - parts.position, parts.stiffness[0], parts.mass);
         let b = if ACTIVE { -parts.damping } else { parts.damping };
         let size = m * (v.abs() + before.abs()) / period + parts.damping * v.abs() + k * p.abs();

@@ -7,8 +7,11 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Dissipation, Drive, HuntCrossley, Impedance, LayeredWall, LyapunovCandidate, MassSpringDamper,
-    MovingWall, OnePort, Spring, VaryingSpring, Wall,
+    Dissipation, LyapunovCandidate, OnePort, PortSample,
+    bodies::Impedance,
+    environments::{
+        HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Spring, VaryingSpring, Wall,
+    },
 };
 
 use super::models::Parts;
@@ -28,13 +31,13 @@ fn alike<T: Real>(a: T, b: T) -> bool {
     a == b || (a.f64().is_nan() && b.f64().is_nan())
 }
 
-fn equal<T: Real>(drives: &[Drive<T>], one: Both<T>, other: Both<T>) -> TestCaseResult {
+fn equal<T: Real>(drives: &[PortSample<T>], one: Both<T>, other: Both<T>) -> TestCaseResult {
     let ((mut one, mut its), (mut other, mut others)) = (one, other);
-    for drive in drives {
-        let (a, b) = (one.respond(drive), other.respond(drive));
-        prop_assert!(alike(a, b), "{a:?} is not {b:?} for {drive:?}");
-        let (a, b) = (its.decrease(drive), others.decrease(drive));
-        prop_assert!(alike(a, b), "credit {a:?} is not {b:?} for {drive:?}");
+    for sample in drives {
+        let (a, b) = (one.respond(sample), other.respond(sample));
+        prop_assert!(alike(a, b), "{a:?} is not {b:?} for {sample:?}");
+        let (a, b) = (its.decrease(sample), others.decrease(sample));
+        prop_assert!(alike(a, b), "credit {a:?} is not {b:?} for {sample:?}");
     }
     Ok(())
 }

@@ -1,8 +1,12 @@
 //! Parameters that no environment can be built with are refused by name.
 
 use lyapunov::{
-    Contact, CubicSpring, Cuboid, HuntCrossley, Impedance, LayeredWall, MassSpringDamper,
-    MovingWall, ParameterError, Plane, Sphere, Spring, VaryingSpring, Wall,
+    ParameterError,
+    bodies::Impedance,
+    environments::{
+        Contact, CubicSpring, Cuboid, HuntCrossley, LayeredWall, MassSpringDamper, MovingWall,
+        Plane, Sphere, Spring, VaryingSpring, Wall,
+    },
 };
 use nalgebra::{Vector2, Vector3};
 

@@ -9,7 +9,8 @@ use proptest::test_runner::TestCaseResult;
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, AutoF64x8};
 use lyapunov::{
-    Contact, Cuboid, Drive, LyapunovCandidate, OnePort, Plane, Scalar, Signal, Solid, Sphere, Wall,
+    LyapunovCandidate, OnePort, PortSample, Scalar, Signal,
+    environments::{Contact, Cuboid, Plane, Solid, Sphere, Wall},
 };
 
 use super::models::each;
@@ -24,7 +25,7 @@ struct Parts<T: Scalar, const N: usize> {
     radius: T,
     stiffness: T,
     damping: T,
-    drive: Drive<SVector<T, N>>,
+    sample: PortSample<SVector<T, N>>,
 }
 
 impl<T: Scalar, const N: usize> Parts<T, N> {
@@ -45,7 +46,7 @@ impl<T: Scalar, const N: usize> Parts<T, N> {
             radius: log(6, 0.02, 0.3),
             stiffness: log(7, 10.0, 1e4),
             damping: log(8, 0.1, 100.0),
-            drive: Drive::starting(period, center + vector(9, 0.3), vector(12, 4.0)),
+            sample: PortSample::starting(period, center + vector(9, 0.3), vector(12, 4.0)),
         }
     }
 
@@ -103,7 +104,7 @@ fn follows<T: Real, S: Solid<SVector<T, N>> + Copy, const N: usize>(
     hold(CASES, uniform16(any::<Bits>()), |bits| {
         let parts = Parts::<T, N>::of(&bits, 0);
         let (x, v, c) =
-            (wide(parts.drive.position), wide(parts.drive.velocity), wide(parts.center));
+            (wide(parts.sample.position), wide(parts.sample.velocity), wide(parts.center));
         let from: [f64; N] = std::array::from_fn(|axis| x[axis] - c[axis]);
         let (k, b) = (parts.stiffness.f64(), parts.damping.f64());
         let (depth, normal) = nearest(which, from, wide(parts.edges), parts.radius.f64());
@@ -123,7 +124,7 @@ fn follows<T: Real, S: Solid<SVector<T, N>> + Copy, const N: usize>(
         let push = if depth > 0.0 { f64::max(0.0, k * depth - b * leaving) } else { 0.0 };
         let contact = parts.contact(solid(&parts));
         let (mut port, mut term) = (contact, contact.dissipation());
-        let effort = wide(port.respond(&parts.drive));
+        let effort = wide(port.respond(&parts.sample));
         let off = slack * (k + 4.0 * b) + turned * (k * depth.abs() + 8.0 * b);
         for axis in 0..N {
             let exact = -push * normal[axis];
@@ -133,7 +134,7 @@ fn follows<T: Real, S: Solid<SVector<T, N>> + Copy, const N: usize>(
             );
         }
         let burnt = if depth > 0.0 { b * leaving * leaving * 1e-3 } else { 0.0 };
-        let credit = term.decrease(&parts.drive).f64();
+        let credit = term.decrease(&parts.sample).f64();
         let off = (slack + turned) * b * 16.0 * 1e-3;
         prop_assert!(abs_diff_eq!(credit, burnt, epsilon = off), "credit {credit:e} for {burnt:e}");
         prop_assert!(depth > 0.0 || (credit == 0.0 && effort == [0.0; N]), "out of contact");
@@ -162,16 +163,16 @@ mod check {
     /// A plane that faces `−x` is the wall, in effort and credit, bit for bit, whatever moves along it.
     pub(super) fn facing_back_a_plane_is_the_wall<T: Real>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
-            let Parts { center, stiffness, damping, drive, .. } = Parts::<T, 2>::of(&bits, 0);
+            let Parts { center, stiffness, damping, sample, .. } = Parts::<T, 2>::of(&bits, 0);
             let facing = Vector2::new(-parts_length::<T>(bits[15]), T::of(0.0));
             let plane = Plane::new(center, facing).expect("a plane");
             let mut contact = Contact::with(plane, stiffness, damping).expect("a contact");
             let mut wall = Wall::new(stiffness, damping).expect("a wall").at(center[0]);
-            let alone = Drive::starting(drive.period, drive.position[0], drive.velocity[0]);
-            let effort = contact.respond(&drive);
+            let alone = PortSample::starting(sample.period, sample.position[0], sample.velocity[0]);
+            let effort = contact.respond(&sample);
             prop_assert!(effort[0] == wall.respond(&alone) && effort[1] == T::of(0.0));
             let (mut one, mut other) = (contact.dissipation(), wall.dissipation());
-            prop_assert!(one.decrease(&drive) == other.decrease(&alone));
+            prop_assert!(one.decrease(&sample) == other.decrease(&alone));
             Ok(())
         });
     }
@@ -189,7 +190,7 @@ mod check {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let parts = Parts::<T, 3>::of(&bits, 0);
             let (axis, nan) = (bits[15] as usize % 3, T::of(f64::NAN));
-            let Drive { position, velocity, .. } = parts.drive;
+            let PortSample { position, velocity, .. } = parts.sample;
             let mut unknown = position;
             unknown[axis] = nan;
             let mut alone = parts.center;
@@ -199,14 +200,14 @@ mod check {
             for (position, velocity) in
                 [(unknown, velocity), (alone, velocity), (alone, swift), (parts.center, swift)]
             {
-                let drive = Drive { position, velocity, ..parts.drive };
+                let sample = PortSample { position, velocity, ..parts.sample };
                 let lost = |effort: SVector<T, 3>| !effort.finite();
-                prop_assert!(lost(parts.contact(parts.sphere()).respond(&drive)), "{drive:?}");
-                let boxed = parts.contact(parts.cuboid()).respond(&drive);
-                let plane = parts.contact(parts.plane()).respond(&drive);
+                prop_assert!(lost(parts.contact(parts.sphere()).respond(&sample)), "{sample:?}");
+                let boxed = parts.contact(parts.cuboid()).respond(&sample);
+                let plane = parts.contact(parts.plane()).respond(&sample);
                 // On the surface of a plane there is no contact, nor is there along a box's face.
-                prop_assert!(lost(boxed) || position == parts.center, "{drive:?}");
-                prop_assert!(lost(plane) || position == parts.center, "{drive:?}");
+                prop_assert!(lost(boxed) || position == parts.center, "{sample:?}");
+                prop_assert!(lost(plane) || position == parts.center, "{sample:?}");
             }
             Ok(())
         });
@@ -240,19 +241,19 @@ fn lanes_equal<L: Scalar, R: Real, const N: usize>() {
         };
         let mut parts = Parts::<L, N>::of(bits, 0);
         let spoilt = spoil(bits[15], 0);
-        parts.drive.position[0] += spoilt;
+        parts.sample.position[0] += spoilt;
         let contact = parts.contact(solid(&parts));
-        let effort = { contact }.respond(&parts.drive);
-        let credit = contact.dissipation().decrease(&parts.drive);
+        let effort = { contact }.respond(&parts.sample);
+        let credit = contact.dissipation().decrease(&parts.sample);
         for lane in 0..L::LANES {
             let mut parts = Parts::<R, N>::of(bits, lane);
-            parts.drive.position[0] += R::of(spoilt.lane(lane));
+            parts.sample.position[0] += R::of(spoilt.lane(lane));
             let contact = parts.contact(alone(&parts));
-            let expected = { contact }.respond(&parts.drive);
+            let expected = { contact }.respond(&parts.sample);
             for axis in 0..N {
                 prop_assert!(same(effort[axis].lane(lane), expected[axis].f64()), "lane {lane}");
             }
-            let expected = contact.dissipation().decrease(&parts.drive).f64();
+            let expected = contact.dissipation().decrease(&parts.sample).f64();
             prop_assert!(same(credit.lane(lane), expected), "credit of lane {lane}");
         }
         Ok(())
@@ -287,31 +288,31 @@ fn the_frame_does_not_matter() {
         let parts = Parts::<f64, 3>::of(&bits, 0);
         let about = bits[15] as usize % 3;
         let turn = |of: Vector3<f64>| turned(of, about, (6.0 * unit(bits[15])).sin_cos());
-        let Parts { center, edges, drive, .. } = parts;
-        let (position, velocity) = (turn(drive.position), turn(drive.velocity));
+        let Parts { center, edges, sample, .. } = parts;
+        let (position, velocity) = (turn(sample.position), turn(sample.velocity));
         let moved = Parts {
             center: turn(center),
             edges: turn(edges),
-            drive: Drive { position, velocity, ..drive },
+            sample: PortSample { position, velocity, ..sample },
             ..parts
         };
-        let off = (drive.position - center).norm().min(1.0) * 1e-12;
+        let off = (sample.position - center).norm().min(1.0) * 1e-12;
         for (mut one, mut other, depth) in [
             (
                 Box::new(parts.contact(parts.plane())) as Box<dyn OnePort<Vector3<f64>>>,
                 Box::new(moved.contact(moved.plane())) as Box<dyn OnePort<Vector3<f64>>>,
-                parts.plane().nearest(drive.position).depth,
+                parts.plane().nearest(sample.position).depth,
             ),
             (
                 Box::new(parts.contact(parts.sphere())),
                 Box::new(moved.contact(moved.sphere())),
-                parts.sphere().nearest(drive.position).depth,
+                parts.sphere().nearest(sample.position).depth,
             ),
         ] {
             if depth.abs() < 1e-12 || off < 1e-15 {
                 continue;
             }
-            let (a, b) = (turn(one.respond(&drive)), other.respond(&moved.drive));
+            let (a, b) = (turn(one.respond(&sample)), other.respond(&moved.sample));
             let size = parts.stiffness + 4.0 * parts.damping;
             prop_assert!((a - b).norm() <= 1e-12 * size, "{a} is not {b}");
         }
@@ -349,11 +350,11 @@ fn contact_is_strict_and_only_pushes() {
     for (x, v, force) in
         [(0.5, -1.0, 0.0), (inner, -1.0, -10.0), (0.4, 11.0, 0.0), (0.4, 0.0, -1e2)]
     {
-        let drive = Drive::starting(1e-3, Vector2::new(x, 0.0), Vector2::new(v, 0.0));
-        let effort = contact.respond(&drive);
+        let sample = PortSample::starting(1e-3, Vector2::new(x, 0.0), Vector2::new(v, 0.0));
+        let effort = contact.respond(&sample);
         assert!((effort - Vector2::new(force, 0.0)).norm() < 1e-10, "{effort} at {x}");
         let burnt: f64 = if x < 0.5 { 10.0 * v * v * 1e-3 } else { 0.0 };
-        assert_abs_diff_eq!(contact.dissipation().decrease(&drive), burnt, epsilon = 1e-15);
+        assert_abs_diff_eq!(contact.dissipation().decrease(&sample), burnt, epsilon = 1e-15);
     }
 }
 

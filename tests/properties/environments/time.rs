@@ -3,7 +3,10 @@
 use std::f64::consts::TAU;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{Drive, LyapunovCandidate, MovingWall, OnePort, Spring, VaryingSpring, Wall};
+use lyapunov::{
+    LyapunovCandidate, OnePort, PortSample,
+    environments::{MovingWall, Spring, VaryingSpring, Wall},
+};
 
 use crate::support::Double;
 
@@ -21,7 +24,7 @@ fn a_phase_does_not_drift() {
     for frequency in [0.1, 1.0, 7.3, 33.3] {
         let none = Spring::new(0.0).expect("a spring");
         let mut spring = VaryingSpring::new(none, 1.0, frequency, rate).expect("it varies");
-        let still = Drive::starting(1.0 / rate, 1.0, 0.0);
+        let still = PortSample::starting(1.0 / rate, 1.0, 0.0);
         for n in 0..=1_000_000u32 {
             let found: f64 = spring.respond(&still);
             let phase = TAU * (frequency * (f64::from(n) / rate));
@@ -49,19 +52,19 @@ fn the_credit_has_a_rate_of_its_own() {
     for tick in 0..5000 {
         let t = f64::from(tick) / 1000.0;
         let (velocity, phase) = (1.5, TAU * frequency * t);
-        let drive = Drive::starting(1e-3, 0.002, velocity);
+        let sample = PortSample::starting(1e-3, 0.002, velocity);
         let relative = velocity - TAU * frequency * amplitude * phase.cos();
         let depth = 0.002 - amplitude * phase.sin();
         let burnt = if depth > 0.0 { damping * relative * relative * 1e-3 } else { 0.0 };
-        assert_abs_diff_eq!(credit.decrease(&drive), burnt, epsilon = 1e-12);
+        assert_abs_diff_eq!(credit.decrease(&sample), burnt, epsilon = 1e-12);
         if tick % 10 == 0 {
             let force = if depth > 0.0 { damping * relative } else { 0.0 };
-            assert!(abs_diff_eq!(moving.respond(&drive), force, epsilon = 1e-12), "at {tick}");
+            assert!(abs_diff_eq!(moving.respond(&sample), force, epsilon = 1e-12), "at {tick}");
             // Made of a wall that is on its way, a credit still begins at the first tick.
             let mut fresh = moving.dissipation(1000.0).expect("its damper");
             let relative = velocity - TAU * frequency * amplitude;
             let first = damping * relative * relative * 1e-3;
-            assert_abs_diff_eq!(fresh.decrease(&drive), first, epsilon = 1e-12);
+            assert_abs_diff_eq!(fresh.decrease(&sample), first, epsilon = 1e-12);
         }
     }
 }

@@ -6,23 +6,26 @@ use approx::assert_abs_diff_eq;
 use nalgebra::SMatrix;
 
 use lyapunov::{
-    Body, DampedMass, Drive, Impedance, Link, Linked, ParameterError, Plant, Requirement, Tethered,
-    TwoMass, held_input,
+    ParameterError, Plant, PortSample, Requirement,
+    bodies::{
+        Body, DampedMass, ElasticJoint, Impedance, OperatedBody, TwoMassBody, TwoMassParts,
+        held_input,
+    },
 };
 
 use crate::support::Real;
 use references::{REFERENCES, Reference};
 
-fn parts<T: Real>([mo, bo, kh, md, bd, kl, bl, _]: [f64; 8]) -> TwoMass<T> {
-    TwoMass {
+fn parts<T: Real>([mo, bo, kh, md, bd, kl, bl, _]: [f64; 8]) -> TwoMassParts<T> {
+    TwoMassParts {
         operator: Impedance { mass: T::of(mo), damping: T::of(bo), stiffness: T::of(kh) },
         device: DampedMass { mass: T::of(md), damping: T::of(bd) },
-        link: Link { stiffness: T::of(kl), damping: T::of(bl) },
+        link: ElasticJoint { stiffness: T::of(kl), damping: T::of(bl) },
     }
 }
 
-fn linked(of: [f64; 8]) -> Linked<f64> {
-    Linked::new(parts(of), 1.0 / of[7]).expect("two masses")
+fn linked(of: [f64; 8]) -> TwoMassBody<f64> {
+    TwoMassBody::new(parts(of), 1.0 / of[7]).expect("two masses")
 }
 
 /// The effort of the references.
@@ -31,9 +34,9 @@ fn effort(tick: usize) -> f64 {
 }
 
 /// Positions and velocities of operator and device.
-fn state(plant: &Linked<f64>, drive: &Drive<f64>) -> [f64; 4] {
+fn state(plant: &TwoMassBody<f64>, sample: &PortSample<f64>) -> [f64; 4] {
     let (position, velocity) = plant.operator();
-    [position, drive.position, velocity, drive.velocity]
+    [position, sample.position, velocity, sample.velocity]
 }
 
 /// Each of the matrices as the references have it, of `f64` made in the same order.
@@ -78,13 +81,13 @@ fn linked_equals_its_references() {
     for Reference { parts, third, end, most, .. } in REFERENCES {
         let mut plant = linked(parts).resting_at(0.001).starting(-0.004, 0.1);
         for tick in 0..300 {
-            let drive = plant.advance(effort(tick));
+            let sample = plant.advance(effort(tick));
             let exact = match tick {
                 99 => third,
                 299 => end,
                 _ => continue,
             };
-            for ((found, exact), most) in state(&plant, &drive).into_iter().zip(exact).zip(most) {
+            for ((found, exact), most) in state(&plant, &sample).into_iter().zip(exact).zip(most) {
                 let off = (found - exact).abs();
                 assert!(off <= 1e-12 * most, "{parts:?}: {found} is off by {off:e} of {most:e}");
             }
@@ -115,16 +118,16 @@ fn far_from_the_origin_only_the_position_is_rounded() {
 #[test]
 fn both_masses_start_together() {
     let plant = linked(REFERENCES[0].parts).resting_at(0.5).starting(-0.004, 0.3);
-    assert_eq!(plant.start(), Drive::starting(1e-3, -0.004, 0.3));
+    assert_eq!(plant.start(), PortSample::starting(1e-3, -0.004, 0.3));
     assert_eq!(plant.operator(), (-0.004, 0.3));
     let mut moved = plant;
     let mut last = moved.start();
     for tick in 0..100 {
-        let drive = moved.advance(effort(tick));
-        assert_eq!(drive.displacement, drive.position - last.position);
-        assert_eq!(drive.work, effort(tick) * drive.displacement);
-        assert_eq!(moved.start().position, drive.position);
-        last = drive;
+        let sample = moved.advance(effort(tick));
+        assert_eq!(sample.displacement, sample.position - last.position);
+        assert_eq!(sample.work, effort(tick) * sample.displacement);
+        assert_eq!(moved.start().position, sample.position);
+        last = sample;
     }
     assert_ne!(moved.operator().0, last.position);
 }
@@ -156,7 +159,7 @@ fn a_stiff_link_makes_one_mass() {
 fn undamped_f32_keeps_its_amplitude() {
     for (stiffness, rate) in [(50.0, 1000.0), (2000.0, 4000.0), (50.0, 100.0)] {
         let of = [0.1, 0.0, stiffness, 0.2, 0.0, 1e5, 0.0, rate];
-        let plant = Linked::new(parts::<f32>(of), 1.0 / rate as f32).expect("two masses");
+        let plant = TwoMassBody::new(parts::<f32>(of), 1.0 / rate as f32).expect("two masses");
         let mut plant = plant.starting(0.004, 0.0);
         let energy = |(xo, vo): (f32, f32), (xd, vd): (f32, f32)| {
             let [xo, vo, xd, vd] = [xo, vo, xd, vd].map(f64::from);
@@ -166,8 +169,8 @@ fn undamped_f32_keeps_its_amplitude() {
         let first = energy((0.004, 0.0), (0.004, 0.0));
         let mut most = 0f64;
         for _ in 0..1_000_000 {
-            let drive = plant.advance(0.0);
-            let now = energy(plant.operator(), (drive.position, drive.velocity));
+            let sample = plant.advance(0.0);
+            let now = energy(plant.operator(), (sample.position, sample.velocity));
             most = most.max(((now / first).sqrt() - 1.0).abs());
         }
         let turn = stiffness / 0.3 / (rate * rate);
@@ -181,23 +184,23 @@ fn undamped_f32_keeps_its_amplitude() {
 #[test]
 fn other_masses_stay_where_they_are() {
     let mut plant = linked(REFERENCES[0].parts).starting(0.01, 0.2);
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     for tick in 0..20 {
-        drive = plant.advance(effort(tick));
+        sample = plant.advance(effort(tick));
     }
-    let before = state(&plant, &drive);
+    let before = state(&plant, &sample);
     let [_, bo, kh, _, bd, kl, bl, rate] = REFERENCES[0].parts;
     plant.reshape(parts([2.0, bo, kh, 0.01, bd, kl, bl, rate]), 0.0).expect("other parts");
-    let drive = plant.advance(3.0);
-    assert_eq!((drive.displacement, drive.period), (0.0, 0.0));
-    for (before, after) in before.into_iter().zip(state(&plant, &drive)) {
+    let sample = plant.advance(3.0);
+    assert_eq!((sample.displacement, sample.period), (0.0, 0.0));
+    for (before, after) in before.into_iter().zip(state(&plant, &sample)) {
         assert_abs_diff_eq!(before, after, epsilon = 4.0 * f64::EPSILON * before.abs());
     }
 }
 
 fn refused(of: [f64; 8]) -> (&'static str, Requirement) {
     let ParameterError { parameter, requirement, .. } =
-        Linked::<f64>::new(parts(of), 1.0 / of[7]).expect_err("no plant");
+        TwoMassBody::<f64>::new(parts(of), 1.0 / of[7]).expect_err("no plant");
     (parameter, requirement)
 }
 
@@ -220,7 +223,7 @@ fn what_no_link_can_be_made_of() {
             let with =
                 |value| std::array::from_fn(|part| if part == at { value } else { good[part] });
             if bad == 0.0 && requirement == NonNegative {
-                Linked::<f64>::new(parts(with(bad)), 1e-3).expect("without it");
+                TwoMassBody::<f64>::new(parts(with(bad)), 1e-3).expect("without it");
             } else {
                 assert_eq!(refused(with(bad)), (name, requirement), "{bad}");
             }

@@ -13,7 +13,11 @@ use nalgebra::SVector;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestError, TestRunner};
 
-use lyapunov::{Beyond, Dissipation, Drive, Gate, LyapunovCandidate, Scalar, Signal, Wall};
+use lyapunov::{
+    Dissipation, LyapunovCandidate, PortSample, Scalar, Signal,
+    candidates::{Gate, InContact},
+    environments::Wall,
+};
 
 pub(crate) use double::Double;
 pub(crate) use models::{Book, Credit, Ledger, Stream, drive_of, power, stream};
@@ -86,7 +90,7 @@ macro_rules! port {
         impl Port for $real {
             const AXES: usize = 1;
 
-            type Contact = Dissipation<$real, Beyond<$real>>;
+            type Contact = Dissipation<$real, InContact<$real>>;
 
             fn contact(damping: $real, surface: $real) -> Self::Contact {
                 Wall::new(1.0, damping).expect("a wall").at(surface).dissipation()
@@ -112,8 +116,8 @@ pub(crate) struct FirstAxis<T> {
 }
 
 impl<T: Real, const N: usize> Gate<SVector<T, N>> for FirstAxis<T> {
-    fn open(&self, drive: &Drive<SVector<T, N>>) -> bool {
-        drive.position[0] > self.surface
+    fn open(&self, sample: &PortSample<SVector<T, N>>) -> bool {
+        sample.position[0] > self.surface
     }
 }
 

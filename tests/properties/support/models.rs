@@ -5,7 +5,7 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::strategy::Strategy;
 
-use lyapunov::{DampingLimit, Drive, Scalar};
+use lyapunov::{DampingLimit, PortSample, Scalar};
 
 use crate::support::{Bits, Double, Port, Real, bad, hostile, log_between, ordinary};
 
@@ -20,7 +20,7 @@ pub(crate) struct Stream<V: Port> {
     pub(crate) damping: V::Scalar,
     /// Where the contact credit begins on the first axis, m.
     pub(crate) surface: V::Scalar,
-    pub(crate) samples: Vec<(Drive<V>, V)>,
+    pub(crate) samples: Vec<(PortSample<V>, V)>,
 }
 
 /// Streams of ordinary and of hostile numbers; if `faults`, some with NaN and infinities among them.
@@ -32,26 +32,30 @@ pub(crate) fn stream<V: Port>(faults: bool) -> impl Strategy<Value = Stream<V>> 
             let mass = of(log_between(config[1], 1e-5, 10.0));
             let cap = of(CAPS[(config[2] % 5) as usize]);
             let tame = config[3] % 3 == 0;
-            let sample = |bits: [Bits; 16]| {
-                let (drive, effort) = drive_of(bits, tame, period);
+            let entry = |bits: [Bits; 16]| {
+                let (sample, effort) = drive_of(bits, tame, period);
                 if faults && bits[14].is_multiple_of(4) {
-                    spoil(drive, effort, bits[14] / 4)
+                    spoil(sample, effort, bits[14] / 4)
                 } else {
-                    (drive, effort)
+                    (sample, effort)
                 }
             };
             Stream {
                 limit: DampingLimit::of_mass(cap, mass, period).expect("a limit"),
                 damping: of(log_between(config[4], 1e-3, 1.0)),
                 surface: ordinary(config[5], 0.5),
-                samples: samples.into_iter().map(sample).collect(),
+                samples: samples.into_iter().map(entry).collect(),
             }
         },
     )
 }
 
-/// One sample: a drive of `period`, or if not `tame` of a period of its own, and the effort behind.
-pub(crate) fn drive_of<V: Port>(bits: [Bits; 16], tame: bool, period: V::Scalar) -> (Drive<V>, V) {
+/// One sample: a sample of `period`, or if not `tame` of a period of its own, and the effort behind.
+pub(crate) fn drive_of<V: Port>(
+    bits: [Bits; 16],
+    tame: bool,
+    period: V::Scalar,
+) -> (PortSample<V>, V) {
     let number = |at: usize, scale: f64| {
         V::from_axes(|axis| match tame {
             true => ordinary(bits[at + axis], scale),
@@ -59,26 +63,29 @@ pub(crate) fn drive_of<V: Port>(bits: [Bits; 16], tame: bool, period: V::Scalar)
         })
     };
     let (velocity, displacement) = (number(0, 1.0), number(3, 1e-3));
-    let (acted, effort) = (number(6, 10.0), number(9, 10.0));
+    let (applied, effort) = (number(6, 10.0), number(9, 10.0));
     let position = number(12 - 3 * usize::from(bits[15] & 1 == 0), 1.0);
     let period = if tame { period } else { Scalar::of(log_between(bits[15], 1e-6, 1.0)) };
-    (Drive::new(period, position, velocity, displacement, acted), effort)
+    (PortSample::new(period, position, velocity, displacement, applied), effort)
 }
 
 /// The sample with something that is not finite in it.
-fn spoil<V: Port>(drive: Drive<V>, effort: V, bits: Bits) -> (Drive<V>, V) {
+fn spoil<V: Port>(sample: PortSample<V>, effort: V, bits: Bits) -> (PortSample<V>, V) {
     let wrong = bad::<V::Scalar>(bits / 8);
     let axis = (bits / 64) as usize % V::AXES;
     let hit = |signal: V| V::from_axes(|at| if at == axis { wrong } else { signal.axis(at) });
     match bits % 8 {
-        0 => (Drive { period: wrong, ..drive }, effort),
-        1 => (Drive { position: hit(drive.position), ..drive }, effort),
-        2 => (Drive { velocity: hit(drive.velocity), ..drive }, effort),
-        3 => (Drive { displacement: hit(drive.displacement), ..drive }, effort),
-        4 => (Drive { acted: hit(drive.acted), ..drive }, effort),
-        5 => (Drive { work: hit(drive.work), ..drive }, effort),
-        6 => (drive, hit(effort)),
-        _ => (Drive { work: hit(drive.work), velocity: hit(drive.velocity), ..drive }, hit(effort)),
+        0 => (PortSample { period: wrong, ..sample }, effort),
+        1 => (PortSample { position: hit(sample.position), ..sample }, effort),
+        2 => (PortSample { velocity: hit(sample.velocity), ..sample }, effort),
+        3 => (PortSample { displacement: hit(sample.displacement), ..sample }, effort),
+        4 => (PortSample { applied: hit(sample.applied), ..sample }, effort),
+        5 => (PortSample { work: hit(sample.work), ..sample }, effort),
+        6 => (sample, hit(effort)),
+        _ => (
+            PortSample { work: hit(sample.work), velocity: hit(sample.velocity), ..sample },
+            hit(effort),
+        ),
     }
 }
 
@@ -105,7 +112,7 @@ pub(crate) enum Credit<T> {
     None,
     Always(T),
     /// Damping, and the surface beyond which it counts.
-    Beyond(T, T),
+    InContact(T, T),
 }
 
 /// The recursion of the tick contract, in double-double, carrying `α(n−1)` and `v(n−1)² T` as it is written.
@@ -142,9 +149,13 @@ impl<T: Real> Ledger<T> {
         Self { book, credit, limit: limit.most().f64(), sum, burnt, error: 0.0 }
     }
 
-    pub(crate) fn tick<V: Port<Scalar = T>>(&mut self, drive: &Drive<V>, effort: V) -> Tick<T> {
-        let square = power(drive.velocity) * drive.period;
-        let (decrease, size) = self.decrease(drive, effort);
+    pub(crate) fn tick<V: Port<Scalar = T>>(
+        &mut self,
+        sample: &PortSample<V>,
+        effort: V,
+    ) -> Tick<T> {
+        let square = power(sample.velocity) * sample.period;
+        let (decrease, size) = self.decrease(sample, effort);
         let before = self.sum.value().abs();
         self.sum = self.sum + self.burnt;
         let booked = decrease.value().is_finite();
@@ -152,17 +163,17 @@ impl<T: Real> Ledger<T> {
             self.sum = self.sum + decrease;
             self.error += 16.0 * T::unit() * (before + size + self.sum.value().abs());
             self.error += 16.0
-                * T::least().f64()
+                * T::smallest_positive().f64()
                 * (1.0 + effort.axes().map(|f| f.f64().abs()).sum::<f64>().min(1e200));
         }
         let sum = self.sum.value();
         let squared = square.f64();
-        let moving = squared > T::tiny().f64();
+        let moving = squared > T::smallest_normal().f64();
         let alpha = if sum < 0.0 && moving { self.alpha(squared) } else { Double::default() };
         let slack =
             if moving { (self.error + 16.0 * T::unit() * sum.abs()) / squared } else { 0.0 };
         let sound = booked && squared.is_finite();
-        let fits = self.fits(drive.velocity, effort, alpha.value(), slack);
+        let fits = self.fits(sample.velocity, effort, alpha.value(), slack);
         let accepted = if sound { fits } else { Some(false) };
         self.burnt = Double::default();
         let mut tick = Tick {
@@ -200,32 +211,34 @@ impl<T: Real> Ledger<T> {
     }
 
     /// Work and credit, and the sum of their magnitudes.
-    fn decrease<V: Port<Scalar = T>>(&self, drive: &Drive<V>, effort: V) -> (Double, f64) {
+    fn decrease<V: Port<Scalar = T>>(&self, sample: &PortSample<V>, effort: V) -> (Double, f64) {
         let (mut decrease, mut size) = (Double::default(), 0.0);
         let mut add = |term: Double| {
             decrease = decrease + term;
             size += term.value().abs();
         };
-        let period = Double::of(drive.period.f64());
+        let period = Double::of(sample.period.f64());
         for axis in 0..V::AXES {
             add(match self.book {
-                Book::Held => Double::of(drive.work.axis(axis).f64()),
+                Book::Held => Double::of(sample.work.axis(axis).f64()),
                 Book::Sampled => {
-                    let flow = drive.velocity.axis(axis).f64();
+                    let flow = sample.velocity.axis(axis).f64();
                     Double::product(effort.axis(axis).f64(), flow) * period
                 }
             });
         }
         let damping = match self.credit {
             Credit::Always(damping) => Some(damping),
-            Credit::Beyond(damping, surface) if drive.position.axis(0) > surface => Some(damping),
+            Credit::InContact(damping, surface) if sample.position.axis(0) > surface => {
+                Some(damping)
+            }
             _ => None,
         };
         // What the scalar has no number for is not credited.
-        let burnt = |damping| damping * (drive.velocity.pair(drive.velocity) * drive.period);
+        let burnt = |damping| damping * (sample.velocity.inner(sample.velocity) * sample.period);
         if let Some(damping) = damping.filter(|&damping| burnt(damping).f64().is_finite()) {
             for axis in 0..V::AXES {
-                let flow = drive.velocity.axis(axis).f64();
+                let flow = sample.velocity.axis(axis).f64();
                 add(Double::product(flow, flow) * period * Double::of(damping.f64()));
             }
         }

@@ -31,7 +31,7 @@ pub(crate) fn hostile<T: Real>(bits: Bits) -> T {
     let sign = if bits & 0x10 == 0 { 1.0 } else { -1.0 };
     let mantissa = 1.0 + unit(bits);
     let (least, most) = T::EXPONENTS;
-    let tiny = T::tiny().f64().log2() as i32;
+    let tiny = T::smallest_normal().f64().log2() as i32;
     let steps = |span: i32| (bits >> 5 & 0xffff) as i32 % (span + 1);
     let exponent = match bits & 0xf {
         0 | 1 => return T::of(0.0 * sign),

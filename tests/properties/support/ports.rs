@@ -1,12 +1,12 @@
 //! Ports that tests put inside of others.
 
-use lyapunov::{Action, Drive, OnePort, Scalar, Signal};
+use lyapunov::{Correction, OnePort, PortSample, Scalar, Signal};
 
 /// Answers like the port it owns and remembers what it was asked.
 #[derive(Clone, Debug)]
 pub(crate) struct Spy<P, V: Signal> {
     port: P,
-    pub(crate) asked: Vec<Drive<V>>,
+    pub(crate) asked: Vec<PortSample<V>>,
 }
 
 impl<P, V: Signal> Spy<P, V> {
@@ -16,13 +16,13 @@ impl<P, V: Signal> Spy<P, V> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Spy<P, V> {
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.asked.push(*drive);
-        self.port.respond(drive)
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        self.asked.push(*sample);
+        self.port.respond(sample)
     }
 
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }
 
@@ -40,7 +40,7 @@ impl<V> Scripted<V> {
 }
 
 impl<V: Signal> OnePort<V> for Scripted<V> {
-    fn respond(&mut self, _drive: &Drive<V>) -> V {
+    fn respond(&mut self, _drive: &PortSample<V>) -> V {
         self.next += 1;
         self.efforts.get(self.next - 1).copied().unwrap_or_else(V::zero)
     }
@@ -62,14 +62,14 @@ impl<P, T: Scalar> Faulty<P, T> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Faulty<P, V::Scalar> {
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        let effort = self.port.respond(drive);
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
         let now = !self.calls.below(self.from) & self.calls.below(self.until);
         self.calls += V::Scalar::of(1.0);
         V::choose(now, V::splat(V::Scalar::of(f64::NAN)), effort)
     }
 
-    fn action(&self) -> Action<V> {
-        self.port.action()
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
     }
 }

@@ -2,7 +2,10 @@
 
 use nalgebra::{Matrix4, Matrix5};
 
-use lyapunov::{Drive, Impedance, Linear, ParameterError, Plant, Tethered, held_input};
+use lyapunov::{
+    ParameterError, Plant, PortSample,
+    bodies::{Impedance, Linear, OperatedBody, held_input},
+};
 
 /// Operator, link (its mass is nothing) and device.
 pub(crate) type Parts = [Impedance<f64>; 3];
@@ -29,11 +32,11 @@ impl TwoMasses {
 }
 
 impl Plant<f64> for TwoMasses {
-    fn start(&self) -> Drive<f64> {
-        Drive::starting(self.period, self.state[2], self.state[3])
+    fn start(&self) -> PortSample<f64> {
+        PortSample::starting(self.period, self.state[2], self.state[3])
     }
 
-    fn advance(&mut self, effort: f64) -> Drive<f64> {
+    fn advance(&mut self, effort: f64) -> PortSample<f64> {
         let mut generator = Matrix5::zeros();
         generator.fixed_view_mut::<4, 4>(0, 0).copy_from(&Self::rate(&self.parts, 0));
         generator[(3, 4)] = -1.0 / self.parts[2].mass;
@@ -43,11 +46,11 @@ impl Plant<f64> for TwoMasses {
         for (row, value) in self.state.iter_mut().enumerate() {
             *value += (0..5).map(|column| increment[(row, column)] * by[column]).sum::<f64>();
         }
-        Drive::new(self.period, self.state[2], self.state[3], self.state[2] - x2, effort)
+        PortSample::new(self.period, self.state[2], self.state[3], self.state[2] - x2, effort)
     }
 }
 
-impl Tethered<f64> for TwoMasses {
+impl OperatedBody<f64> for TwoMasses {
     type Parts = Parts;
 
     fn rest_at(&mut self, rest: f64) {

@@ -1,8 +1,9 @@
 //! Several axes: what one sum hides.
 
 use lyapunov::{
-    Body, DampingLimit, Drive, Impedance, Lolc, NoStabilizer, OnePort, ParameterError, PerAxis,
-    Plant, PortEnergy, Scalar, Stabilizer,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+    stabilizers::{NoStabilizer, PerAxis},
 };
 use nalgebra::SVector;
 
@@ -30,8 +31,8 @@ struct Masking {
 struct Dampers;
 
 impl<T: Scalar> OnePort<Plane<T>> for Dampers {
-    fn respond(&mut self, drive: &Drive<Plane<T>>) -> Plane<T> {
-        SVector::from([drive.velocity[0] * T::of(2.0), drive.velocity[1] * T::of(-0.9)])
+    fn respond(&mut self, sample: &PortSample<Plane<T>>) -> Plane<T> {
+        SVector::from([sample.velocity[0] * T::of(2.0), sample.velocity[1] * T::of(-0.9)])
     }
 }
 
@@ -51,12 +52,12 @@ fn close<T: Scalar>(
     let body = Body::new(Impedance { mass, damping, stiffness }, T::of(PERIOD))?;
     let mut plant = body.starting(SVector::from([T::zero(), start]), speed);
     let mut port = Dampers.stabilized(stabilizer);
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     let mut most = T::zero();
     for tick in 0..TICKS {
-        drive = plant.advance(port.respond(&drive));
+        sample = plant.advance(port.respond(&sample));
         if tick > 3 * TICKS / 4 {
-            most = most.larger(drive.position[1].magnitude() / start);
+            most = most.larger(sample.position[1].magnitude() / start);
         }
     }
     Ok(most)

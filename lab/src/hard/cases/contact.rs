@@ -1,6 +1,10 @@
 //! Contacts that hardly are, never end, or are two.
 
-use lyapunov::{Body, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer, Wall};
+use lyapunov::{
+    OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+    environments::Wall,
+};
 
 use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
@@ -56,10 +60,10 @@ struct Walls<T> {
 }
 
 impl<T: Scalar> OnePort<T> for Walls<T> {
-    fn respond(&mut self, drive: &Drive<T>) -> T {
-        let (position, velocity) = (-drive.position, -drive.velocity);
-        let mirrored = Drive { position, velocity, ..*drive };
-        self.right.respond(drive) - self.left.respond(&mirrored)
+    fn respond(&mut self, sample: &PortSample<T>) -> T {
+        let (position, velocity) = (-sample.position, -sample.velocity);
+        let mirrored = PortSample { position, velocity, ..*sample };
+        self.right.respond(sample) - self.left.respond(&mirrored)
     }
 }
 
@@ -75,9 +79,9 @@ impl Play for Facing {
         let speed = T::from_lanes(|lane| 0.1 - 0.004 * (first + lane) as f64);
         let parts = Impedance { mass: T::of(MASS), damping: T::zero(), stiffness: T::zero() };
         let mut plant = Body::new(parts, T::of(PERIOD))?.starting(T::zero(), speed);
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         for _ in 0..TICKS {
-            drive = plant.advance(port.respond(&drive));
+            sample = plant.advance(port.respond(&sample));
         }
         Ok(T::zero())
     }

@@ -1,8 +1,10 @@
 //! Samples that are not finite.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Fallback, Impedance, OnePort, ParameterError, Plant, Scalar,
-    Stabilizer, Wall,
+    DampingLimit, OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+    effects::{Fallback, OnePortExt},
+    environments::Wall,
 };
 
 use crate::family::{Basis, Member};
@@ -46,7 +48,7 @@ pub(super) fn reach() -> f64 {
     (2.0 * (energy + lost) / stiffness).sqrt()
 }
 
-/// A field of the drive is not finite at a tick, or from that tick on: run `6 k + i` spoils field `i` at tick `k`.
+/// A field of the sample is not finite at a tick, or from that tick on: run `6 k + i` spoils field `i` at tick `k`.
 #[derive(Clone, Copy)]
 struct Spoilt {
     value: f64,
@@ -58,15 +60,15 @@ struct Spoilt {
 const FIELDS: u64 = 6;
 
 impl Spoilt {
-    fn spoil<T: Scalar>(&self, field: u64, drive: Drive<T>) -> Drive<T> {
+    fn spoil<T: Scalar>(&self, field: u64, sample: PortSample<T>) -> PortSample<T> {
         let bad = T::of(self.value);
         match field {
-            0 => Drive { period: bad, ..drive },
-            1 => Drive { position: bad, ..drive },
-            2 => Drive { velocity: bad, ..drive },
-            3 => Drive { displacement: bad, ..drive },
-            4 => Drive { acted: bad, ..drive },
-            _ => Drive { work: bad, ..drive },
+            0 => PortSample { period: bad, ..sample },
+            1 => PortSample { position: bad, ..sample },
+            2 => PortSample { velocity: bad, ..sample },
+            3 => PortSample { displacement: bad, ..sample },
+            4 => PortSample { applied: bad, ..sample },
+            _ => PortSample { work: bad, ..sample },
         }
     }
 
@@ -78,14 +80,14 @@ impl Spoilt {
     ) -> Result<T, ParameterError> {
         let (at, field) = (index / FIELDS, index % FIELDS);
         let mut plant = hand::<T>(first)?;
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         for tick in 0..TICKS {
             let spoilt = tick == at || (self.forever && tick > at);
-            let told = if spoilt { self.spoil(field, drive) } else { drive };
-            drive = plant.advance(port.respond(&told));
+            let told = if spoilt { self.spoil(field, sample) } else { sample };
+            sample = plant.advance(port.respond(&told));
         }
         // Where the plant is in the end, whatever was told of it.
-        Ok(drive.position.magnitude())
+        Ok(sample.position.magnitude())
     }
 }
 
@@ -196,7 +198,7 @@ pub(super) fn cases() -> Vec<Case> {
     vec![
         case(
             "NaN once",
-            "in each of 6 fields of the drive, at each of 120 ticks: 720 runs",
+            "in each of 6 fields of the sample, at each of 120 ticks: 720 runs",
             f64::NAN,
             false,
         ),

@@ -1,6 +1,9 @@
 //! The damping limit at 0, 1 and 2 of `m / T`.
 
-use lyapunov::{Body, Drive, Impedance, OnePort, ParameterError, Plant, Scalar, Stabilizer};
+use lyapunov::{
+    OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+};
 
 use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
@@ -26,7 +29,7 @@ struct Indebted {
 struct Still;
 
 impl<T: Scalar> OnePort<T> for Still {
-    fn respond(&mut self, _drive: &Drive<T>) -> T {
+    fn respond(&mut self, _drive: &PortSample<T>) -> T {
         T::zero()
     }
 }
@@ -43,15 +46,15 @@ impl Play for Indebted {
         let mut port = Still.stabilized(stabilizer);
         let parts = Impedance { mass, damping: T::zero(), stiffness: T::zero() };
         let mut plant = Body::new(parts, period)?.starting(T::zero(), speed);
-        let before = Drive::new(period, T::zero(), T::zero(), T::of(0.05), T::of(-20.0));
-        port.respond(&Drive::starting(period, T::zero(), T::zero()));
+        let before = PortSample::new(period, T::zero(), T::zero(), T::of(0.05), T::of(-20.0));
+        port.respond(&PortSample::starting(period, T::zero(), T::zero()));
         port.respond(&before);
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         let mut most = T::zero();
         for tick in 0..TICKS {
-            drive = plant.advance(port.respond(&drive));
+            sample = plant.advance(port.respond(&sample));
             if tick >= self.from {
-                let share = drive.velocity.magnitude() / speed;
+                let share = sample.velocity.magnitude() / speed;
                 most = T::choose(share.below(most), most, share);
             }
         }

@@ -1,6 +1,6 @@
 //! Samples that come late, twice, or not at all.
 
-use lyapunov::{Drive, OnePort, ParameterError, Plant, Scalar, Stabilizer};
+use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer};
 
 use super::faults::{MASS, PERIOD, STIFFNESS, TICKS, hand, reach, wall};
 use crate::family::Basis;
@@ -24,15 +24,15 @@ enum Slip {
 /// What a program makes of positions that it reads: drives, from the reading before to this one.
 struct Reader<T> {
     last: T,
-    acted: T,
+    applied: T,
 }
 
 impl<T: Scalar> Reader<T> {
-    fn drive(&mut self, position: T, ticks: f64) -> Drive<T> {
+    fn sample(&mut self, position: T, ticks: f64) -> PortSample<T> {
         let period = T::of(PERIOD * ticks);
         let displacement = position - self.last;
         self.last = position;
-        Drive::new(period, position, displacement / period, displacement, self.acted)
+        PortSample::new(period, position, displacement / period, displacement, self.applied)
     }
 }
 
@@ -47,7 +47,7 @@ impl Play for Slip {
         let mut plant = hand::<T>(first)?;
         let mut port = wall::<T>()?.stabilized(stabilizer);
         let start = plant.start().position;
-        let mut reader = Reader { last: start, acted: T::zero() };
+        let mut reader = Reader { last: start, applied: T::zero() };
         let (mut now, mut before, mut missed) = (start, start, 0.0);
         let (mut booked, mut truth) = (T::zero(), T::zero());
         for tick in 0..TICKS {
@@ -58,26 +58,26 @@ impl Play for Slip {
                 _ if late => before,
                 _ => now,
             };
-            let mut effort = reader.acted;
+            let mut effort = reader.applied;
             if *self == Slip::Dropped && slips {
                 missed = 1.0;
             } else {
                 let calls = if *self == Slip::Repeated && slips { 2 } else { 1 };
                 for _ in 0..calls {
-                    let drive = reader.drive(reading, 1.0 + missed);
-                    booked += drive.work;
-                    effort = port.respond(&drive);
+                    let sample = reader.sample(reading, 1.0 + missed);
+                    booked += sample.work;
+                    effort = port.respond(&sample);
                     missed = 0.0;
                 }
             }
-            reader.acted = effort;
+            reader.applied = effort;
             before = now;
             let moved = plant.advance(effort);
             now = moved.position;
             truth += moved.work;
         }
         // The last tick's work has not been read yet.
-        booked += reader.acted * (now - reader.last);
+        booked += reader.applied * (now - reader.last);
         Ok((booked - truth).magnitude())
     }
 

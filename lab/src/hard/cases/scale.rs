@@ -1,8 +1,9 @@
 //! The same loop in other units.
 
 use lyapunov::{
-    Body, DampingLimit, Impedance, Lolc, OnePort, ParameterError, Plant, PortEnergy, Scalar,
-    Stabilizer, Wall,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+    environments::Wall,
 };
 
 use crate::family::{Basis, Member};
@@ -65,12 +66,12 @@ impl Scaled {
         let start = T::from_lanes(|lane| -0.004 * (1.0 - 0.02 * (first + lane) as f64));
         let mut plant = Body::new(parts, T::of(period))?.starting(start, T::zero());
         let mut port = Wall::new(of(0.25), damping(0.02))?.stabilized(stabilizer);
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         let mut most = T::zero();
         for tick in 0..TICKS {
-            drive = plant.advance(port.respond(&drive));
+            sample = plant.advance(port.respond(&sample));
             if 4 * tick >= 3 * TICKS {
-                most = most.larger(drive.position.magnitude());
+                most = most.larger(sample.position.magnitude());
             }
         }
         Ok(most)

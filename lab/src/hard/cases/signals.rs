@@ -1,6 +1,6 @@
 //! Numbers at the ends of their range.
 
-use lyapunov::{Drive, ParameterError, Scalar, Stabilizer};
+use lyapunov::{ParameterError, PortSample, Scalar, Stabilizer};
 
 use crate::family::Basis;
 use crate::hard::case::{Case, Quantity};
@@ -37,8 +37,8 @@ impl Play for Strokes {
         let period = T::of(PERIOD);
         let (speed, force) = (sized::<T>(self.speed), sized::<T>(self.force));
         let mut position = T::zero();
-        stabilizer.stabilize(&Drive::starting(period, position, T::zero()), T::zero());
-        let mut acted = T::zero();
+        stabilizer.stabilize(&PortSample::starting(period, position, T::zero()), T::zero());
+        let mut applied = T::zero();
         for tick in 0..TICKS {
             // Every lane strokes with a length of its own, and no two ticks are alike.
             let share = T::from_lanes(|lane| {
@@ -53,12 +53,12 @@ impl Play for Strokes {
             let moved = self.ordinary.map_or(velocity, |speed| T::of(speed) * share);
             let displacement = moved * period;
             position += displacement;
-            let drive = Drive::new(period, position, velocity, displacement, acted);
+            let sample = PortSample::new(period, position, velocity, displacement, applied);
             // Along the motion, which gives energy away, and for the last three quarters half of it against.
             let sign = T::choose(share.above(T::zero()), T::one(), -T::one());
             let away = if tick < TICKS / 4 { -1.0 } else { 0.5 };
-            acted = force * sign * T::of(away);
-            stabilizer.stabilize(&drive, acted);
+            applied = force * sign * T::of(away);
+            stabilizer.stabilize(&sample, applied);
         }
         Ok(T::zero())
     }

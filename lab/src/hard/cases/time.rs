@@ -1,9 +1,14 @@
 //! Long times and late ones.
 
 use lyapunov::{
-    Accumulator, Adapt, Body, Compensated, Course, DampingLimit, Drive, Held, Impedance, Lolc,
-    NoStabilizer, OnePort, ParameterError, Perturb, Plain, Plant, PortEnergy, Scalar, Sine,
-    Stabilizer, Wall,
+    DampingLimit, Held, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar,
+    Stabilizer,
+    accumulators::{Accumulator, Compensated, Plain},
+    bodies::{Body, Impedance, PlantExt},
+    effects::OnePortExt,
+    environments::Wall,
+    stabilizers::NoStabilizer,
+    trajectories::{Sine, Trajectory},
 };
 
 use crate::Space;
@@ -36,20 +41,20 @@ impl Counted {
     fn run<T: Scalar>(stabilizer: &mut impl Stabilizer<T>) -> Tally {
         let exp2 = |power: i32| T::of(f64::from(power).exp2());
         let (period, velocity, displacement, force) = (exp2(-10), exp2(-3), exp2(-13), exp2(-7));
-        let drive = |acted| Drive::new(period, T::zero(), velocity, displacement, acted);
-        let (absorbs, gives) = (drive(force), drive(-force));
+        let sample = |applied| PortSample::new(period, T::zero(), velocity, displacement, applied);
+        let (absorbs, gives) = (sample(force), sample(-force));
         let mut tally = Tally::default();
         let mut told = T::zero();
         for _ in 0..MANY / 8 {
             for eighth in 0..8_u32 {
-                let (drive, effort) = if eighth % 2 == 0 || eighth == 7 {
+                let (sample, effort) = if eighth % 2 == 0 || eighth == 7 {
                     (&absorbs, force)
                 } else {
                     (&gives, -force)
                 };
-                let action = stabilizer.stabilize(drive, effort);
-                told = action.sum;
-                tally.peak_force = larger(tally.peak_force, action.effort.lane(0).abs());
+                let correction = stabilizer.stabilize(sample, effort);
+                told = correction.observed_energy;
+                tally.peak_force = larger(tally.peak_force, correction.effort.lane(0).abs());
             }
         }
         let unit = (-20_f64).exp2();
@@ -92,7 +97,7 @@ const HOUR: u64 = 36_000_000;
 #[derive(Clone, Copy)]
 struct ToAndFro;
 
-impl<T: Scalar> Course<T> for ToAndFro {
+impl<T: Scalar> Trajectory<T> for ToAndFro {
     fn at(&self, tick: u64) -> T {
         T::of(if (tick / 5000).is_multiple_of(2) { 0.008 } else { -0.008 })
     }
@@ -105,31 +110,33 @@ impl Hour {
         let body = Body::new(Impedance { mass, damping, stiffness }, T::of(1e-4))?;
         let mut plant = body.led_by(ToAndFro);
         let mut wall = Wall::new(T::of(8000.0), T::zero())?.held(10)?;
-        let mut balance = Balance::new(T::epsilon().lane(0) / 2.0, T::tiny().lane(0), 0.0);
+        let mut balance =
+            Balance::new(T::epsilon().lane(0) / 2.0, T::smallest_normal().lane(0), 0.0);
         let mut tally = Tally::default();
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         for tick in 0..HOUR {
-            let effort = wall.respond(&drive);
-            let action = stabilizer.stabilize(&drive, effort);
-            balance.book(&[Double::product(drive.acted.lane(0), drive.displacement.lane(0))], 0.0);
+            let effort = wall.respond(&sample);
+            let correction = stabilizer.stabilize(&sample, effort);
+            balance
+                .book(&[Double::product(sample.applied.lane(0), sample.displacement.lane(0))], 0.0);
             if tick % 1000 == 0 {
-                let square = (drive.velocity * drive.velocity * drive.period).lane(0);
+                let square = (sample.velocity * sample.velocity * sample.period).lane(0);
                 let told = Told {
-                    sum: action.sum.lane(0),
-                    dissipated: action.alpha.lane(0) * square,
-                    shortfall: action.shortfall.lane(0),
+                    sum: correction.observed_energy.lane(0),
+                    dissipated: correction.alpha.lane(0) * square,
+                    shortfall: correction.shortfall.lane(0),
                 };
                 tally.off = larger(tally.off, balance.off(told));
             }
-            let force = action.effort.lane(0);
+            let force = correction.effort.lane(0);
             if !force.is_finite() && tally.not_finite.is_none() {
                 tally.not_finite = Some(tick);
             }
             tally.peak_force = larger(tally.peak_force, force.abs());
             if 4 * tick >= 3 * HOUR {
-                tally.late_swing = larger(tally.late_swing, drive.position.lane(0).abs());
+                tally.late_swing = larger(tally.late_swing, sample.position.lane(0).abs());
             }
-            drive = plant.advance(action.effort);
+            sample = plant.advance(correction.effort);
         }
         tally.given = -balance.supplied();
         Ok(tally)
@@ -168,7 +175,7 @@ const TICKS: u64 = 4000;
 #[derive(Clone, Copy)]
 struct From<C>(C, u64);
 
-impl<T: Scalar, C: Course<T>> Course<T> for From<C> {
+impl<T: Scalar, C: Trajectory<T>> Trajectory<T> for From<C> {
     fn at(&self, tick: u64) -> T {
         self.0.at(self.1 + tick)
     }
@@ -187,12 +194,12 @@ impl Late {
         let body = body.starting(start, T::zero());
         let mut plant = body.led_by(From(Sine::new(0.0, 0.01, 2.0, RATE)?, from));
         let mut port = Wall::new(T::of(8000.0), T::of(1.0))?.stabilized(stabilizer).differenced();
-        let mut drive = plant.start();
+        let mut sample = plant.start();
         let mut positions = Vec::new();
         for tick in 0..TICKS {
-            let told = Drive { period: period_of(from + tick), ..drive };
-            drive = plant.advance(port.respond(&told));
-            positions.push(drive.position);
+            let told = PortSample { period: period_of(from + tick), ..sample };
+            sample = plant.advance(port.respond(&told));
+            positions.push(sample.position);
         }
         Ok(positions)
     }

@@ -96,13 +96,13 @@ impl<T: Scalar> Scalar for Aligned<T> {
     }
 
     #[inline(always)]
-    fn tiny() -> Self {
-        Self(T::tiny())
+    fn smallest_normal() -> Self {
+        Self(T::smallest_normal())
     }
 
     #[inline(always)]
-    fn least() -> Self {
-        Self(T::least())
+    fn smallest_positive() -> Self {
+        Self(T::smallest_positive())
     }
 
     #[inline(always)]

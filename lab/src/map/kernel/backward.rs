@@ -1,7 +1,7 @@
 //! Velocities over a period that stays the same.
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Action, Drive, Mask, OnePort, Scalar};
+use lyapunov::{Correction, Mask, OnePort, PortSample, Scalar};
 
 use super::aligned::Aligned;
 
@@ -69,7 +69,7 @@ impl<T: Fuse> Period<T> {
     pub(super) fn divide(&self, moved: T) -> T {
         if self.is_fused {
             let square = moved * moved;
-            if (square.above(T::tiny()) & square.below(T::largest())).all() {
+            if (square.above(T::smallest_normal()) & square.below(T::largest())).all() {
                 let near = moved * self.inverse;
                 let over = (-near).fused(self.period, moved);
                 return over.fused(self.inverse, near);
@@ -80,7 +80,7 @@ impl<T: Fuse> Period<T> {
 }
 
 /// A port that is told velocities taken from displacements over one period each: a
-/// [`Difference`](lyapunov::Difference), bit for bit.
+/// [`BackwardDifference`](lyapunov::effects::BackwardDifference), bit for bit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Backward<P, T> {
     port: P,
@@ -101,14 +101,14 @@ impl<P, T> Backward<P, T> {
 
 impl<T: Fuse, P: OnePort<T>> OnePort<T> for Backward<P, T> {
     #[inline(always)]
-    fn respond(&mut self, drive: &Drive<T>) -> T {
-        let velocity = self.period.divide(drive.displacement);
-        self.port.respond(&Drive { velocity, ..*drive })
+    fn respond(&mut self, sample: &PortSample<T>) -> T {
+        let velocity = self.period.divide(sample.displacement);
+        self.port.respond(&PortSample { velocity, ..*sample })
     }
 
     #[inline(always)]
-    fn action(&self) -> Action<T> {
-        self.port.action()
+    fn correction(&self) -> Correction<T> {
+        self.port.correction()
     }
 }
 

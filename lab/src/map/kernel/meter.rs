@@ -1,6 +1,6 @@
 //! What a rollout of the kernel is watched by.
 
-use lyapunov::{Drive, Mask, OnePort, Scalar, Stabilizer};
+use lyapunov::{Mask, OnePort, PortSample, Scalar, Stabilizer};
 
 use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
@@ -15,8 +15,8 @@ pub(super) trait Meter<T: Fuse> {
 
     fn new(lanes: Lanes<'_>) -> Self;
 
-    /// One more tick: the motion, and `acted`, the force from here on.
-    fn add<S: Stabilizer<T>>(&mut self, drive: &Drive<T>, acted: T, port: &Watched<T, S>);
+    /// One more tick: the motion, and `applied`, the force from here on.
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>);
 
     /// Whether nothing that follows matters any more.
     fn is_decided(&self) -> bool;
@@ -44,9 +44,9 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
     }
 
     #[inline(always)]
-    fn add<S: Stabilizer<T>>(&mut self, drive: &Drive<T>, _acted: T, port: &Watched<T, S>) {
-        self.boundedness.add(drive.position);
-        self.accepted = self.accepted & port.action().accepted;
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, _acted: T, port: &Watched<T, S>) {
+        self.boundedness.add(sample.position);
+        self.accepted = self.accepted & port.correction().accepted;
     }
 
     fn is_decided(&self) -> bool {
@@ -94,15 +94,15 @@ impl<T: Fuse> Meter<T> for Everything<T> {
     }
 
     #[inline(always)]
-    fn add<S: Stabilizer<T>>(&mut self, drive: &Drive<T>, acted: T, port: &Watched<T, S>) {
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>) {
         let environment = port.port().port().effort();
-        let injects = port.action().alpha.above(T::zero());
-        self.peak = acted.magnitude().larger(self.peak);
+        let injects = port.correction().alpha.above(T::zero());
+        self.peak = applied.magnitude().larger(self.peak);
         self.active += T::choose(injects, T::one(), T::zero());
-        self.settling.add(drive.position);
-        self.energies.add(drive.position, environment, acted - environment);
+        self.settling.add(sample.position);
+        self.energies.add(sample.position, environment, applied - environment);
         if let Some(chatter) = &mut self.chatter {
-            chatter.add(acted);
+            chatter.add(applied);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Many cells at once: lanes of one generic rollout, on the vector instructions that the processor has.
 //!
-//! The rollout is made of the library's own parts: a [`Body`](lyapunov::Body), a [`Wall`](lyapunov::Wall) behind a hold,
+//! The rollout is made of the library's own parts: a [`Body`](lyapunov::bodies::Body), a [`Wall`](lyapunov::environments::Wall) behind a hold,
 //! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
 //! other parts are run one by one, see [`single`](super::single).
 
@@ -16,7 +16,10 @@ mod seats;
 pub use instructions::Instructions;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Beyond, Dissipation, Lolc, NoStabilizer, ParameterError, PortEnergy, Scalar};
+use lyapunov::{
+    Dissipation, Lolc, ParameterError, PortEnergy, Scalar, candidates::InContact,
+    stabilizers::NoStabilizer,
+};
 
 use pulp::NullaryFnOnce;
 
@@ -233,7 +236,7 @@ impl Run<'_> {
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
-        type WallDamped<T> = (PortEnergy, Dissipation<T, Beyond<T>>);
+        type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
         let candidate = match self.contender.on(&self.kernel.along.base) {
             None => return self.under::<T, NoStabilizer, W>(watching),
             Some(Stabilizer::Popc(_)) => Candidate::Spring,

@@ -1,8 +1,13 @@
 //! The parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Adapt, Beyond, Body, Dissipation, Held, Hold, Impedance, Lolc, LyapunovCandidate, NoStabilizer,
-    OnePort, ParameterError, PortEnergy, Scalar, Stabilized, Stabilizer, Wall,
+    Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar,
+    Stabilized, Stabilizer,
+    bodies::{Body, Impedance},
+    candidates::InContact,
+    effects::{OnePortExt, ZeroOrderHold},
+    environments::Wall,
+    stabilizers::NoStabilizer,
 };
 
 use super::backward::{Backward, Fuse, Period};
@@ -14,7 +19,7 @@ use crate::scene::{self, Damping, Draft};
 pub(super) struct Lanes<'a>(pub(super) &'a [Draft]);
 
 /// The port of the kernel: a wall behind a hold, watched, and told velocities that are taken from displacements.
-pub(super) type Watched<T, S> = Backward<Stabilized<Hold<Wall<T>, T>, S, T>, T>;
+pub(super) type Watched<T, S> = Backward<Stabilized<ZeroOrderHold<Wall<T>, T>, S, T>, T>;
 
 impl<'a> Lanes<'a> {
     /// What all scenes have in common.
@@ -118,7 +123,7 @@ impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T>) {
     }
 }
 
-impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T, Beyond<T>>) {
+impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T, InContact<T>>) {
     fn of(_lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok((PortEnergy, wall.dissipation()))
     }

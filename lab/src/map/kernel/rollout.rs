@@ -1,6 +1,6 @@
 //! Rollouts on lanes: the loop over the ticks.
 
-use lyapunov::{Body, Drive, Mask, OnePort, ParameterError, Plant};
+use lyapunov::{Mask, OnePort, ParameterError, Plant, PortSample, bodies::Body};
 use pulp::NullaryFnOnce;
 
 use super::backward::Fuse;
@@ -31,7 +31,7 @@ pub(super) struct Rollouts<'a, T: Fuse, S, M: Meter<T>> {
 struct Group<T: Fuse, S, M> {
     plant: Body<T>,
     port: Watched<T, S>,
-    drive: Drive<T>,
+    sample: PortSample<T>,
     meter: M,
     /// Ticks to come.
     left: u64,
@@ -42,23 +42,23 @@ struct Group<T: Fuse, S, M> {
 impl<T: Fuse, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     #[inline(always)]
     fn tick(&mut self) {
-        let effort = self.port.respond(&self.drive);
-        self.meter.add(&self.drive, effort, &self.port);
-        // Number by number, as the period stays: a whole drive would be put together elsewhere and copied here.
+        let effort = self.port.respond(&self.sample);
+        self.meter.add(&self.sample, effort, &self.port);
+        // Number by number, as the period stays: a whole sample would be put together elsewhere and copied here.
         let next = self.plant.advance(effort);
-        self.drive.position = next.position;
-        self.drive.velocity = next.velocity;
-        self.drive.displacement = next.displacement;
-        self.drive.acted = next.acted;
-        self.drive.work = next.work;
+        self.sample.position = next.position;
+        self.sample.velocity = next.velocity;
+        self.sample.displacement = next.displacement;
+        self.sample.applied = next.applied;
+        self.sample.work = next.work;
     }
 
     /// The last tick, after which nothing moves; where its row is finite. Once a run, it need not be fast.
     #[inline(never)]
     fn finish(&mut self) -> T::Mask {
-        let effort = self.port.respond(&self.drive);
-        self.meter.add(&self.drive, effort, &self.port);
-        self.drive.position.finite() & self.drive.velocity.finite() & effort.finite()
+        let effort = self.port.respond(&self.sample);
+        self.meter.add(&self.sample, effort, &self.port);
+        self.sample.position.finite() & self.sample.velocity.finite() & effort.finite()
     }
 }
 
@@ -80,8 +80,8 @@ impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
         let (meter, plant) = (M::new(lanes), lanes.body(&mut self.bodies)?);
         let port = lanes.port(self.fuses)?;
-        let drive = plant.start();
-        Ok(Some(Group { plant, port, drive, meter, left, first, count }))
+        let sample = plant.start();
+        Ok(Some(Group { plant, port, sample, meter, left, first, count }))
     }
 
     #[inline(never)]

@@ -1,8 +1,10 @@
 //! Where the energy of a run went, by cause.
 
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, OnePort, ParameterError, Plant, PortEnergy,
-    Stabilizer, Wall,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Stabilizer,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Wall,
 };
 
 use super::ensemble::{Control, DURATION, START, Setting};
@@ -65,29 +67,29 @@ fn follow(
     ticks: usize,
     mut fine: Body<f64>,
     mut port: impl OnePort<f64>,
-    mut stabilize: impl FnMut(&Drive<f64>, f64) -> f64,
+    mut stabilize: impl FnMut(&PortSample<f64>, f64) -> f64,
 ) -> Balance {
-    let stored = |d: &Drive<f64>| {
+    let stored = |d: &PortSample<f64>| {
         0.5 * (hand.mass * d.velocity * d.velocity + hand.stiffness * d.position * d.position)
     };
     let mut now = fine.start();
     let mut balance = Balance { start: stored(&now), ..Balance::default() };
-    let (mut moved, mut acted) = (0.0, 0.0);
+    let (mut moved, mut applied) = (0.0, 0.0);
     for _ in 0..ticks {
-        let seen = Drive::new(period, now.position, moved / period, moved, acted);
+        let seen = PortSample::new(period, now.position, moved / period, moved, applied);
         let force = port.respond(&seen);
-        acted = stabilize(&seen, force);
+        applied = stabilize(&seen, force);
         let before = now.position;
         let mut squares = 0.5 * now.velocity * now.velocity;
         for _ in 0..FINE {
-            now = fine.advance(acted);
+            now = fine.advance(applied);
             squares += now.velocity * now.velocity;
         }
         squares -= 0.5 * now.velocity * now.velocity;
         moved = now.position - before;
         balance.burnt += hand.damping * squares * period / FINE as f64;
         balance.wall += force * moved;
-        balance.controller += (acted - force) * moved;
+        balance.controller += (applied - force) * moved;
     }
     balance.end = stored(&now);
     balance

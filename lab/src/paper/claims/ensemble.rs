@@ -2,8 +2,13 @@
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
-    Adapt, Body, DampingLimit, Drive, Impedance, Lolc, LyapunovCandidate, NoStabilizer, Observer,
-    OnePort, ParameterError, Plain, Plant, PortEnergy, Sampled, Scalar, Stabilizer, Wall, Work,
+    DampingLimit, Lolc, LyapunovCandidate, Observer, OnePort, ParameterError, Plant, PortEnergy,
+    PortSample, Sampled, Scalar, Stabilizer, Work,
+    accumulators::Plain,
+    bodies::{Body, Impedance},
+    effects::OnePortExt,
+    environments::Wall,
+    stabilizers::NoStabilizer,
 };
 use rayon::prelude::*;
 
@@ -129,22 +134,22 @@ fn gather<C: LyapunovCandidate<Lanes>, W: Work>(
 ) -> Vec<Trace> {
     let blank = Trace { period: setting.period(), ..Trace::default() };
     let mut traces = vec![blank; Lanes::LANES];
-    let mut drive = plant.start();
+    let mut sample = plant.start();
     for _ in 0..=setting.ticks() {
-        let velocity = drive.displacement / drive.period;
-        let seen = Drive { velocity, ..drive };
+        let velocity = sample.displacement / sample.period;
+        let seen = PortSample { velocity, ..sample };
         let force = port.respond(&seen);
-        let action = stabilizer.stabilize(&seen, force);
+        let correction = stabilizer.stabilize(&seen, force);
         let booked = observer.decrease(&seen, force);
         for (lane, trace) in traces.iter_mut().enumerate() {
-            trace.x.push(drive.position.lane(lane));
+            trace.x.push(sample.position.lane(lane));
             trace.v.push(velocity.lane(lane));
             trace.force.push(force.lane(lane));
-            trace.alpha.push(action.alpha.lane(lane));
-            trace.observer.push(action.sum.lane(lane));
+            trace.alpha.push(correction.alpha.lane(lane));
+            trace.observer.push(correction.observed_energy.lane(lane));
             trace.booked.push(booked.lane(lane));
         }
-        drive = plant.advance(action.effort);
+        sample = plant.advance(correction.effort);
     }
     traces
 }

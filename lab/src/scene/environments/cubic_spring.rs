@@ -1,6 +1,6 @@
 //! A two-sided spring that hardens.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -66,7 +66,8 @@ impl OnALine for CubicSpring {
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring = lyapunov::CubicSpring::<T>::new(of(self.stiffness), of(self.cubic))?;
+        let spring =
+            lyapunov::environments::CubicSpring::<T>::new(of(self.stiffness), of(self.cubic))?;
         to.render(spring.at(of(self.position)), no_credit()?)
     }
 }

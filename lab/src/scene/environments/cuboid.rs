@@ -1,6 +1,6 @@
 //! A box along the axes.
 
-use lyapunov::{Contact, Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Contact};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -61,7 +61,7 @@ impl InSpace for Cuboid {
     ) -> Result<R::Made, ParameterError> {
         let half = |axis: usize| self.half.get(axis).map_or(T::zero(), |half| of(*half));
         let half = SVector::from_fn(|axis, _| half(axis));
-        let solid = lyapunov::Cuboid::new(self.center.vector::<T, N>(), half)?;
+        let solid = lyapunov::environments::Cuboid::new(self.center.vector::<T, N>(), half)?;
         let contact = Contact::with(solid, of(self.stiffness), of(self.damping))?;
         to.render(contact, contact.dissipation())
     }

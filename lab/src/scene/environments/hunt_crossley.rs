@@ -1,6 +1,6 @@
 //! A one-sided wall after Hunt and Crossley.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,7 +70,8 @@ impl OnALine for HuntCrossley {
         to: R,
     ) -> Result<R::Made, ParameterError> {
         let (stiffness, exponent) = (of(self.stiffness), of(self.exponent));
-        let wall = lyapunov::HuntCrossley::new(stiffness, exponent, of(self.damping))?;
+        let wall =
+            lyapunov::environments::HuntCrossley::new(stiffness, exponent, of(self.damping))?;
         let wall = wall.at(of(self.position));
         to.render(wall, wall.dissipation())
     }

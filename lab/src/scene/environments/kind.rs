@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{Dissipation, Impedance, ParameterError, Scalar};
+use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance};
 use nalgebra::SVector;
 
 use super::render::Render;

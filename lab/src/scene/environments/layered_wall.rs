@@ -1,6 +1,6 @@
 //! A one-sided wall of two layers.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,7 +62,7 @@ impl OnALine for LayeredWall {
         to: R,
     ) -> Result<R::Made, ParameterError> {
         let (depth, stiffness) = (of(self.depth), self.stiffness.map(of));
-        let wall = lyapunov::LayeredWall::new(depth, stiffness, of(self.damping))?;
+        let wall = lyapunov::environments::LayeredWall::new(depth, stiffness, of(self.damping))?;
         let wall = wall.at(of(self.position));
         to.render(wall, wall.dissipation())
     }

@@ -1,6 +1,6 @@
 //! A two-sided mass, spring and damper.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -68,7 +68,8 @@ impl OnALine for MassSpringDamper {
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let body = lyapunov::MassSpringDamper::<T>::new(self.parts())?.at(of(self.position));
+        let body =
+            lyapunov::environments::MassSpringDamper::<T>::new(self.parts())?.at(of(self.position));
         to.render(body, body.dissipation())
     }
 }

@@ -17,7 +17,7 @@ mod spring;
 mod varying_spring;
 mod wall;
 
-use lyapunov::{ForceLaw, ParameterError, Requirement, Scalar};
+use lyapunov::{ParameterError, Requirement, Scalar, environments::ForceLaw};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! A one-sided wall that swings.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -77,10 +77,15 @@ impl OnALine for MovingWall {
         rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let wall = lyapunov::Wall::new(of(self.stiffness), of(self.damping))?;
+        let wall = lyapunov::environments::Wall::new(of(self.stiffness), of(self.damping))?;
         let (amplitude, frequency) = (of(self.amplitude), of(self.frequency));
         let wall = wall.at(of(self.position));
-        let moving = lyapunov::MovingWall::new(wall, amplitude, frequency, of(rates.environment))?;
+        let moving = lyapunov::environments::MovingWall::new(
+            wall,
+            amplitude,
+            frequency,
+            of(rates.environment),
+        )?;
         to.render(moving, moving.dissipation(of(rates.servo))?)
     }
 }

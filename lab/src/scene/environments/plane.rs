@@ -1,6 +1,6 @@
 //! A half space.
 
-use lyapunov::{Contact, Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Contact};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,7 +71,8 @@ impl InSpace for Plane {
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let solid = lyapunov::Plane::new(self.point.vector::<T, N>(), self.normal.vector())?;
+        let solid =
+            lyapunov::environments::Plane::new(self.point.vector::<T, N>(), self.normal.vector())?;
         let contact = Contact::with(solid, of(self.stiffness), of(self.damping))?;
         to.render(contact, contact.dissipation())
     }

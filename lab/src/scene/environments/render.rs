@@ -1,6 +1,6 @@
 //! What is made of the library's environment, whose type only the scene knows.
 
-use lyapunov::{ForceLaw, LyapunovCandidate, ParameterError, Signal};
+use lyapunov::{LyapunovCandidate, ParameterError, Signal, environments::ForceLaw};
 
 /// What is made of an environment and the term of its own damper, both of types that only the scene knows.
 pub trait Render<V: Signal> {

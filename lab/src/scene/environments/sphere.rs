@@ -1,6 +1,6 @@
 //! A ball.
 
-use lyapunov::{Contact, Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Contact};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -58,7 +58,8 @@ impl InSpace for Sphere {
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let solid = lyapunov::Sphere::new(self.center.vector::<T, N>(), of(self.radius))?;
+        let solid =
+            lyapunov::environments::Sphere::new(self.center.vector::<T, N>(), of(self.radius))?;
         let contact = Contact::with(solid, of(self.stiffness), of(self.damping))?;
         to.render(contact, contact.dissipation())
     }

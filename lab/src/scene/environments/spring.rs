@@ -1,6 +1,6 @@
 //! A two-sided spring.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -53,7 +53,8 @@ impl OnALine for Spring {
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring = lyapunov::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
+        let spring =
+            lyapunov::environments::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
         to.render(spring, no_credit()?)
     }
 }

@@ -1,6 +1,6 @@
 //! A two-sided spring whose stiffness swings.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -72,10 +72,15 @@ impl OnALine for VaryingSpring {
         rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring = lyapunov::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
-        let (amplitude, frequency) = (of(self.amplitude), of(self.frequency));
         let spring =
-            lyapunov::VaryingSpring::new(spring, amplitude, frequency, of(rates.environment))?;
+            lyapunov::environments::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
+        let (amplitude, frequency) = (of(self.amplitude), of(self.frequency));
+        let spring = lyapunov::environments::VaryingSpring::new(
+            spring,
+            amplitude,
+            frequency,
+            of(rates.environment),
+        )?;
         to.render(spring, no_credit()?)
     }
 }

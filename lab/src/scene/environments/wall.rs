@@ -1,6 +1,6 @@
 //! A one-sided wall.
 
-use lyapunov::{Impedance, ParameterError, Scalar};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -34,8 +34,9 @@ pub(super) const KEYS: &[Key] = &[
 
 impl Wall {
     /// The library's wall.
-    pub(crate) fn law<T: Scalar>(&self) -> Result<lyapunov::Wall<T>, ParameterError> {
-        Ok(lyapunov::Wall::new(of(self.stiffness), of(self.damping))?.at(of(self.position)))
+    pub(crate) fn law<T: Scalar>(&self) -> Result<lyapunov::environments::Wall<T>, ParameterError> {
+        Ok(lyapunov::environments::Wall::new(of(self.stiffness), of(self.damping))?
+            .at(of(self.position)))
     }
 }
 

@@ -16,7 +16,7 @@ enum Phase {
 }
 
 /// The motion through one period, in one lane.
-pub(super) struct Course<'a, const S: usize> {
+pub(super) struct Trajectory<'a, const S: usize> {
     system: &'a System<S>,
     state: [f64; S],
     elapsed: f64,
@@ -28,7 +28,7 @@ pub(super) struct Course<'a, const S: usize> {
     pub(super) log: Log,
 }
 
-impl<'a, const S: usize> Course<'a, S> {
+impl<'a, const S: usize> Trajectory<'a, S> {
     /// From `state` through `interval` s.
     pub(super) fn run(system: &'a System<S>, state: [f64; S], interval: f64) -> Self {
         let (gain, log) = ([0.0; S], Log::default());

@@ -6,10 +6,10 @@ mod series;
 mod stribeck;
 mod transition;
 
-use lyapunov_core::{Accumulator, Compensated, Drive, ParameterError, Plant, Scalar};
+use lyapunov_core::{Accumulator, Compensated, ParameterError, Plant, PortSample, Scalar};
 
-use crate::{Linear, Tethered};
-use course::Course;
+use crate::{Linear, OperatedBody};
+use course::Trajectory;
 use series::System;
 pub use stribeck::Stribeck;
 use transition::set;
@@ -29,7 +29,7 @@ pub use transition::{Transition, Transitions};
 ///
 /// A period may have 1024 pieces, about one for every radian that the fastest mode turns and one for each event.
 /// One that needs more, or leaves the range of `f64` on the way, is moved over roughly: with the friction that
-/// acted at its start, held, if that takes energy from the device; if not, everything stands still for the period
+/// applied at its start, held, if that takes energy from the device; if not, everything stands still for the period
 /// and the device is at rest after it. [`Transition::Cut`] tells. Friction adds energy in no case.
 ///
 /// ```
@@ -40,15 +40,15 @@ pub use transition::{Transition, Transitions};
 /// let law = Stribeck { coulomb: 1.0, breakaway: 1.0, stribeck_velocity: 0.01 };
 /// let body = Body::new(parts, 0.1)?.starting(0.0_f64, 0.1);
 /// let mut plant = Friction::new(body, parts, law)?;
-/// let drive = plant.advance(0.0);
+/// let sample = plant.advance(0.0);
 /// // It stops after m v / F = 50 ms and m v² / (2 F) = 2.5 mm.
-/// assert!(abs_diff_eq!(drive.position, 2.5e-3, epsilon = 1e-16) && drive.velocity == 0.0);
+/// assert!(abs_diff_eq!(sample.position, 2.5e-3, epsilon = 1e-16) && sample.velocity == 0.0);
 /// let (instant, transition) = plant.transitions().last(0).next().expect("one");
 /// assert!(abs_diff_eq!(instant, 0.05, epsilon = 1e-15) && transition == Transition::Stick);
 /// # Ok::<(), ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Friction<B: Tethered<T>, T: Scalar, const S: usize> {
+pub struct Friction<B: OperatedBody<T>, T: Scalar, const S: usize> {
     body: B,
     parts: B::Parts,
     law: Stribeck<T>,
@@ -103,7 +103,7 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
     fn passed(&mut self, lane: usize, effort: T, interval: T, after: &mut [T; S]) -> f64 {
         let (system, state) = (self.system(lane, effort), self.deflected(lane));
         let before = self.body.state();
-        let course = Course::run(&system, state, interval.lane(lane));
+        let course = Trajectory::run(&system, state, interval.lane(lane));
         self.transitions.set(lane, &course.log);
         if !course.complete() {
             return self.passed_roughly(lane, effort, after);
@@ -141,14 +141,14 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
 }
 
 impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> {
-    fn start(&self) -> Drive<T> {
+    fn start(&self) -> PortSample<T> {
         self.body.start()
     }
 
-    fn advance(&mut self, effort: T) -> Drive<T> {
+    fn advance(&mut self, effort: T) -> PortSample<T> {
         let before = self.body.state();
         let mut moved = self.body;
-        let drive = moved.advance(effort);
+        let sample = moved.advance(effort);
         let mut after = moved.state();
         self.transitions = Transitions::none();
         let (mut heat, mut rubbed) = (T::zero(), T::zero());
@@ -157,7 +157,7 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
                 && effort.lane(lane).is_finite()
                 && self.body.rest().lane(lane).is_finite();
             if finite && self.law.breakaway.lane(lane) > 0.0 {
-                let burnt = self.passed(lane, effort, drive.period, &mut after);
+                let burnt = self.passed(lane, effort, sample.period, &mut after);
                 set(&mut heat, lane, burnt);
                 set(&mut rubbed, lane, 1.0);
             }
@@ -167,12 +167,12 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
         let rubbed = rubbed.above(T::zero());
         moved.place(rubbed, after);
         self.body = moved;
-        let displacement = T::choose(rubbed, after[S - 2] - before[S - 2], drive.displacement);
-        Drive::new(drive.period, after[S - 2], after[S - 1], displacement, effort)
+        let displacement = T::choose(rubbed, after[S - 2] - before[S - 2], sample.displacement);
+        PortSample::new(sample.period, after[S - 2], after[S - 1], displacement, effort)
     }
 }
 
-impl<T: Scalar, B: Linear<T, S>, const S: usize> Tethered<T> for Friction<B, T, S> {
+impl<T: Scalar, B: Linear<T, S>, const S: usize> OperatedBody<T> for Friction<B, T, S> {
     type Parts = B::Parts;
 
     fn rest_at(&mut self, rest: T) {

@@ -31,10 +31,10 @@ pub(super) fn largest_axis<V: Signal>(value: V) -> V::Scalar {
 #[inline]
 pub(super) fn length_and_direction<V: Signal>(value: V, otherwise: V) -> (V::Scalar, V) {
     let largest = largest_axis(value);
-    let none = largest.below(V::Scalar::least());
+    let none = largest.below(V::Scalar::smallest_positive());
     // Scaled first, so that no square leaves the range; a NaN, which is never the largest, stays in the sum.
     let unit = V::Scalar::choose(none, V::Scalar::of(1.0), largest);
     let scaled = value.map(|axis| axis / unit);
-    let length = scaled.pair(scaled).sqrt();
+    let length = scaled.inner(scaled).sqrt();
     (largest * length, V::choose(none, otherwise, scaled.map(|axis| axis / length)))
 }

@@ -1,11 +1,12 @@
 //! What a solid answers a point that enters it.
 
 use lyapunov_core::{
-    Dissipation, Drive, LyapunovCandidate, OnePort, ParameterError, Requirement, Scalar, Signal,
+    Dissipation, LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar,
+    Signal,
 };
 
 use crate::environments::one_sided::{depth_stored, one_sided};
-use crate::{DissipationOf, ForceLaw, Kinematics, Nearest, Solid};
+use crate::{DissipationOf, ForceLaw, Kinematics, NearestPoint, Solid};
 
 /// Contact with a solid that pushes out what enters it: `f = max(0, k p − b v·n)` along the outward normal `n` for a
 /// depth `p > 0` below the nearest point of the surface, else nothing.
@@ -18,11 +19,11 @@ use crate::{DissipationOf, ForceLaw, Kinematics, Nearest, Solid};
 /// for haptic display, IROS 1995, who remember the entry instead).
 ///
 /// ```
-/// use lyapunov_core::{Drive, OnePort};
+/// use lyapunov_core::{PortSample, OnePort};
 /// use lyapunov_plants::{Contact, Sphere};
 /// use nalgebra::Vector2;
 /// let mut ball = Contact::with(Sphere::new(Vector2::zeros(), 0.05)?, 1000.0, 0.0)?;
-/// let inside = Drive::starting(1e-3, Vector2::new(0.0, 0.04), Vector2::zeros());
+/// let inside = PortSample::starting(1e-3, Vector2::new(0.0, 0.04), Vector2::zeros());
 /// let effort = ball.respond(&inside); // 10 N upwards on the plant
 /// assert!((effort - Vector2::new(0.0, -10.0)).norm() < 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -56,8 +57,8 @@ impl<S, T: Scalar> Contact<S, T> {
 impl<V: Signal, S: Solid<V>> ForceLaw<V> for Contact<S, V::Scalar> {
     #[inline]
     fn force(&self, motion: &Kinematics<V>) -> V {
-        let Nearest { depth, normal } = self.solid.nearest(motion.position);
-        let leaving = motion.velocity.pair(normal);
+        let NearestPoint { depth, normal } = self.solid.nearest(motion.position);
+        let leaving = motion.velocity.inner(normal);
         let push = one_sided(depth, self.stiffness * depth - self.damper.damping() * leaving);
         V::zero() - normal.scale(push)
     }
@@ -69,18 +70,18 @@ impl<V: Signal, S: Solid<V>> ForceLaw<V> for Contact<S, V::Scalar> {
 
 impl<V: Signal, S: Solid<V>> OnePort<V> for Contact<S, V::Scalar> {
     #[inline]
-    fn respond(&mut self, drive: &Drive<V>) -> V {
-        self.force(&Kinematics::of(drive))
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        self.force(&Kinematics::of(sample))
     }
 }
 
 impl<V: Signal, S: Solid<V>> LyapunovCandidate<V> for DissipationOf<Contact<S, V::Scalar>> {
     #[inline]
-    fn decrease(&mut self, drive: &Drive<V>) -> V::Scalar {
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let Self(contact) = self;
-        let Nearest { depth, normal } = contact.solid.nearest(drive.position);
-        let leaving = drive.velocity.pair(normal);
-        let burnt = contact.damper.damping() * (leaving * leaving * drive.period);
+        let NearestPoint { depth, normal } = contact.solid.nearest(sample.position);
+        let leaving = sample.velocity.inner(normal);
+        let burnt = contact.damper.damping() * (leaving * leaving * sample.period);
         let zero = V::Scalar::of(0.0);
         V::Scalar::choose(depth.above(zero) & burnt.finite(), burnt, zero)
     }

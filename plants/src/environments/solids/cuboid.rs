@@ -4,7 +4,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
 use super::axes::check_axes;
-use crate::{Nearest, Solid};
+use crate::{NearestPoint, Solid};
 
 /// A box with its edges along the axes, on two axes a rectangle: `p = minᵢ (halfᵢ − |xᵢ − centerᵢ|)`, and `n` along
 /// that axis towards the point's side.
@@ -29,7 +29,7 @@ impl<V: Signal> Cuboid<V> {
 
 impl<T: Scalar, const N: usize> Solid<SVector<T, N>> for Cuboid<SVector<T, N>> {
     #[inline]
-    fn nearest(&self, position: SVector<T, N>) -> Nearest<SVector<T, N>> {
+    fn nearest(&self, position: SVector<T, N>) -> NearestPoint<SVector<T, N>> {
         let from = position - self.center;
         let (zero, one) = (T::of(0.0), T::of(1.0));
         let mut least = T::largest();
@@ -44,6 +44,6 @@ impl<T: Scalar, const N: usize> Solid<SVector<T, N>> for Cuboid<SVector<T, N>> {
         }
         // A NaN is nearer than nothing: of the other axes alone nothing can be told.
         let known = from.finite();
-        Nearest { depth: T::choose(known, least, T::of(f64::NAN)), normal }
+        NearestPoint { depth: T::choose(known, least, T::of(f64::NAN)), normal }
     }
 }

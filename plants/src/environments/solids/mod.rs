@@ -10,5 +10,5 @@ mod sphere;
 pub use contact::Contact;
 pub use cuboid::Cuboid;
 pub use plane::Plane;
-pub use solid::{Nearest, Solid};
+pub use solid::{NearestPoint, Solid};
 pub use sphere::Sphere;

@@ -3,7 +3,7 @@
 use lyapunov_core::{ParameterError, Requirement, Signal};
 
 use super::axes::{check_axes, largest_axis, length_and_direction};
-use crate::{Nearest, Solid};
+use crate::{NearestPoint, Solid};
 
 /// All that is below a plane: `p = (point − x)·n`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ impl<V: Signal> Plane<V> {
 
 impl<V: Signal> Solid<V> for Plane<V> {
     #[inline]
-    fn nearest(&self, position: V) -> Nearest<V> {
-        Nearest { depth: (self.point - position).pair(self.normal), normal: self.normal }
+    fn nearest(&self, position: V) -> NearestPoint<V> {
+        NearestPoint { depth: (self.point - position).inner(self.normal), normal: self.normal }
     }
 }

@@ -4,7 +4,7 @@ use lyapunov_core::Signal;
 
 /// Where the surface of a solid is, seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest<V: Signal> {
+pub struct NearestPoint<V: Signal> {
     /// How deep the point is below its nearest point on the surface, m; above 0 inside the solid only.
     pub depth: V::Scalar,
     /// The outward normal there, of length 1.
@@ -15,15 +15,15 @@ pub struct Nearest<V: Signal> {
 ///
 /// ```
 /// use lyapunov_core::{ParameterError, Signal};
-/// use lyapunov_plants::{Contact, Nearest, Solid};
+/// use lyapunov_plants::{Contact, NearestPoint, Solid};
 /// use nalgebra::Vector3;
 /// /// Round about the z axis, without end.
 /// struct Cylinder { radius: f64 }
 /// impl Solid<Vector3<f64>> for Cylinder {
-///     fn nearest(&self, position: Vector3<f64>) -> Nearest<Vector3<f64>> {
+///     fn nearest(&self, position: Vector3<f64>) -> NearestPoint<Vector3<f64>> {
 ///         let arm = Vector3::new(position.x, position.y, 0.0);
 ///         let normal = if arm.norm() > 0.0 { arm / arm.norm() } else { Vector3::x() };
-///         Nearest { depth: self.radius - arm.norm(), normal }
+///         NearestPoint { depth: self.radius - arm.norm(), normal }
 ///     }
 /// }
 /// let rod = Contact::with(Cylinder { radius: 0.01 }, 1000.0, 0.0)?;
@@ -32,5 +32,5 @@ pub struct Nearest<V: Signal> {
 pub trait Solid<V: Signal> {
     /// The nearest point of the surface, for a point inside. Of one outside only that the depth is not above 0 is
     /// asked; where `position` is NaN, the depth is.
-    fn nearest(&self, position: V) -> Nearest<V>;
+    fn nearest(&self, position: V) -> NearestPoint<V>;
 }

@@ -4,7 +4,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
 use super::axes::{check_axes, length_and_direction};
-use crate::{Nearest, Solid};
+use crate::{NearestPoint, Solid};
 
 /// A ball, on two axes a disc: `p = radius − |x − center|`, `n = (x − center) / |x − center|`.
 ///
@@ -28,9 +28,9 @@ impl<V: Signal> Sphere<V> {
 
 impl<T: Scalar, const N: usize> Solid<SVector<T, N>> for Sphere<SVector<T, N>> {
     #[inline]
-    fn nearest(&self, position: SVector<T, N>) -> Nearest<SVector<T, N>> {
+    fn nearest(&self, position: SVector<T, N>) -> NearestPoint<SVector<T, N>> {
         let first = SVector::from_fn(|axis, _| T::of(if axis == 0 { 1.0 } else { 0.0 }));
         let (distance, normal) = length_and_direction(position - self.center, first);
-        Nearest { depth: self.radius - distance, normal }
+        NearestPoint { depth: self.radius - distance, normal }
     }
 }

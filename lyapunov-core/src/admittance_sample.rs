@@ -1,0 +1,72 @@
+//! A sample by the names of admittance causality.
+
+use crate::{PortSample, Signal};
+
+/// What the port's other side did since the last call, where effort comes in and motion goes out: the dual of a
+/// [`PortSample`].
+///
+/// An admittance device measures a force and moves as it is told. Over one period under one held flow `v` the work is
+/// `v · ∫ f dt`, as it is `f · ∫ v dt` under a held effort: effort and flow have changed places, and the impulse
+/// stands where the displacement was. Nothing else differs, so whatever works on drives works on loads, [`Stabilizer`]s
+/// and all adaptors of a port alike; only the names of a sample's fields, and the units of a damping, have to be read
+/// the other way round. `PortSample::from(load)` is that reading:
+///
+/// | of a sample | of a load |
+/// |---|---|
+/// | `velocity`, m/s | `effort`, N: the force measured now, positive where it moves the port into the environment |
+/// | `displacement`, m | `impulse`, N·s |
+/// | `position`, m | `momentum`, N·s: the sum of the impulses |
+/// | `applied`, N | `flow`, m/s: the velocity that really applied |
+/// | a damping `α`, N·s/m | a mobility `β`, m/(N·s): the controller adds the velocity `β f` |
+///
+/// [`Stabilizer`]: crate::Stabilizer
+///
+/// ```
+/// use lyapunov_core::{PortSample, AdmittanceSample};
+/// let load = AdmittanceSample::new(1e-3, 0.0, -2.0, -2e-3, 0.1); // −2 N over 1 ms while it moves with 0.1 m/s
+/// assert_eq!(PortSample::from(load).work, -2e-4); // the port gave 0.2 mJ away
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AdmittanceSample<V: Signal> {
+    /// Time since the last call, s.
+    pub period: V::Scalar,
+    /// The sum of the impulses, N·s.
+    pub momentum: V,
+    /// The effort now, N: the best estimate of whoever measures.
+    pub effort: V,
+    /// The impulse of the effort since the last call, N·s.
+    pub impulse: V,
+    /// The flow that applied last, m/s.
+    pub flow: V,
+    /// Work that crossed the port since the last call, on each axis, J.
+    pub work: V,
+}
+
+impl<V: Signal> AdmittanceSample<V> {
+    /// The load of one period under one held flow: `work = flow · impulse`.
+    #[inline]
+    pub fn new(period: V::Scalar, momentum: V, effort: V, impulse: V, flow: V) -> Self {
+        Self { period, momentum, effort, impulse, flow, work: flow.times(impulse) }
+    }
+
+    /// The load of the first tick: nothing has applied yet.
+    #[inline]
+    pub fn starting(period: V::Scalar, effort: V) -> Self {
+        Self::new(period, V::zero(), effort, V::zero(), V::zero())
+    }
+}
+
+impl<V: Signal> From<AdmittanceSample<V>> for PortSample<V> {
+    #[inline]
+    fn from(load: AdmittanceSample<V>) -> Self {
+        let AdmittanceSample { period, momentum, effort, impulse, flow, work } = load;
+        Self {
+            period,
+            position: momentum,
+            velocity: effort,
+            displacement: impulse,
+            applied: flow,
+            work,
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! What the other side of a port did since the last call.
+
+use crate::{Scalar, Signal};
+
+/// What the port's other side did since the last call, and the effort that really applied meanwhile.
+///
+/// The loop is closed by whoever owns the motors, and only there is it known what was measured and what
+/// force was really applied, after saturation, delay or an emergency stop. A sample carries that truth to
+/// every part of the loop, so that no part has to assume what became of its output.
+///
+/// A port carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
+/// Over one period under one held effort the work is `applied · displacement` exactly, axis by axis
+/// ([`PortSample::new`]). Over several periods it is the sum of theirs ([`PortSample::spanning`]), which is why it
+/// is a field: a round trip displaces nothing and still does work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PortSample<V: Signal> {
+    /// Time since the last call, s.
+    pub period: V::Scalar,
+    /// Position now, m.
+    pub position: V,
+    /// Velocity now, m/s: the best estimate of whoever measures.
+    pub velocity: V,
+    /// Displacement since the last call, m.
+    pub displacement: V,
+    /// The effort that applied last, N.
+    pub applied: V,
+    /// Work that the acting efforts did since the last call, on each axis, J.
+    pub work: V,
+}
+
+impl<V: Signal> PortSample<V> {
+    /// The sample of one period under one held effort: `work = applied · displacement`.
+    #[inline(always)]
+    pub fn new(period: V::Scalar, position: V, velocity: V, displacement: V, applied: V) -> Self {
+        Self {
+            period,
+            position,
+            velocity,
+            displacement,
+            applied,
+            work: applied.times(displacement),
+        }
+    }
+
+    /// The sample of the first tick: nothing has moved and nothing has applied yet.
+    #[inline(always)]
+    pub fn starting(period: V::Scalar, position: V, velocity: V) -> Self {
+        Self::new(period, position, velocity, V::zero(), V::zero())
+    }
+
+    /// This sample preceded by `earlier`: the periods, displacements and works of both, the rest from now.
+    #[inline(always)]
+    pub fn spanning(self, earlier: &Self) -> Self {
+        Self {
+            period: earlier.period + self.period,
+            displacement: earlier.displacement + self.displacement,
+            work: earlier.work + self.work,
+            ..self
+        }
+    }
+
+    /// Where every field is finite.
+    #[inline(always)]
+    pub fn finite(&self) -> <V::Scalar as Scalar>::Mask {
+        self.period.finite()
+            & self.position.finite()
+            & self.velocity.finite()
+            & self.displacement.finite()
+            & self.applied.finite()
+            & self.work.finite()
+    }
+}

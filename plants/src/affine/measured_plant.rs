@@ -1,0 +1,87 @@
+//! A real plant's port, from what is measured of its state.
+
+use lyapunov_core::{LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal};
+use nalgebra::SVector;
+
+use crate::{ControlAffine, WithState};
+
+/// The drives of a plant that is not simulated but measured: for a stabilizer in one's own loop.
+///
+/// Of the model only `g` is used, for the flow `y = L_g V(x)`. The integral of the flow is taken by the trapezoidal
+/// rule, `∫ y dt ≈ T/2 (y(n−1) + y(n))`, off by `T³ ÿ / 12` at most: of concern to
+/// [`PortEnergy`](lyapunov_core::PortEnergy) only. [`decrease_of`](crate::decrease_of) needs no integral.
+///
+/// A state that is not finite is told as it is, to be turned away; the next one that is spans the gap.
+///
+/// ```
+/// use lyapunov_core::ParameterError;
+/// use lyapunov_plants::{MeasuredPlant, QuadraticForm, VanDerPol};
+/// use nalgebra::{Vector1, Vector2};
+/// let circle = QuadraticForm::sum_of_squares();
+/// let mut port = MeasuredPlant::new(VanDerPol::new(1.0)?, circle, 0.01, Vector2::new(0.5, 0.0))?;
+/// let first = port.start();
+/// // On the next tick: the state measured, and the input that really applied since the last one.
+/// let sample = port.tell(Vector2::new(0.5, -0.005), Vector1::new(0.0));
+/// assert_eq!(sample.velocity.input[0], -0.005);
+/// # Ok::<(), ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
+    plant: P,
+    function: F,
+    period: T,
+    /// Since the last sound sample, s.
+    elapsed: T,
+    at: WithState<T, N, M>,
+    flow: SVector<T, M>,
+}
+
+impl<P, F, T, const N: usize, const M: usize> MeasuredPlant<P, F, T, N, M>
+where
+    T: Scalar,
+    P: ControlAffine<T, N, M>,
+    F: LyapunovFunction<SVector<T, N>>,
+{
+    /// A plant first measured in `state`, then every `period` s.
+    ///
+    /// # Errors
+    /// `period` not above 0 and finite.
+    pub fn new(
+        plant: P,
+        function: F,
+        period: T,
+        state: SVector<T, N>,
+    ) -> Result<Self, ParameterError> {
+        let period = Requirement::Positive.check("period", period)?;
+        let flow = plant.flow(&function, state);
+        let at = WithState { input: SVector::zeros(), state };
+        Ok(Self { plant, function, period, elapsed: T::of(0.0), at, flow })
+    }
+
+    /// The sample of the first tick.
+    #[inline]
+    pub fn start(&self) -> PortSample<WithState<T, N, M>> {
+        PortSample::starting(self.period, self.at, WithState::of_input(self.flow))
+    }
+
+    /// The sample of a tick on which `state` is measured, after a period in which `input` applied.
+    #[inline]
+    pub fn tell(
+        &mut self,
+        state: SVector<T, N>,
+        input: SVector<T, M>,
+    ) -> PortSample<WithState<T, N, M>> {
+        let before = self.at;
+        let flow = self.plant.flow(&self.function, state);
+        let elapsed = self.elapsed + self.period;
+        let integral = (self.flow + flow).scale(T::of(0.5) * elapsed);
+        let at = WithState { input: before.input + integral, state };
+        let sound = at.finite() & flow.finite();
+        self.at = WithState::choose(sound, at, before);
+        self.flow = Signal::choose(sound, flow, self.flow);
+        self.elapsed = T::choose(sound, T::of(0.0), elapsed);
+        let velocity = WithState::of_input(flow);
+        let applied = WithState::of_input(-input);
+        PortSample::new(elapsed, at, velocity, at - before, applied)
+    }
+}

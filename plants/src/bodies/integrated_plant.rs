@@ -1,0 +1,161 @@
+//! What any integrator moves.
+
+use core::fmt::Debug;
+
+use lyapunov_core::{
+    Integrator, Mask, Mechanics, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
+    State,
+};
+
+use crate::{Coordinates, FromParts, OperatedBody};
+
+/// A plant that an [`Integrator`] moves along its [`Mechanics`], by equal steps over each period under the held effort.
+///
+/// The origin of the coordinates stands at the rest. The sample tells the port's displacement as the exact difference of
+/// two positions, as [`Body`](crate::Body) does; what a step gains is added to the state, and no time is summed.
+///
+/// ```
+/// use approx::assert_abs_diff_eq;
+/// use lyapunov_core::{ParameterError, Plant};
+/// use lyapunov_plants::{Impedance, Oscillator, RungeKuttaNystrom4, IntegratedPlant};
+/// let hand = Oscillator::new(Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 })?;
+/// let mut plant = IntegratedPlant::new(hand, RungeKuttaNystrom4, 1e-3, 4)?.starting(-0.004_f64, 0.0);
+/// let sample = plant.advance(0.0);
+/// // Over so short a time it falls freely: x₀ (1 − k T² / (2 m)).
+/// assert_abs_diff_eq!(sample.position, -0.004 * (1.0 - 50.0 * 1e-6 / 0.6), epsilon = 1e-9);
+/// # Ok::<(), ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct IntegratedPlant<V: Signal, D: Mechanics<V>, I> {
+    dynamics: D,
+    integrator: I,
+    period: V::Scalar,
+    interval: V::Scalar,
+    steps: u32,
+    rest: V,
+    state: State<D::Coordinates>,
+}
+
+impl<V, D, I> IntegratedPlant<V, D, I>
+where
+    V: Signal,
+    D: Mechanics<V, Coordinates: Coordinates<V>>,
+    I: Integrator<V, D>,
+{
+    /// A plant at rest at the origin, moved by `period` s at a time in `steps` steps.
+    ///
+    /// One step is tried, from a unit of everything, before the first period; what the integrator keeps is ready then.
+    ///
+    /// # Errors
+    /// `period` not above 0 and finite; `steps` 0; a `period` over whose step the motion is out of the scalar's
+    /// range.
+    pub fn new(
+        dynamics: D,
+        mut integrator: I,
+        period: V::Scalar,
+        steps: u32,
+    ) -> Result<Self, ParameterError> {
+        let period = Requirement::Positive.check("period", period)?;
+        Requirement::AtLeast(1.0).check("steps", f64::from(steps))?;
+        let interval = step_of(period, steps);
+        tried(&dynamics, &mut integrator, period, interval)?;
+        let (rest, state) = (V::zero(), State::splat(V::Scalar::of(0.0)));
+        Ok(Self { dynamics, integrator, period, interval, steps, rest, state })
+    }
+
+    /// The same plant with the origin of its coordinates, and with it its spring's rest, at `rest`, m.
+    pub fn resting_at(self, rest: V) -> Self {
+        Self { rest, ..self }
+    }
+
+    /// The same plant with everything at `position` m, moving at `velocity` m/s.
+    pub fn starting(self, position: V, velocity: V) -> Self {
+        let position = D::Coordinates::all_at(position);
+        self.starting_from(State { position, velocity: D::Coordinates::all_at(velocity) })
+    }
+
+    /// The same plant in `state`, counted from where positions are, not from the rest.
+    pub fn starting_from(self, state: State<D::Coordinates>) -> Self {
+        Self { state, ..self }
+    }
+
+    /// Where everything is and how it moves.
+    #[inline]
+    pub fn state(&self) -> State<D::Coordinates> {
+        self.state
+    }
+}
+
+fn step_of<T: Scalar>(period: T, steps: u32) -> T {
+    period / T::of(f64::from(steps))
+}
+
+/// Tries one step.
+fn tried<V: Signal, D: Mechanics<V>>(
+    dynamics: &D,
+    integrator: &mut impl Integrator<V, D>,
+    period: V::Scalar,
+    interval: V::Scalar,
+) -> Result<(), ParameterError> {
+    let one = V::Scalar::of(1.0);
+    let gain = integrator.step(dynamics, State::splat(one), V::splat(one), interval);
+    let finite = gain.finite();
+    match (0..V::Scalar::LANES).find(|&lane| !finite.lane(lane)) {
+        None => Ok(()),
+        Some(lane) => Err(ParameterError {
+            parameter: "period",
+            value: period.lane(lane),
+            requirement: Requirement::InRange,
+        }),
+    }
+}
+
+impl<V, D, I> Plant<V> for IntegratedPlant<V, D, I>
+where
+    V: Signal,
+    D: Mechanics<V, Coordinates: Coordinates<V>>,
+    I: Integrator<V, D>,
+{
+    #[inline]
+    fn start(&self) -> PortSample<V> {
+        let State { position, velocity } = self.state;
+        PortSample::starting(self.period, position.at_port(), velocity.at_port())
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> PortSample<V> {
+        let before = self.state.position.at_port();
+        let origin = D::Coordinates::all_at(self.rest);
+        for _ in 0..self.steps {
+            let from = State { position: self.state.position - origin, ..self.state };
+            let gain = self.integrator.step(&self.dynamics, from, effort, self.interval);
+            self.state = self.state + gain;
+        }
+        let (position, velocity) = (self.state.position.at_port(), self.state.velocity.at_port());
+        PortSample::new(self.period, position, velocity, position - before, effort)
+    }
+}
+
+impl<V, D, I> OperatedBody<V> for IntegratedPlant<V, D, I>
+where
+    V: Signal,
+    D: Mechanics<V, Coordinates: Coordinates<V>> + FromParts,
+    I: Integrator<V, D> + Copy,
+{
+    type Parts = D::Parts;
+
+    #[inline]
+    fn rest_at(&mut self, rest: V) {
+        self.rest = rest;
+    }
+
+    fn reshape(&mut self, parts: D::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        let period = Requirement::NonNegative.check("period", interval)?;
+        let (dynamics, mut integrator) = (self.dynamics.made_of(parts)?, self.integrator);
+        let interval = step_of(period, self.steps);
+        tried(&dynamics, &mut integrator, period, interval)?;
+        (self.dynamics, self.integrator) = (dynamics, integrator);
+        (self.period, self.interval) = (period, interval);
+        Ok(())
+    }
+}

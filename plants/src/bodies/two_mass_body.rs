@@ -1,0 +1,211 @@
+//! Operator and device as two masses.
+
+use lyapunov_core::{Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
+use nalgebra::{Matrix4, SMatrix};
+
+use super::propagation::by_rows;
+use crate::{Linear, OperatedBody, TwoMassParts, held_input};
+
+/// An operator and a device joined by a link, moved exactly over each period; the sample tells the device's motion:
+///
+/// ```text
+/// m_o ẍ_o + b_o ẋ_o + k_h (x_o − rest) + k_l (x_o − x_d) + b_l (ẋ_o − ẋ_d) = 0
+/// m_d ẍ_d + b_d ẋ_d + k_l (x_d − x_o) + b_l (ẋ_d − ẋ_o) = −effort
+/// ```
+///
+/// The effort is held over the period, so the motion is linear and known ([`held_input`](crate::held_input)). It is
+/// worked out for the centre of mass `X` and the stretch `s = x_o − x_d`, where a stiff link's fast motion stays out
+/// of the slow one's digits: `x_o = X + m_d s / M` and `x_d = X − m_o s / M` with `M = m_o + m_d`. What is kept is
+/// `x_d` and `s`, with their velocities: the link's force comes of a small number that is known by itself, not of a
+/// difference of two large ones, and a device that stands still does so to the bit.
+#[derive(Clone, Copy, Debug)]
+pub struct TwoMassBody<V: Signal> {
+    period: V::Scalar,
+    maps: Maps<V::Scalar>,
+    rest: V,
+    position: V,
+    stretch: V,
+    velocity: V,
+    stretching: V,
+}
+
+/// What the state gains over a period: device, stretch and their velocities by row, the columns per unit of the
+/// device's deflection from the rest, of stretch, of their velocities and of effort.
+type Maps<T> = [[T; 5]; 4];
+
+impl<V: Signal> TwoMassBody<V> {
+    /// Two masses with the operator's spring at rest at the origin, both standing there, moved by `period` s at a
+    /// time.
+    ///
+    /// # Errors
+    /// A mass, the link's stiffness or `period` not above 0 and finite; a damping or the operator's stiffness below
+    /// 0, infinite or NaN; a mass so small against the rest that the motion is out of the scalar's range.
+    pub fn new(parts: TwoMassParts<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
+        let period = Requirement::Positive.check("period", period)?;
+        let maps = maps(parts, period)?;
+        let (rest, position, stretch) = (V::zero(), V::zero(), V::zero());
+        let (velocity, stretching) = (V::zero(), V::zero());
+        Ok(Self { period, maps, rest, position, stretch, velocity, stretching })
+    }
+
+    /// The same masses with the operator's spring at rest at `rest`, m.
+    pub fn resting_at(self, rest: V) -> Self {
+        Self { rest, ..self }
+    }
+
+    /// The same masses, both at `position` m and moving at `velocity` m/s.
+    pub fn starting(self, position: V, velocity: V) -> Self {
+        Self { position, velocity, stretch: V::zero(), stretching: V::zero(), ..self }
+    }
+
+    /// The operator's position, m, and velocity, m/s.
+    #[inline]
+    pub fn operator(&self) -> (V, V) {
+        (self.position + self.stretch, self.velocity + self.stretching)
+    }
+}
+
+fn maps<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Result<Maps<T>, ParameterError> {
+    let parts = parts.checked()?;
+    let maps = two_mass_increments(parts, interval);
+    let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
+    match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
+        None => Ok(maps),
+        Some(lane) => Err(ParameterError {
+            parameter: "device.mass",
+            value: parts.device.mass.lane(lane),
+            requirement: Requirement::InRange,
+        }),
+    }
+}
+
+/// What device, stretch and their velocities gain over `interval`; nothing is checked.
+pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> [[T; 5]; 4] {
+    let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
+        let (device, centre) = views(parts, lane);
+        device * held_input(equations(parts, lane) * interval.real(lane)) * centre
+    });
+    [position, stretch, velocity, stretching]
+}
+
+/// A linear map of centre, stretch, their velocities and the held effort.
+type Map<R> = SMatrix<R, 5, 5>;
+
+/// From centre to device, and from device to centre: `x_d = X − m_o s / M`, alike for the velocities.
+fn views<T: Scalar>(parts: TwoMassParts<T>, lane: usize) -> (Map<T::Real>, Map<T::Real>) {
+    let (operator, device) = (parts.operator.mass.real(lane), parts.device.mass.real(lane));
+    let share = operator / (operator + device);
+    let view = |share: T::Real| {
+        let mut view = SMatrix::identity();
+        (view[(0, 1)], view[(2, 3)]) = (share, share);
+        view
+    };
+    (view(-share), view(share))
+}
+
+/// The time derivatives of centre, stretch, their velocities and the held effort, by the same.
+fn equations<T: Scalar>(parts: TwoMassParts<T>, lane: usize) -> Map<T::Real> {
+    let of = |value: T| value.real(lane);
+    let (operator, device, link) = (parts.operator, parts.device, parts.link);
+    let (mo, bo, k) = (of(operator.mass), of(operator.damping), of(operator.stiffness));
+    let (md, bd) = (of(device.mass), of(device.damping));
+    let (kl, bl) = (of(link.stiffness), of(link.damping));
+    let both = mo + md;
+    let (to_operator, to_device) = (md / both, mo / both);
+    let pulled = k * to_operator;
+    let spring = pulled / mo + kl / mo + kl / md;
+    let damper = bo * to_operator / mo + bd * to_device / md + bl / mo + bl / md;
+    let skew = bd * to_device - bo * to_operator;
+    let (none, one) = (T::Real::of(0.0), T::Real::of(1.0));
+    let rows = [
+        [none, none, one, none, none],
+        [none, none, none, one, none],
+        [-k / both, -pulled / both, -(bo + bd) / both, skew / both, -one / both],
+        [-k / mo, -spring, bd / md - bo / mo, -damper, one / md],
+        [none; 5],
+    ];
+    SMatrix::from_row_slice(rows.as_flattened())
+}
+
+impl<V: Signal> Plant<V> for TwoMassBody<V> {
+    #[inline]
+    fn start(&self) -> PortSample<V> {
+        PortSample::starting(self.period, self.position, self.velocity)
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> PortSample<V> {
+        let before = self.position;
+        let deflection = before - self.rest;
+        let (stretch, velocity, stretching) = (self.stretch, self.velocity, self.stretching);
+        let gain = |row: [V::Scalar; 5]| {
+            deflection.scale(row[0])
+                + stretch.scale(row[1])
+                + velocity.scale(row[2])
+                + stretching.scale(row[3])
+                + effort.scale(row[4])
+        };
+        self.position = before + gain(self.maps[0]);
+        self.stretch = stretch + gain(self.maps[1]);
+        self.velocity = velocity + gain(self.maps[2]);
+        self.stretching = stretching + gain(self.maps[3]);
+        PortSample::new(self.period, self.position, self.velocity, self.position - before, effort)
+    }
+}
+
+impl<V: Signal> OperatedBody<V> for TwoMassBody<V> {
+    type Parts = TwoMassParts<V::Scalar>;
+
+    #[inline]
+    fn rest_at(&mut self, rest: V) {
+        self.rest = rest;
+    }
+
+    fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
+        let interval = Requirement::NonNegative.check("period", interval)?;
+        self.maps = maps(parts, interval)?;
+        self.period = interval;
+        Ok(())
+    }
+}
+
+impl<T: Scalar> Linear<T, 4> for TwoMassBody<T> {
+    fn rate(parts: &TwoMassParts<T>, lane: usize) -> Matrix4<f64> {
+        let of = |value: T| value.lane(lane);
+        let (operator, device, link) = (parts.operator, parts.device, parts.link);
+        let (mo, md) = (of(operator.mass), of(device.mass));
+        let (kl, bl) = (of(link.stiffness), of(link.damping));
+        let (k, bo, bd) = (of(operator.stiffness), of(operator.damping), of(device.damping));
+        let rows = [
+            [0.0, 1.0, 0.0, 0.0],
+            [-(k + kl) / mo, -(bo + bl) / mo, kl / mo, bl / mo],
+            [0.0, 0.0, 0.0, 1.0],
+            [kl / md, bl / md, -kl / md, -(bd + bl) / md],
+        ];
+        Matrix4::from_row_slice(rows.as_flattened())
+    }
+
+    fn device_mass(parts: &TwoMassParts<T>, lane: usize) -> f64 {
+        parts.device.mass.lane(lane)
+    }
+
+    #[inline]
+    fn rest(&self) -> T {
+        self.rest
+    }
+
+    #[inline]
+    fn state(&self) -> [T; 4] {
+        let (position, velocity) = self.operator();
+        [position, velocity, self.position, self.velocity]
+    }
+
+    #[inline]
+    fn place(&mut self, of: T::Mask, [x, v, position, velocity]: [T; 4]) {
+        let choose = |new, kept| T::choose(of, new, kept);
+        self.position = choose(position, self.position);
+        self.velocity = choose(velocity, self.velocity);
+        self.stretch = choose(x - position, self.stretch);
+        self.stretching = choose(v - velocity, self.stretching);
+    }
+}

@@ -1,0 +1,48 @@
+//! What two masses and the link between them are made of.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar};
+
+use crate::Impedance;
+
+/// An operator and a device, joined by a link that gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TwoMassParts<T> {
+    /// The operator: its stiffness holds it to its rest.
+    pub operator: Impedance<T>,
+    /// What the operator holds.
+    pub device: DampedMass<T>,
+    /// What is between the two.
+    pub link: ElasticJoint<T>,
+}
+
+/// A mass on a damper to the ground, without a spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DampedMass<T> {
+    /// kg.
+    pub mass: T,
+    /// N·s/m.
+    pub damping: T,
+}
+
+/// A spring and a damper side by side between two masses (Kelvin and Voigt's element).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ElasticJoint<T> {
+    /// N/m.
+    pub stiffness: T,
+    /// N·s/m.
+    pub damping: T,
+}
+
+impl<T: Scalar> TwoMassParts<T> {
+    pub(crate) fn checked(self) -> Result<Self, ParameterError> {
+        let Self { operator, device, link } = self;
+        Requirement::Positive.check("operator.mass", operator.mass)?;
+        Requirement::NonNegative.check("operator.damping", operator.damping)?;
+        Requirement::NonNegative.check("operator.stiffness", operator.stiffness)?;
+        Requirement::Positive.check("device.mass", device.mass)?;
+        Requirement::NonNegative.check("device.damping", device.damping)?;
+        Requirement::Positive.check("link.stiffness", link.stiffness)?;
+        Requirement::NonNegative.check("link.damping", link.damping)?;
+        Ok(self)
+    }
+}

@@ -1,0 +1,45 @@
+//! Messages that do not arrive.
+
+use lyapunov_core::{ParameterError, Requirement};
+
+use super::Channel;
+use crate::{Random, Source};
+
+/// A channel that loses each message with a given probability, independently of the others; the one before it is
+/// there instead.
+///
+/// ```
+/// use lyapunov_plants::{Channel, ConstantDelay, LossyChannel};
+/// let mut channel = LossyChannel::new(ConstantDelay::<_, 4>::new(1, 0.0)?, 1.0, 7, 0.0)?;
+/// assert_eq!([1.0, 2.0, 3.0].map(|message| channel.carry(message)), [0.0; 3]);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct LossyChannel<C, M> {
+    channel: C,
+    probability: f64,
+    random: Random<f64>,
+    sent: M,
+}
+
+impl<C, M> LossyChannel<C, M> {
+    /// `channel`, losing messages with `probability`; before the first that is not lost, `before` is sent.
+    ///
+    /// # Errors
+    /// `probability` not from 0 to 1.
+    pub fn new(channel: C, probability: f64, seed: u64, before: M) -> Result<Self, ParameterError> {
+        Requirement::NonNegative.check("loss probability", probability)?;
+        Requirement::AtMost(1.0).check("loss probability", probability)?;
+        let random = Random::new(|_| seed, Source::Loss);
+        Ok(Self { channel, probability, random, sent: before })
+    }
+}
+
+impl<M: Copy, C: Channel<M>> Channel<M> for LossyChannel<C, M> {
+    fn carry(&mut self, message: M) -> M {
+        if !self.random.chance(self.probability) {
+            self.sent = message;
+        }
+        self.channel.carry(self.sent)
+    }
+}

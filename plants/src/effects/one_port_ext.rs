@@ -1,0 +1,105 @@
+//! Chaining: what acts on a port owns it.
+
+use lyapunov_core::{OnePort, ParameterError, Signal};
+
+use crate::{
+    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass, Noise,
+    Saturation, ZeroOrderHold,
+};
+
+/// What may act on a port, chained like iterator adaptors, innermost first.
+///
+/// Efforts pass outwards and drives inwards, so order means something: `wall.held(10)?.stabilized(c)` watches
+/// at the servo rate, `wall.stabilized(c).held(10)?` only at the environment's. What measures stands outermost:
+/// `port.differenced().encoded(1e-5)?` takes velocities from the encoder's counts.
+pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
+    /// Asks this port on every `ticks`-th call only and holds its effort in between.
+    ///
+    /// # Errors
+    /// `ticks` is 0.
+    fn held(self, ticks: u32) -> Result<ZeroOrderHold<Self, V>, ParameterError> {
+        ZeroOrderHold::new(self, ticks)
+    }
+
+    /// Clips the effort to `±force` on each axis, N.
+    ///
+    /// # Errors
+    /// `force` not above 0 and finite.
+    fn saturated(self, force: V::Scalar) -> Result<Saturation<Self, V::Scalar>, ParameterError> {
+        Saturation::new(self, force)
+    }
+
+    /// Lets the effort act `ticks` calls late; `N` is the room for them.
+    ///
+    /// # Errors
+    /// `ticks` is above `N`.
+    fn delayed<const N: usize>(self, ticks: usize) -> Result<Delay<Self, V, N>, ParameterError> {
+        Delay::new(self, ticks)
+    }
+
+    /// Rounds positions to an encoder's `resolution`, m.
+    ///
+    /// # Errors
+    /// `resolution` not above 0 and finite.
+    fn encoded(self, resolution: V::Scalar) -> Result<Encoder<Self, V>, ParameterError> {
+        Encoder::new(self, resolution)
+    }
+
+    /// Takes velocities from displacements.
+    fn differenced(self) -> BackwardDifference<Self> {
+        BackwardDifference::new(self)
+    }
+
+    /// Takes velocities from displacements behind a low pass of `cutoff`, Hz.
+    ///
+    /// # Errors
+    /// `cutoff` not above 0 and finite, or too large for the scalar.
+    fn low_passed(self, cutoff: V::Scalar) -> Result<LowPass<Self, V>, ParameterError> {
+        LowPass::new(self, cutoff)
+    }
+
+    /// Takes velocities over up to `ticks` calls, as long as positions lie within `band`, m, of a line; `N` is the
+    /// room for them.
+    ///
+    /// # Errors
+    /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
+    fn windowed<const N: usize>(
+        self,
+        ticks: usize,
+        band: V::Scalar,
+    ) -> Result<AdaptiveWindow<Self, V, N>, ParameterError> {
+        AdaptiveWindow::new(self, ticks, band)
+    }
+
+    /// Adds Gaussian noise of a standard `deviation`, m, to positions; `seed` tells that of each lane.
+    ///
+    /// # Errors
+    /// `deviation` below 0, infinite or NaN.
+    fn noisy(
+        self,
+        deviation: V::Scalar,
+        seed: impl Fn(usize) -> u64,
+    ) -> Result<Noise<Self, V>, ParameterError> {
+        Noise::new(self, deviation, seed)
+    }
+
+    /// Loses each answer with a `probability`; `seed` tells that of each lane.
+    ///
+    /// # Errors
+    /// `probability` not within 0 and 1.
+    fn dropped(
+        self,
+        probability: V::Scalar,
+        fallback: Fallback,
+        seed: impl Fn(usize) -> u64,
+    ) -> Result<Dropout<Self, V>, ParameterError> {
+        Dropout::new(self, probability, fallback, seed)
+    }
+
+    /// Turns away samples that are not finite before anything inside is touched.
+    fn guarded(self, fallback: Fallback) -> Guard<Self, V> {
+        Guard::new(self, fallback)
+    }
+}
+
+impl<V: Signal, P: OnePort<V>> OnePortExt<V> for P {}

@@ -1,0 +1,67 @@
+//! A slow environment behind a fast port.
+
+use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+
+/// A port that is asked on every `ticks`-th call only, from the first on; its effort is held in between.
+///
+/// The port inside is handed the sums of what happened meanwhile, so that its work stays exact, on each axis.
+#[derive(Clone, Copy, Debug)]
+pub struct ZeroOrderHold<P, V: Signal> {
+    port: P,
+    ticks: u32,
+    left: u32,
+    missed: Missed<V>,
+    effort: V,
+}
+
+/// What the port inside has not been told of yet.
+#[derive(Clone, Copy, Debug)]
+struct Missed<V: Signal> {
+    period: V::Scalar,
+    displacement: V,
+    work: V,
+}
+
+impl<V: Signal> Missed<V> {
+    #[inline(always)]
+    fn nothing() -> Self {
+        // Added to a number, -0 is what changes no bit of it.
+        let nothing = -V::Scalar::of(0.0);
+        Self { period: nothing, displacement: V::splat(nothing), work: V::splat(nothing) }
+    }
+}
+
+impl<P, V: Signal> ZeroOrderHold<P, V> {
+    pub(crate) fn new(port: P, ticks: u32) -> Result<Self, ParameterError> {
+        Requirement::Positive.check("hold ticks", f64::from(ticks))?;
+        Ok(Self { port, ticks, left: 0, missed: Missed::nothing(), effort: V::zero() })
+    }
+
+    /// The effort that is held, N.
+    #[inline(always)]
+    pub fn effort(&self) -> V {
+        self.effort
+    }
+}
+
+impl<V: Signal, P: OnePort<V>> OnePort<V> for ZeroOrderHold<P, V> {
+    #[inline(always)]
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let period = self.missed.period + sample.period;
+        let displacement = self.missed.displacement + sample.displacement;
+        let work = self.missed.work + sample.work;
+        self.missed = Missed { period, displacement, work };
+        if self.left == 0 {
+            self.left = self.ticks;
+            self.missed = Missed::nothing();
+            self.effort = self.port.respond(&PortSample { period, displacement, work, ..*sample });
+        }
+        self.left -= 1;
+        self.effort
+    }
+
+    #[inline(always)]
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
+    }
+}

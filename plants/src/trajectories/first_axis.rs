@@ -1,0 +1,36 @@
+//! A course along x.
+
+use lyapunov_core::Signal;
+
+use crate::Trajectory;
+
+/// A course of one number on the first axis of a signal, with given values on the others: a load in +x, a hand that
+/// moves along x only.
+///
+/// ```
+/// use lyapunov_plants::{Trajectory, FirstAxis, Pulse};
+/// use nalgebra::Vector2;
+/// let pulse = Pulse::new(3.0, 0.0, 0.1, 1000.0)?;
+/// assert_eq!(FirstAxis::of(pulse, Vector2::new(0.0, 7.0)).at(5), Vector2::new(3.0, 7.0));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstAxis<C, V> {
+    course: C,
+    others: V,
+}
+
+impl<C, V> FirstAxis<C, V> {
+    /// `course` on the first axis and `others` on all others.
+    pub fn of(course: C, others: V) -> Self {
+        Self { course, others }
+    }
+}
+
+impl<V: Signal, C: Trajectory<V::Scalar>> Trajectory<V> for FirstAxis<C, V> {
+    #[inline]
+    fn at(&self, tick: u64) -> V {
+        let mut first = Some(self.course.at(tick));
+        self.others.map(|other| first.take().unwrap_or(other))
+    }
+}

@@ -1,0 +1,21 @@
+//! Values that follow time: where a hand goes, what a load pushes.
+
+mod clock;
+mod constant;
+mod course;
+mod first_axis;
+mod pulse;
+mod ramp;
+mod samples;
+mod sine;
+mod step;
+
+pub use clock::tick_of;
+pub use constant::Constant;
+pub use course::Trajectory;
+pub use first_axis::FirstAxis;
+pub use pulse::Pulse;
+pub use ramp::Ramp;
+pub use samples::Samples;
+pub use sine::Sine;
+pub use step::Step;

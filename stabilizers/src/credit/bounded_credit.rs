@@ -1,0 +1,54 @@
+//! A stored credit of so much and no more.
+
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+};
+
+use crate::LimitCredit;
+
+/// A stabilizer that carries at most so much credit from tick to tick: `L(n) = min(L(n−1), most) − ΔV(n)`.
+///
+/// Whatever was dissipated before, from then on the port gives at most `most` joules more than it absorbs before the
+/// controller acts. An infinite bound changes no bit.
+///
+/// ```
+/// use approx::assert_abs_diff_eq;
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut bounded = popc.bounded(1e-4)?;
+/// let absorbed = PortSample::new(1e-3, 0.01, 0.1, 1e-4, 10.0); // 1 mJ, of which 0.1 mJ is kept
+/// let given = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // 0.2 mJ
+/// bounded.stabilize(&absorbed, 2.0);
+/// let sum: f64 = bounded.stabilize(&given, 2.0).observed_energy;
+/// assert_abs_diff_eq!(sum, -1e-4, epsilon = 1e-12);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct BoundedCredit<S, T> {
+    stabilizer: S,
+    most: T,
+}
+
+impl<S, T: Scalar> BoundedCredit<S, T> {
+    pub(crate) fn new(stabilizer: S, most: T) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer, most: Requirement::Limit.check("most stored credit", most)? })
+    }
+}
+
+impl<T: Scalar, S: LimitCredit<T>> LimitCredit<T> for BoundedCredit<S, T> {
+    #[inline]
+    fn limit_credit(&mut self, most: T) {
+        self.stabilizer.limit_credit(most);
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V> + LimitCredit<V::Scalar>> Stabilizer<V>
+    for BoundedCredit<S, V::Scalar>
+{
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.stabilizer.limit_credit(self.most);
+        self.stabilizer.stabilize(sample, effort)
+    }
+}

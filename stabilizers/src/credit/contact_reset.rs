@@ -1,0 +1,62 @@
+//! Credit that no contact inherits.
+
+use lyapunov_core::{Correction, Gate, Mask, PortSample, Scalar, Signal, Stabilizer};
+
+use crate::LimitCredit;
+
+/// A stabilizer that forgets its credit on the tick on which a gate opens, before that tick is booked.
+///
+/// With the gate of a surface ([`InContact`](lyapunov_core::InContact)) every contact starts without what was dissipated on the
+/// way to it, or in the contact before, and the controller acts as soon as this contact has given more than it took.
+/// Debts stay. A position that is not a number counts as outside.
+///
+/// ```
+/// use approx::assert_abs_diff_eq;
+/// use lyapunov_core::{InContact, PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut popc = popc.reset_at(InContact { position: 0.0 });
+/// let outside = PortSample::new(1e-3, -0.001, 0.1, 1e-4, 10.0);
+/// let inside = PortSample::new(1e-3, 0.001, 0.1, 1e-4, 2.0);
+/// let sums: [f64; 3] = [outside, inside, inside].map(|sample| popc.stabilize(&sample, 2.0).observed_energy);
+/// for (sum, joules) in sums.into_iter().zip([1e-3, 2e-4, 4e-4]) {
+///     assert_abs_diff_eq!(sum, joules, epsilon = 1e-12); // the first in contact is of its own tick only
+/// }
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ContactReset<S, G, T: Scalar> {
+    stabilizer: S,
+    gate: G,
+    inside: T::Mask,
+}
+
+impl<S, G, T: Scalar> ContactReset<S, G, T> {
+    pub(crate) fn new(stabilizer: S, gate: G) -> Self {
+        Self { stabilizer, gate, inside: Mask::of(false) }
+    }
+}
+
+impl<T: Scalar, S: LimitCredit<T>, G> LimitCredit<T> for ContactReset<S, G, T> {
+    #[inline]
+    fn limit_credit(&mut self, most: T) {
+        self.stabilizer.limit_credit(most);
+    }
+}
+
+impl<V, S, G> Stabilizer<V> for ContactReset<S, G, V::Scalar>
+where
+    V: Signal,
+    S: Stabilizer<V> + LimitCredit<V::Scalar>,
+    G: Gate<V>,
+{
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let inside = self.gate.open(sample);
+        let begins = inside & !self.inside;
+        self.inside = inside;
+        let (none, all) = (V::Scalar::of(0.0), V::Scalar::largest());
+        self.stabilizer.limit_credit(V::Scalar::choose(begins, none, all));
+        self.stabilizer.stabilize(sample, effort)
+    }
+}

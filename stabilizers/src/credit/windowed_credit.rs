@@ -1,0 +1,94 @@
+//! Credit that runs out.
+
+use lyapunov_core::{Accumulator, ParameterError, Requirement, Scalar};
+
+/// A sum whose credits run out: `L(n) = min(L(n−1), W(n)) + e(n)`, with `W(n)` the sum of the positive `e` before this one
+/// that are in the last `N` slots.
+///
+/// Each spell pays with the oldest credit first, so the minimum is exactly what has neither been spent nor become
+/// too old. Only dissipation is forgotten: a debt stands until it is paid. A slot is a number of ticks; with one tick a slot
+/// ([`Accumulator::zero`]) the window is `N` ticks, with `k` ([`WindowedCredit::of_ticks`]) it is between `(N − 1) k` and
+/// `N k`. `W` is added up anew on every tick, since a running sum would gather rounding errors for a year: a step costs
+/// `N` additions, so take few slots.
+///
+/// ```
+/// use lyapunov_core::{Accumulator, Plain};
+/// use lyapunov_stabilizers::WindowedCredit;
+/// let mut sum = WindowedCredit::<f64, Plain<f64>, 3>::zero();
+/// sum.add(1.0);
+/// sum.add(-0.25); // is paid from the 1 J
+/// sum.add(0.0);
+/// assert_eq!(sum.value(), 0.75);
+/// sum.add(0.5); // the 1 J is more than three ticks old now
+/// assert_eq!(sum.value(), 0.5);
+/// sum.add(-2.0);
+/// assert_eq!(sum.value(), -1.5);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct WindowedCredit<T, A, const N: usize> {
+    sum: A,
+    slots: [T; N],
+    slot: usize,
+    ticks: u32,
+    left: u32,
+}
+
+impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
+    /// The empty sum, over `N` slots of `ticks` ticks each.
+    ///
+    /// # Errors
+    /// `ticks` is 0.
+    pub fn of_ticks(ticks: u32) -> Result<Self, ParameterError> {
+        Requirement::AtLeast(1.0).check("window ticks", f64::from(ticks))?;
+        let slots = [T::of(0.0); N];
+        Ok(Self { sum: A::zero(), slots, slot: 0, ticks, left: ticks })
+    }
+
+    /// Forgets what is too old, and enters `term` in the present slot.
+    #[inline]
+    fn enter(&mut self, term: T) {
+        let zero = T::of(0.0);
+        if self.left == 0 {
+            self.left = self.ticks;
+            self.slot = if self.slot + 1 < N { self.slot + 1 } else { 0 };
+            if let Some(oldest) = self.slots.get_mut(self.slot) {
+                *oldest = zero;
+            }
+        }
+        self.left -= 1;
+        let window = self.slots.iter().fold(zero, |sum, slot| sum + *slot);
+        self.sum.lower(window);
+        if let Some(slot) = self.slots.get_mut(self.slot) {
+            *slot += term.larger(zero);
+        }
+    }
+}
+
+impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCredit<T, A, N> {
+    #[inline]
+    fn zero() -> Self {
+        Self { sum: A::zero(), slots: [T::of(0.0); N], slot: 0, ticks: 1, left: 1 }
+    }
+
+    #[inline]
+    fn add(&mut self, term: T) {
+        self.enter(term);
+        self.sum.add(term);
+    }
+
+    #[inline]
+    fn add_and_raise(&mut self, term: T, most: T) -> T {
+        self.enter(term);
+        self.sum.add_and_raise(term, most)
+    }
+
+    #[inline]
+    fn lower(&mut self, most: T) {
+        self.sum.lower(most);
+    }
+
+    #[inline]
+    fn value(&self) -> T {
+        self.sum.value()
+    }
+}

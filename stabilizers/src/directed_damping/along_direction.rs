@@ -1,0 +1,44 @@
+//! One direction.
+
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
+
+use super::Metric;
+
+/// The metric of one direction `d` of length 1: `M v = d (d · v)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AlongDirection<V> {
+    direction: V,
+}
+
+impl<V: Signal> AlongDirection<V> {
+    /// The direction of `direction`, which may have any length but 0.
+    ///
+    /// # Errors
+    /// A length that is not above 0 and finite.
+    pub fn new(direction: V) -> Result<Self, ParameterError> {
+        // A NaN on one axis is not seen in the length, which looks for the largest.
+        let sum = direction.map(|axis| axis * V::Scalar::of(0.0)).sum();
+        Requirement::Finite.check("direction", sum)?;
+        let length = Requirement::Positive.check("direction's length", length(direction))?;
+        Ok(Self { direction: direction.map(|axis| axis / length) })
+    }
+}
+
+impl<V: Signal> Metric<V> for AlongDirection<V> {
+    #[inline]
+    fn apply(&self, velocity: V) -> V {
+        self.direction.scale(self.direction.inner(velocity))
+    }
+}
+
+/// `√(Σ xᵢ²)`, with nothing over or under the range on the way: the axes are taken in units of the largest.
+fn length<V: Signal>(signal: V) -> V::Scalar {
+    let mut largest = V::Scalar::of(0.0);
+    let _ = signal.map(|axis| {
+        largest = axis.magnitude().larger(largest);
+        axis
+    });
+    let some = largest.above(V::Scalar::of(0.0));
+    let unit = signal.map(|axis| axis / largest);
+    V::Scalar::choose(some, largest * unit.inner(unit).sqrt(), largest)
+}

@@ -1,0 +1,36 @@
+//! A weight for each axis.
+
+use lyapunov_core::{ParameterError, Requirement, Signal};
+
+use super::Metric;
+
+/// The metric of a weight for each axis: `(M v)ᵢ = wᵢ vᵢ`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisWeights<V> {
+    weights: V,
+}
+
+impl<V: Signal> AxisWeights<V> {
+    /// The weights of the axes, from 0 to 1: of inertias, each over the largest.
+    ///
+    /// # Errors
+    /// A weight below 0, above 1 or NaN.
+    pub fn new(weights: V) -> Result<Self, ParameterError> {
+        let mut checked = Ok(());
+        let _ = weights.map(|weight| {
+            let own = Requirement::NonNegative
+                .check("weight", weight)
+                .and_then(|weight| Requirement::AtMost(1.0).check("weight", weight));
+            checked = checked.and(own.map(|_| ()));
+            weight
+        });
+        checked.map(|()| Self { weights })
+    }
+}
+
+impl<V: Signal> Metric<V> for AxisWeights<V> {
+    #[inline]
+    fn apply(&self, velocity: V) -> V {
+        velocity.times(self.weights)
+    }
+}

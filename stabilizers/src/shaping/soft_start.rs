@@ -1,0 +1,50 @@
+//! Corrections that come in gently.
+
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+};
+
+use super::portion;
+
+/// A stabilizer whose correction rises over the first `N` ticks of each engagement: on the `j`-th tick in debt after
+/// one without, `min(1, j / N)` of it acts.
+///
+/// A debt that shows at once would be served by an impulse; this makes the first ticks softer and the debt last longer.
+/// One tick changes no bit.
+///
+/// ```
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut popc = popc.rising_over(4)?;
+/// let sample = PortSample::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// let first = popc.stabilize(&sample, 0.0);
+/// let second = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 0.0); // the same debt
+/// assert_eq!(second.alpha, 2.0 * first.alpha);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SoftStart<S, T> {
+    stabilizer: S,
+    ticks: T,
+    engaged: T,
+}
+
+impl<S, T: Scalar> SoftStart<S, T> {
+    pub(crate) fn new(stabilizer: S, ticks: u32) -> Result<Self, ParameterError> {
+        let ticks = Requirement::AtLeast(1.0).check("rise ticks", T::of(ticks.into()))?;
+        Ok(Self { stabilizer, ticks, engaged: T::of(0.0) })
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for SoftStart<S, V::Scalar> {
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let correction = self.stabilizer.stabilize(sample, effort);
+        let further = (self.engaged + one).smaller(self.ticks);
+        self.engaged = V::Scalar::choose(correction.observed_energy.below(zero), further, zero);
+        // By division: a product with 1 / N may stay below 1 on the N-th tick.
+        portion(correction, sample, effort, self.engaged / self.ticks)
+    }
+}

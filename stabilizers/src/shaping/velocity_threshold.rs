@@ -1,0 +1,50 @@
+//! No correction at rest.
+
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+};
+
+use super::portion;
+
+/// A stabilizer that corrects only where `|v|` is at least a threshold, m/s.
+///
+/// A debt at a small velocity asks for a large damping, and where the velocity is mostly noise its sign is, too: the
+/// correction then rattles. Hannaford and Ryu (IEEE Transactions on Robotics and Automation 18(1), 2002) see this in
+/// their experiments. Below the threshold nothing is corrected, the whole debt is told as shortfall, and it is served
+/// when the motion is fast enough. Take the threshold of the order of the velocity's resolution, an encoder's count over
+/// the period. 0 changes no bit.
+///
+/// ```
+/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let mut popc = popc.above_velocity(0.05)?;
+/// let slow = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.01, 1e-5, -2.0), 0.0);
+/// assert!(slow.alpha == 0.0 && slow.shortfall == 2e-5);
+/// let fast = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 0.0);
+/// assert!(fast.alpha > 0.0 && fast.shortfall == 0.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct VelocityThreshold<S, T> {
+    stabilizer: S,
+    square: T,
+}
+
+impl<S, T: Scalar> VelocityThreshold<S, T> {
+    pub(crate) fn new(stabilizer: S, velocity: T) -> Result<Self, ParameterError> {
+        let velocity = Requirement::NonNegative.check("velocity threshold", velocity)?;
+        let square = Requirement::InRange.check("velocity threshold", velocity * velocity)?;
+        Ok(Self { stabilizer, square })
+    }
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for VelocityThreshold<S, V::Scalar> {
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let correction = self.stabilizer.stabilize(sample, effort);
+        let slow = sample.velocity.inner(sample.velocity).below(self.square);
+        let share = V::Scalar::choose(slow, V::Scalar::of(0.0), V::Scalar::of(1.0));
+        portion(correction, sample, effort, share)
+    }
+}

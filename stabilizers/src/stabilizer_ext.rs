@@ -1,0 +1,90 @@
+//! Chaining: what changes a stabilizer owns it.
+
+use lyapunov_core::{ParameterError, Scalar, Signal};
+
+use crate::{
+    BoundedCredit, ContactReset, LimitCredit, Lolc, PerAxis, RateLimit, SoftStart, Spread,
+    VelocityThreshold,
+};
+
+/// What may be added to a stabilizer, chained like iterator adaptors; what is not written costs nothing.
+///
+/// What changes the account comes first, what shapes the correction after it:
+///
+/// ```
+/// use lyapunov_core::PortEnergy;
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let gentle = popc.bounded(1e-3)?.spread_over(5)?.rate_limited(2000.0)?;
+/// # let _: &dyn lyapunov_core::Stabilizer<f64> = &gentle;
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+///
+/// A stabilizer of one's own joins by `impl StabilizerExt for Mine {}`, and by [`LimitCredit`] if it has credit.
+pub trait StabilizerExt: Sized {
+    /// Carries at most `most` joules of credit from tick to tick.
+    ///
+    /// # Errors
+    /// `most` below 0 or NaN.
+    fn bounded<T: Scalar>(self, most: T) -> Result<BoundedCredit<Self, T>, ParameterError>
+    where
+        Self: LimitCredit<T>,
+    {
+        BoundedCredit::new(self, most)
+    }
+
+    /// Forgets its credit wherever `gate` opens.
+    fn reset_at<G, T: Scalar>(self, gate: G) -> ContactReset<Self, G, T>
+    where
+        Self: LimitCredit<T>,
+    {
+        ContactReset::new(self, gate)
+    }
+
+    /// Corrects only from `velocity` m/s on.
+    ///
+    /// # Errors
+    /// `velocity` below 0, infinite or NaN, or its square out of range.
+    fn above_velocity<T: Scalar>(
+        self,
+        velocity: T,
+    ) -> Result<VelocityThreshold<Self, T>, ParameterError> {
+        VelocityThreshold::new(self, velocity)
+    }
+
+    /// Pays a debt in `ticks` parts.
+    ///
+    /// # Errors
+    /// `ticks` is 0.
+    fn spread_over<T: Scalar>(self, ticks: u32) -> Result<Spread<Self, T>, ParameterError> {
+        Spread::new(self, ticks)
+    }
+
+    /// Lets the correction rise over the first `ticks` ticks of each engagement.
+    ///
+    /// # Errors
+    /// `ticks` is 0.
+    fn rising_over<T: Scalar>(self, ticks: u32) -> Result<SoftStart<Self, T>, ParameterError> {
+        SoftStart::new(self, ticks)
+    }
+
+    /// Lets the correction grow by at most `rate` N/s on each axis.
+    ///
+    /// # Errors
+    /// `rate` below 0 or NaN.
+    fn rate_limited<V: Signal>(
+        self,
+        rate: V::Scalar,
+    ) -> Result<RateLimit<Self, V>, ParameterError> {
+        RateLimit::new(self, rate)
+    }
+}
+
+impl<T, C, W, A> StabilizerExt for Lolc<T, C, W, A> {}
+impl<S, const N: usize> StabilizerExt for PerAxis<S, N> {}
+impl<S, T> StabilizerExt for BoundedCredit<S, T> {}
+impl<S, G, T: Scalar> StabilizerExt for ContactReset<S, G, T> {}
+impl<S, T> StabilizerExt for VelocityThreshold<S, T> {}
+impl<S, T> StabilizerExt for Spread<S, T> {}
+impl<S, T> StabilizerExt for SoftStart<S, T> {}
+impl<S, V: Signal> StabilizerExt for RateLimit<S, V> {}
