@@ -1,4 +1,4 @@
-//! A frame with two axes, their grid and their numbers.
+//! Frame with two axes, their grid and their numbers.
 
 use super::geometry::{Place, Rect};
 use super::markup::{Anchor, Lettering, Markup};
@@ -10,14 +10,14 @@ use super::ticks::Ticks;
 
 pub(super) const TICK_LENGTH: f64 = 3.5;
 
-/// On which side of the frame the numbers of the ordinate stand.
+/// Side of the frame on which the numbers of the ordinate stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     Left,
     Right,
 }
 
-/// A frame on the page and the ranges that it shows.
+/// Frame on the page and the ranges that it shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axes {
     pub(super) area: Rect,
@@ -26,7 +26,7 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// Where a point of the data stands on the page; it may lie outside the frame.
+    /// Place on the page of a point of the data, which may lie outside the frame.
     pub(super) fn place(&self, (x, y): (f64, f64)) -> Place {
         (
             self.area.left + self.x.fraction(x) * self.area.width,
@@ -35,18 +35,18 @@ impl Axes {
     }
 }
 
-/// The numbers along both axes.
+/// Numbers along both axes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Numbers {
     pub(super) x: Ticks,
     pub(super) y: Ticks,
     pub(super) size: f64,
     pub(super) side: Side,
-    /// Whether lines may run beneath the numbers.
+    /// The numbers get a halo, so that lines may run beneath them.
     pub(super) halo: bool,
 }
 
-/// Numbers of the abscissa, as many as stand apart from each other.
+/// Numbers of the abscissa, as many as fit without touching.
 pub(super) fn x_ticks(span: Span, numbering: Numbering, width: f64, size: f64) -> Ticks {
     let mut count = ((width / (5.0 * size)) as usize).clamp(2, 12);
     if numbering == Numbering::PowersOfTen {
@@ -65,7 +65,7 @@ pub(super) fn x_ticks(span: Span, numbering: Numbering, width: f64, size: f64) -
     }
 }
 
-/// Numbers of the ordinate, as many as stand apart from each other.
+/// Numbers of the ordinate, as many as fit without touching.
 pub(super) fn y_ticks(span: Span, numbering: Numbering, height: f64, size: f64) -> Ticks {
     let count = ((height / (2.1 * size)) as usize).clamp(2, 12);
     match numbering {
@@ -137,7 +137,7 @@ pub(super) fn draw_frame(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
     markup.outline(area, Stroke::solid(FRAME, 0.8));
 }
 
-/// Writes what the numbers leave out inside the frame, for axes without a margin of their own.
+/// Writes the common factors and offsets inside the frame, for axes without a margin of their own.
 pub(super) fn draw_notes_inside(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
     let area = axes.area;
     let lettering =

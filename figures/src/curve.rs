@@ -1,4 +1,4 @@
-//! A series as it stands on the page.
+//! Series on the page.
 
 use super::axes::Axes;
 use super::geometry::{Place, Rect};
@@ -9,7 +9,7 @@ use super::thinning::{thinned, thinned_dots};
 
 const DOT_DIAMETER: f64 = 3.4;
 
-/// A series as it stands on the page: thinned, and cut off at the frame.
+/// Series on the page, thinned and cut off at the frame.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Curve {
     stroke: Stroke,
@@ -48,7 +48,7 @@ impl Curve {
         self.lines.extend(area.cut_all(&path));
     }
 
-    /// How much of the curve an opaque area would hide, in pieces.
+    /// Number of pieces of the curve that an opaque area would hide.
     pub(super) fn pieces_within(&self, area: &Rect) -> usize {
         let pieces = self
             .lines
@@ -65,7 +65,7 @@ impl Curve {
     }
 }
 
-/// The series on the page, split where a point is not finite.
+/// Parts of the series on the page, split where a point is not finite.
 fn runs(series: &Series, axes: &Axes) -> Vec<Vec<Place>> {
     // More gaps than this cannot be seen; the curve is drawn through them.
     const MOST_GAPS: usize = 500;
@@ -84,7 +84,7 @@ fn runs(series: &Series, axes: &Axes) -> Vec<Vec<Place>> {
     if as_one { vec![runs.concat()] } else { runs }
 }
 
-/// The path of values that are held until the next point.
+/// Path of values that are held until the next point.
 fn held(points: &[Place]) -> Vec<Place> {
     let first = points.first().copied();
     let steps = points.windows(2).flat_map(|pair| [(pair[1].0, pair[0].1), pair[1]]);

@@ -1,9 +1,9 @@
-//! A figure of one or several panels.
+//! Figure of one or several panels.
 
 use super::page;
 use super::panel::Panel;
 
-/// A figure of one or several panels, row by row.
+/// Figure of one or several panels, row by row.
 ///
 /// The same figure always gives the same bytes, as SVG and as PNG.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! Rectangles on the page, and lines cut off at their edges.
 
-/// A place on the page, in units of the drawing; the ordinate grows downwards.
+/// Place on the page, in units of the drawing; the ordinate grows downwards.
 pub(super) type Place = (f64, f64);
 
-/// A rectangle on the page.
+/// Rectangle on the page.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rect {
     pub(super) left: f64,

@@ -1,6 +1,6 @@
 //! Reference lines: a level, a limit, the moment of an event.
 
-/// Which way a guide runs.
+/// Direction of a guide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// Along the abscissa, at one ordinate.
@@ -9,16 +9,16 @@ pub enum Direction {
     Vertical,
 }
 
-/// A dashed grey line across a panel, with a label.
+/// Dashed grey line across a panel, with a label.
 ///
 /// The panel's automatic range includes it; one outside a given range is not drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Guide {
-    /// Which way the line runs.
+    /// Direction of the line.
     pub direction: Direction,
-    /// Where it stands on the other axis, in that axis's unit.
+    /// Its value on the other axis, in that axis's unit.
     pub at: f64,
-    /// Text beside the line, set where it covers least; may be empty.
+    /// Text beside the line, placed where it covers least; may be empty.
     pub label: String,
 }
 

@@ -1,4 +1,4 @@
-//! A field of colours over a frame.
+//! Heat map over a frame.
 
 use super::axes::TICK_LENGTH;
 use super::geometry::Rect;
@@ -8,14 +8,14 @@ use super::picture;
 use super::span::Span;
 use super::ticks::Ticks;
 
-/// Room to the right of a frame for the key of its colours.
+/// Room to the right of a frame for the colour key.
 pub(super) const KEY_ROOM: f64 = 64.0;
 
 const KEY_WIDTH: f64 = 11.0;
 const KEY_GAP: f64 = 10.0;
 const NUMBER_SIZE: f64 = 11.0;
 
-/// Steps of a ramp: from light to dark in even steps of lightness, so that it reads in grey too.
+/// Colour ramp from light to dark in even steps of lightness, so that it also reads in grey.
 const RAMP: [[u8; 3]; 6] = [
     [0xf1, 0xf5, 0xd8],
     [0xb9, 0xdd, 0xb5],
@@ -25,17 +25,17 @@ const RAMP: [[u8; 3]; 6] = [
     [0x1b, 0x20, 0x4f],
 ];
 
-/// What is not there.
+/// Colour of a missing value.
 const NOTHING: [u8; 3] = [0xff, 0xff, 0xff];
 
-/// A value for each element of a grid that fills its frame.
+/// Heat map: a value for each element of a grid that fills the frame.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct HeatMap {
-    /// How many elements stand side by side.
+    /// Number of elements in a row.
     pub columns: usize,
-    /// The values, row by row from the bottom; where one is not finite the paper shows.
+    /// The values, row by row from the bottom; one that is not finite leaves its element white.
     pub values: Vec<f64>,
-    /// Range of the colours; by default what the values cover.
+    /// Range of the colours; by default the range of the values.
     pub range: Option<(f64, f64)>,
 }
 
@@ -72,7 +72,7 @@ impl HeatMap {
         }
     }
 
-    /// The key of the colours, to the right of the frame.
+    /// Draws the colour key to the right of the frame.
     pub(super) fn draw_key(&self, markup: &mut Markup, frame: Rect) {
         const STEPS: usize = 64;
         let span = self.span();

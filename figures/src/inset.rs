@@ -1,6 +1,6 @@
-//! A magnified part of a panel.
+//! Magnified part of a panel.
 
-/// Where the magnified part is drawn.
+/// Place of the magnified part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Placement {
     /// Inside the panel if a corner is free of data, beside it otherwise.
@@ -12,14 +12,14 @@ pub enum Placement {
     Beside,
 }
 
-/// A magnified part of a panel; the magnified range is marked in the panel.
+/// Magnified part of a panel; the magnified range is marked in the panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inset {
     /// Range of the abscissa that is magnified; an inset whose range is not finite is left out.
     pub x_range: (f64, f64),
-    /// Range of the ordinate; by default what the data cover within `x_range`.
+    /// Range of the ordinate; by default the range of the data within `x_range`.
     pub y_range: Option<(f64, f64)>,
-    /// Where the magnified part is drawn.
+    /// Place of the magnified part.
     pub placement: Placement,
 }
 

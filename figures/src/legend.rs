@@ -1,4 +1,4 @@
-//! Which colour is which series.
+//! Legend of the series.
 
 use super::geometry::{Place, Rect};
 use super::markup::{Anchor, Lettering, Markup};
@@ -11,7 +11,7 @@ const SWATCH: f64 = 20.0;
 const BETWEEN: f64 = 16.0;
 pub(super) const ROW_HEIGHT: f64 = 17.0;
 
-/// One name of the legend with its sample of the line.
+/// Name in the legend with a piece of its line.
 #[derive(Debug, Clone, PartialEq)]
 struct Entry {
     label: String,

@@ -1,9 +1,9 @@
 //! Figures for print and screen: data in, SVG out, and PNG with the feature `png`.
 //!
 //! A [`Figure`] holds [`Panel`]s, a panel holds [`Series`], [`Guide`]s and at most one magnified
-//! [`Inset`]. The typeface is shipped along, so that a figure looks the same on every machine and
-//! needs neither fonts nor programs there. Curves of any length stay small: no more is written
-//! than the page can show.
+//! [`Inset`]. The typeface is included, so that a figure looks the same on every machine and
+//! needs neither fonts nor programs there. Curves of any length give small files: only the points
+//! that the page can show are written.
 //!
 //! Feature `png` (off by default): `Figure::to_png` and what it needs, a rasteriser.
 //!

@@ -1,4 +1,4 @@
-//! A magnified part of a panel as it stands on the page.
+//! Magnified part of a panel on the page.
 
 use super::axes::{self, Axes, Numbers, Side};
 use super::curve::Curve;
@@ -14,14 +14,14 @@ const SIZE: f64 = 9.5;
 const MARK: Stroke = Stroke::solid("#444444", 0.8);
 const CONNECTION: Stroke = Stroke::solid("#b0b0b0", 0.8);
 
-/// A magnified part of a panel as it stands on the page.
+/// Magnified part of a panel on the page.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Magnifier {
     axes: Axes,
     numbers: Numbers,
-    /// The frame with its numbers.
+    /// Area of the frame with its numbers.
     pub(super) outer: Rect,
-    /// The magnified range in the panel, if the panel shows it.
+    /// Area of the magnified range in the panel, if the panel shows it.
     pub(super) mark: Option<Rect>,
 }
 
@@ -141,7 +141,7 @@ fn mark(axes: &Axes, x: Span, y: Span) -> Option<Rect> {
 }
 
 impl Magnifier {
-    /// Draws what leads the eye from the magnified range to the frame, beneath the curves.
+    /// Draws the lines from the magnified range to the frame, beneath the curves.
     pub(super) fn draw_connections(&self, markup: &mut Markup) {
         markup.lines(&self.connections(), CONNECTION);
     }
@@ -151,7 +151,7 @@ impl Magnifier {
             markup.outline(mark, MARK);
         }
         markup.area(self.outer, PAPER);
-        // Numbers stand to the left of the frame and below it; a line through them would be read as one of them.
+        // Numbers stand to the left of the frame and below it; a line through a number would change how it reads.
         if self.mark.is_some_and(|mark| is_above(mark, self.axes.area)) {
             let connections = self.connections().into_iter();
             let hidden: Vec<(Place, Place)> =

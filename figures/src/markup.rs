@@ -1,4 +1,4 @@
-//! Writing a drawing down as SVG.
+//! SVG text of a drawing.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use super::geometry::{Place, Rect};
 use super::palette::{PAPER, Stroke};
 use super::text::{FAMILIES, Weight};
 
-/// Which end of a text stands at its place.
+/// Part of a text that its place refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -14,16 +14,16 @@ pub(super) enum Anchor {
     End,
 }
 
-/// How a text is set.
+/// Size, colour and position of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lettering {
     pub(super) size: f64,
     pub(super) weight: Weight,
     pub(super) colour: &'static str,
     pub(super) anchor: Anchor,
-    /// Paper around the letters, so that they stay readable on top of lines.
+    /// A white outline keeps the letters readable on top of lines.
     pub(super) halo: bool,
-    /// Reads from bottom to top.
+    /// The text reads from bottom to top.
     pub(super) upright: bool,
 }
 
@@ -33,7 +33,7 @@ impl Lettering {
     }
 }
 
-/// A drawing in the making. Numbers are rounded to a hundredth of a unit.
+/// Drawing in the making. Numbers are rounded to a hundredth of a unit.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Markup {
     body: String,
@@ -65,7 +65,7 @@ impl Markup {
         ));
     }
 
-    /// A picture that fills an area, element by element with sharp edges; `link` is a `data:` link.
+    /// Draws a bitmap over an area, with sharp edges between its pixels; `link` is a `data:` link.
     pub(super) fn picture(&mut self, area: Rect, link: &str) {
         self.push(format_args!(
             "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
@@ -88,7 +88,7 @@ impl Markup {
         ));
     }
 
-    /// Separate straight lines of one stroke.
+    /// Draws separate straight lines of one stroke.
     pub(super) fn lines(&mut self, lines: &[(Place, Place)], stroke: Stroke) {
         let data: String = lines
             .iter()
@@ -102,7 +102,7 @@ impl Markup {
         self.stroked(&data, stroke, "");
     }
 
-    /// Lines through many points.
+    /// Draws lines through many points.
     pub(super) fn curves(&mut self, curves: &[Vec<Place>], stroke: Stroke) {
         let data: String = curves
             .iter()
@@ -121,7 +121,7 @@ impl Markup {
         self.stroked(&data, stroke, " stroke-linejoin=\"round\"");
     }
 
-    /// Dots of one colour: lines of no length with round ends, the shortest way to write them.
+    /// Draws dots of one colour, as lines of no length with round ends: the shortest way to write them.
     pub(super) fn dots(&mut self, dots: &[Place], colour: &'static str, diameter: f64) {
         let data: String =
             dots.iter().map(|(x, y)| format!("M{} {}h0", number(*x), number(*y))).collect();
@@ -178,7 +178,7 @@ impl Markup {
     }
 }
 
-/// Writes the points of a path, each as short as it can be written.
+/// Writer of the points of a path, each in its shortest form.
 #[derive(Debug, Default)]
 struct Pen {
     data: String,
@@ -219,7 +219,7 @@ fn number(value: f64) -> String {
     if short == "-0" { "0".to_owned() } else { short.to_owned() }
 }
 
-/// The text with everything replaced that XML reads as markup or does not allow.
+/// The text, with every character replaced that XML reads as markup or does not allow.
 fn escaped(text: &str) -> String {
     let mut result = String::with_capacity(text.len());
     for character in text.chars() {

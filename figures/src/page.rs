@@ -1,4 +1,4 @@
-//! Where everything stands on the page.
+//! Layout of the page.
 
 use super::axes::{self, Axes, Numbers, Side};
 use super::curve::Curve;
@@ -25,7 +25,7 @@ const NUMBER_SIZE: f64 = 11.0;
 const LABEL_SIZE: f64 = 12.0;
 const TITLE_SIZE: f64 = 15.0;
 
-/// A panel with what its size depends on.
+/// Panel with the ranges and widths that its layout depends on.
 #[derive(Debug)]
 struct Cell<'a> {
     panel: &'a Panel,
@@ -76,7 +76,7 @@ pub(super) fn compose(figure: &Figure) -> String {
     markup.finish(width, (top + MARGIN).max(40.0).ceil(), &figure.title)
 }
 
-/// Whether every panel has the same legend, so that one above them all does.
+/// Whether every panel has the same legend, so that one legend above all of them is enough.
 fn has_shared_legend(panels: &[Panel]) -> bool {
     let looks = |panel: &Panel| -> Vec<(String, Stroke, bool)> {
         panel
@@ -186,7 +186,7 @@ impl<'a> Cell<'a> {
     }
 
     fn room_below(&self) -> f64 {
-        // The finest numbers are the likeliest to need a factor beside the label.
+        // With the most numbers that an axis can have, a factor beside the label is the likeliest.
         let is_plain = self.panel.x_numbers == Numbering::Plain;
         let has_note = is_plain && !Ticks::within(self.x, 12).note.is_empty();
         let has_label = has_note || !self.panel.x_label.trim().is_empty();
@@ -239,7 +239,7 @@ impl<'a> Cell<'a> {
         self.draw_y_label(markup, area, numbers_width);
     }
 
-    /// Writes the names of the axes and what their numbers leave out.
+    /// Writes the names of the axes and the factors and offsets that their numbers leave out.
     ///
     /// A magnified part beside the frame shares the name of the abscissa, unless a factor of the
     /// frame's own numbers stands between.

@@ -3,11 +3,11 @@
 use super::series::{Series, Trace};
 
 /// Colours of the series, in the order of their index: those of Okabe and Ito that stand out on
-/// white, told apart with every common form of colour blindness.
+/// white and stay distinct with every common form of colour blindness.
 pub const PALETTE: [&str; 7] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 
-/// The same by half on paper, and grey: of broad bars a dash would not show the end.
+/// Colours of broad bars: the palette mixed half with white, and grey for black. Dashes would hide where a bar ends.
 const TINTS: [&str; 7] =
     ["#80b9d9", "#eaaf80", "#80cfb9", "#e6bcd3", "#f3cf80", "#abdaf4", "#9a9a9a"];
 
@@ -20,10 +20,10 @@ pub(super) const FRAME: &str = "#444444";
 pub(super) const GRID: &str = "#e4e4e4";
 pub(super) const PAPER: &str = "#ffffff";
 
-/// How broad a bar is.
+/// Width of a bar.
 const BAR: f64 = 11.0;
 
-/// How a line is stroked.
+/// Colour, width and dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stroke {
     pub(super) colour: &'static str,

@@ -1,4 +1,4 @@
-//! One pair of axes and what is drawn on it.
+//! Pair of axes with everything drawn on it.
 
 use super::guide::{Direction, Guide};
 use super::heat::HeatMap;
@@ -6,17 +6,17 @@ use super::inset::Inset;
 use super::series::{Series, Trace};
 use super::span::Span;
 
-/// How the numbers of an axis are written.
+/// Form of the numbers of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Numbering {
-    /// As they are.
+    /// The numbers themselves.
     #[default]
     Plain,
-    /// The data are exponents of ten, and what stands at the axis are the powers: a logarithmic axis.
+    /// Logarithmic axis: the data are exponents of ten, the numbers at the axis are the powers.
     PowersOfTen,
 }
 
-/// One pair of axes and what is drawn on it.
+/// Pair of axes with everything drawn on it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Panel {
     /// Heading, such as "(a) position".
@@ -25,23 +25,23 @@ pub struct Panel {
     pub x_label: String,
     /// Name and unit of the ordinate, such as "position, mm".
     pub y_label: String,
-    /// Range of the abscissa; by default what series and guides cover.
+    /// Range of the abscissa; by default the range of series and guides.
     pub x_range: Option<(f64, f64)>,
-    /// Range of the ordinate; by default what series and guides cover, with a little room.
+    /// Range of the ordinate; by default the range of series and guides, with a little room.
     pub y_range: Option<(f64, f64)>,
-    /// How the numbers of the abscissa are written.
+    /// Form of the numbers of the abscissa.
     pub x_numbers: Numbering,
-    /// How the numbers of the ordinate are written.
+    /// Form of the numbers of the ordinate.
     pub y_numbers: Numbering,
-    /// Names in the place of the numbers of the ordinate; empty: there are numbers.
+    /// Names instead of numbers at the ordinate; if empty, the numbers are written.
     pub rows: Vec<String>,
-    /// A field of colours below everything else, over the whole frame.
+    /// Heat map below everything else, over the whole frame.
     pub heat: Option<HeatMap>,
     /// Curves, the first one lowest.
     pub series: Vec<Series>,
     /// Reference lines.
     pub guides: Vec<Guide>,
-    /// A magnified part.
+    /// Magnified part.
     pub inset: Option<Inset>,
 }
 
@@ -60,7 +60,7 @@ impl Panel {
         }
     }
 
-    /// The same panel with one curve more, on top of those before it.
+    /// The same panel with one curve more, on top of the earlier ones.
     #[must_use]
     pub fn with_series(mut self, series: Series) -> Self {
         self.series.push(series);
@@ -74,20 +74,20 @@ impl Panel {
         self
     }
 
-    /// The same panel on a field of colours.
+    /// The same panel on a heat map.
     #[must_use]
     pub fn with_heat(mut self, heat: HeatMap) -> Self {
         self.heat = Some(heat);
         self
     }
 
-    /// The same panel with the numbers of both axes written so.
+    /// The same panel with these forms of the numbers of both axes.
     #[must_use]
     pub fn with_numbers(self, x_numbers: Numbering, y_numbers: Numbering) -> Self {
         Self { x_numbers, y_numbers, ..self }
     }
 
-    /// The same panel with a row for each name in the place of an ordinate: number `i`, from the top, is where `y = −i`.
+    /// The same panel with named rows instead of an ordinate: row `i`, from the top, is at `y = −i`.
     #[must_use]
     pub fn with_rows(self, rows: Vec<String>) -> Self {
         let last = rows.len().saturating_sub(1) as f64;
@@ -125,7 +125,7 @@ impl Panel {
             .any(|series| series.trace == Trace::Dots || series.points.len() == 1);
         let has_bars = self.series.iter().any(|series| series.trace == Trace::Bars);
         let room = if has_dots { 0.03 } else { 0.0 };
-        // A bar stands on one edge, and that it ends has to be seen at the other.
+        // A bar starts at the low edge; room at the high edge shows where it ends.
         let shown = |span: Span| if has_bars { span.beyond(0.03) } else { span.padded(room) };
         Span::given(self.x_range)
             .or_else(|| automatic.map(|span| shown(span.readable())))
@@ -143,7 +143,7 @@ impl Panel {
             .unwrap_or(Span::UNIT)
     }
 
-    /// What the data alone cover over `x`, for a magnified part.
+    /// Range of the data alone, without guides, over `x`, for a magnified part.
     pub(super) fn data_span(&self, x: Span) -> Option<Span> {
         let points = self.finite_points().filter(|point| x.contains(point.0)).map(|(_, y)| y);
         Span::of(points).map(|span| span.readable().padded(0.08))

@@ -1,14 +1,14 @@
-//! A small picture as a PNG within a link, for what as rectangles would be a hundred times larger.
+//! Bitmap as a PNG within a link, a hundredth of the size of the same elements as rectangles.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
-/// How hard the bytes are pressed; beyond 6 it takes longer and gains next to nothing.
+/// Level of the compression; above 6 it takes longer and gains next to nothing.
 const LEVEL: u8 = 6;
 
-/// The link, `data:` and all, to a picture of `colour`s (red, green, blue) by column and row from the top left; none if
-/// it has no pixels, or more than a PNG counts.
+/// Link, with `data:`, to a bitmap of `colour`s (red, green, blue) by column and row from the top left; none if it has
+/// no pixels, or more columns or rows than a PNG can count.
 pub(super) fn link(
     columns: usize,
     rows: usize,
@@ -20,17 +20,17 @@ pub(super) fn link(
     }
     let mut lines = Vec::with_capacity(rows * (3 * columns + 1));
     for row in 0..rows {
-        // The filter of the line: none.
+        // The filter of the line is none.
         lines.push(0);
         (0..columns).for_each(|column| lines.extend(colour(column, row)));
     }
     Some(format!("data:image/png;base64,{}", STANDARD.encode(png(size, &lines))))
 }
 
-/// The PNG (ISO/IEC 15948) of `lines` of red, green and blue, 8 bits each, every line behind its filter.
+/// PNG (ISO/IEC 15948) of `lines` of red, green and blue, 8 bits each, every line after its filter byte.
 fn png([columns, rows]: [u32; 2], lines: &[u8]) -> Vec<u8> {
     let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
-    // 8 bits a part, parts red, green and blue, one way each to compress, filter and order.
+    // 8 bits per channel, colour type RGB, and 0 for compression, filter and interlace methods.
     let form = [8, 2, 0, 0, 0];
     chunk(&mut bytes, b"IHDR", &[&columns.to_be_bytes()[..], &rows.to_be_bytes(), &form].concat());
     chunk(&mut bytes, b"IDAT", &compress_to_vec_zlib(lines, LEVEL));
@@ -47,7 +47,7 @@ fn chunk(bytes: &mut Vec<u8>, name: &[u8; 4], content: &[u8]) {
     bytes.extend(check.to_be_bytes());
 }
 
-/// The cyclic redundancy check of PNG, bit by bit.
+/// Cyclic redundancy check of PNG, bit by bit.
 fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |check, byte| {
         (0..8).fold(check ^ u32::from(*byte), |check, _| {
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_pixels_has_no_link() {
+    fn a_bitmap_without_pixels_has_no_link() {
         assert_eq!(link(0, 3, |_, _| [0; 3]), None);
         assert_eq!(link(3, 0, |_, _| [0; 3]), None);
     }

@@ -1,4 +1,4 @@
-//! Guides as they stand on the page, with labels that cover as little as they can.
+//! Guides on the page, with labels that cover as little as possible.
 
 use super::axes::Axes;
 use super::curve::Curve;
@@ -19,7 +19,7 @@ pub(super) fn draw_lines(markup: &mut Markup, guides: &[Guide], axes: &Axes) {
     }
 }
 
-/// Writes the labels, away from the curves and from what else is `taken` as far as possible.
+/// Writes the labels where they cover least of the curves, of other guides and of the areas already `taken`.
 pub(super) fn draw_labels(
     markup: &mut Markup,
     guides: &[Guide],
@@ -53,7 +53,7 @@ pub(super) fn draw_labels(
     }
 }
 
-/// A place for a label.
+/// Place for a label.
 #[derive(Debug, Clone, Copy)]
 struct Site {
     area: Rect,

@@ -1,6 +1,6 @@
-//! Data of one curve.
+//! Data and drawing style of one curve.
 
-/// How the points of a series are drawn.
+/// Form in which the points of a series are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Trace {
     /// Straight lines from point to point.
@@ -10,22 +10,22 @@ pub enum Trace {
     Steps,
     /// One dot per point.
     Dots,
-    /// A broad bar from each point to the next; a point that is not finite ends one.
+    /// A broad bar from each point to the next; a point that is not finite ends a bar.
     Bars,
 }
 
-/// Data of one curve, and how it is drawn.
+/// Data and drawing style of one curve.
 ///
 /// Points with a coordinate that is NaN or infinite are not drawn and leave a gap.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Series {
-    /// Name in the legend; an empty one leaves the series out of the legend.
+    /// Name in the legend; a series with an empty name is left out of it.
     pub label: String,
     /// Index into [`PALETTE`](super::PALETTE); beyond its end the colours repeat with dashes.
     pub colour: usize,
     /// Abscissa and ordinate of each point, in the units that the axis labels name.
     pub points: Vec<(f64, f64)>,
-    /// How the points are drawn.
+    /// Form in which the points are drawn.
     pub trace: Trace,
     /// Draws the curve dashed, so that one beneath it stays visible.
     pub dashed: bool,

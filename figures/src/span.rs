@@ -1,6 +1,6 @@
-//! The range of an axis.
+//! Range of an axis.
 
-/// The range of an axis, in the axis's unit.
+/// Range of an axis, in the axis's unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Span {
     pub(super) low: f64,
@@ -8,10 +8,10 @@ pub(super) struct Span {
 }
 
 impl Span {
-    /// What axes without any data show.
+    /// Range of axes without any data.
     pub(super) const UNIT: Self = Self { low: 0.0, high: 1.0 };
 
-    /// What the finite ones among the values cover.
+    /// Range of the finite ones among the values.
     pub(super) fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         values.into_iter().filter(|value| value.is_finite()).fold(None, |span, value| match span {
             None => Some(Self { low: value, high: value }),
@@ -26,7 +26,7 @@ impl Span {
         (first.is_finite() && second.is_finite()).then(|| span.readable())
     }
 
-    /// Half the width, which is finite even where the width is not.
+    /// Half the width, which is finite even where the width overflows.
     pub(super) fn half_width(self) -> f64 {
         self.high * 0.5 - self.low * 0.5
     }
@@ -35,7 +35,7 @@ impl Span {
         self.low <= value && value <= self.high
     }
 
-    /// The range itself, or a wider one about it where rounding would blur its ends into one.
+    /// The range itself, or a wider one about it where rounding would merge its ends.
     pub(super) fn readable(self) -> Self {
         const SMALLEST: f64 = 1e-290;
         let largest = self.low.abs().max(self.high.abs());
@@ -58,7 +58,7 @@ impl Span {
         Self { low: self.low, ..self.padded(share) }
     }
 
-    /// Where the value lies: 0 at the low end, 1 at the high one.
+    /// Position of the value in the range: 0 at the low end, 1 at the high end.
     ///
     /// Limited to a million widths, so that a far value keeps its direction and stays finite.
     pub(super) fn fraction(self, value: f64) -> f64 {
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn the_widest_range_still_tells_where_a_value_lies() {
+    fn the_widest_range_still_places_a_value() {
         let span = Span::of([f64::MIN, f64::MAX]).unwrap().readable();
         assert_eq!(span.fraction(f64::MIN), 0.0);
         assert_eq!(span.fraction(0.0), 0.5);

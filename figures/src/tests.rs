@@ -1,4 +1,4 @@
-//! What a user of the figures relies on, and pictures to look at.
+//! Tests of the figures from outside, and pictures to look at.
 
 use resvg::tiny_skia::Pixmap;
 

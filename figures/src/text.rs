@@ -1,11 +1,11 @@
-//! The typeface, and how much room a text takes in it.
+//! The typeface, and the widths of texts in it.
 
 use ttf_parser::Face;
 
-/// The family that the drawing asks for, and stand-ins of about its width and look.
+/// Font families of the drawing: the one wanted first, then substitutes of about its width and look.
 pub(super) const FAMILIES: &str = "'DejaVu Sans', Verdana, Helvetica, Arial, sans-serif";
 
-/// How heavy a text is set.
+/// Weight of the typeface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Weight {
     Regular,

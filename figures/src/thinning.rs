@@ -1,13 +1,13 @@
-//! Fewer points where more cannot be told apart.
+//! Thinning of points that the page cannot show apart.
 
 use std::collections::HashSet;
 
 use super::geometry::Place;
 
-/// Most points kept of a curve that runs back and forth.
+/// Largest number of points kept of a curve that runs back and forth.
 const MOST_POINTS: usize = 4000;
 
-/// Most dots kept of a cloud.
+/// Largest number of dots kept of a cloud.
 const MOST_DOTS: usize = 6000;
 
 /// The curve with at most four points for each unit of the abscissa: the first, the lowest, the
@@ -65,7 +65,7 @@ pub(super) fn thinned_dots(points: Vec<Place>) -> Vec<Place> {
     }
 }
 
-/// The points that lie apart from the one kept before them, and the last one.
+/// The points that lie apart from the last kept one, and the final point.
 fn moving(points: &[Place]) -> Vec<Place> {
     const APART: f64 = 0.4;
     let mut kept: Vec<Place> = Vec::new();

@@ -1,15 +1,15 @@
-//! Round numbers along an axis, and how they are written.
+//! Round numbers along an axis, and their labels.
 
 use super::span::Span;
 
-/// A round number on an axis.
+/// Round number on an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
     pub(super) value: f64,
     pub(super) label: String,
 }
 
-/// Round numbers within a range, and what their labels leave out.
+/// Round numbers within a range, with the factor and offset that their labels leave out.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ticks {
     pub(super) marks: Vec<Tick>,
@@ -17,7 +17,7 @@ pub(super) struct Ticks {
     pub(super) note: String,
 }
 
-/// A step of 1, 2 or 5 times a power of ten.
+/// Step of 1, 2 or 5 times a power of ten.
 #[derive(Debug, Clone, Copy)]
 struct Step {
     mantissa: i64,
@@ -68,7 +68,8 @@ impl Ticks {
         }
     }
 
-    /// Powers of ten where the span is of their exponents: `count` at most, and between few of them their double and fivefold.
+    /// At most `count` powers of ten, where the span is that of their exponents; between few of them also their double
+    /// and fivefold.
     pub(super) fn powers(span: Span, count: usize) -> Self {
         const FEW: f64 = 1.5;
         let (first, last) = (span.low.floor() as i32, span.high.ceil() as i32);
@@ -77,7 +78,7 @@ impl Ticks {
         let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(stride) == 0);
         let all = exponents
             .flat_map(|exponent| between.iter().map(move |&multiple| (multiple, exponent)));
-        // One way of writing for all of an axis.
+        // All numbers of an axis are written in one form.
         let plain = -2.0 <= span.low && span.high <= 4.0;
         let marks = all
             .map(|(multiple, exponent)| Tick {
@@ -129,7 +130,7 @@ fn scaled(multiple: i64, exponent: i32) -> f64 {
     format!("{multiple}e{exponent}").parse().unwrap_or(0.0)
 }
 
-/// What to take off the labels so that they need no more than a few digits.
+/// Offset to take off the labels so that they need only a few digits.
 fn common_base(multiples: &[i64]) -> i64 {
     const LONGEST: i64 = 1_000_000;
     let (Some(&first), Some(&last)) = (multiples.first(), multiples.last()) else {
@@ -168,7 +169,7 @@ fn decimal(multiple: i64, exponent: i32) -> String {
     format!("{sign}{whole}.{fraction}")
 }
 
-/// The number as short as it can be written on its own.
+/// The number in the shortest form that needs no common factor.
 fn complete(multiple: i64, exponent: i32) -> String {
     let digits = multiple.to_string();
     let leading = digits.len() as i32 - 1 + exponent;

@@ -1,8 +1,8 @@
-//! What can go wrong when a figure becomes a picture.
+//! Errors of making a PNG of a figure.
 
 use std::fmt;
 
-/// Why a figure could not be made into a PNG.
+/// Reason why a figure could not be made into a PNG.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum ChartError {
@@ -13,19 +13,19 @@ pub enum ChartError {
     },
     /// The picture would have more pixels than [`MOST_PIXELS`](super::MOST_PIXELS).
     TooLarge {
-        /// Width of the refused picture, in pixels.
+        /// Width of the rejected picture, in pixels.
         width: f64,
-        /// Height of the refused picture, in pixels.
+        /// Height of the rejected picture, in pixels.
         height: f64,
     },
-    /// The rasteriser refused the drawing.
+    /// The rasteriser rejected the drawing.
     Drawing {
-        /// What the rasteriser said.
+        /// Message of the rasteriser.
         reason: String,
     },
     /// The pixels could not be encoded.
     Encoding {
-        /// What the encoder said.
+        /// Message of the encoder.
         reason: String,
     },
 }

@@ -1,4 +1,4 @@
-//! From SVG to PNG.
+//! PNG of a figure, rasterised from its SVG.
 
 mod error;
 
@@ -13,18 +13,18 @@ use super::text::Weight;
 
 pub use error::ChartError;
 
-/// The largest picture, in pixels, that is made.
+/// Largest number of pixels of a picture.
 pub const MOST_PIXELS: f64 = 1e8;
 
 impl Figure {
-    /// The figure as a PNG, made from the SVG document with a typeface that is shipped along.
+    /// The figure as a PNG, made from the SVG document with the included typeface.
     ///
     /// `scale` is the number of pixels per CSS pixel: 2 suits a screen, 4 suits print.
     ///
     /// # Errors
     ///
     /// [`ChartError::Scale`] if the scale is not positive and finite, [`ChartError::TooLarge`] if
-    /// the picture would be; the other two only if the rasteriser fails.
+    /// the picture would have more than [`MOST_PIXELS`]; the other two only if the rasteriser fails.
     pub fn to_png(&self, scale: f64) -> Result<Vec<u8>, ChartError> {
         png(&self.to_svg(), scale)
     }
@@ -42,7 +42,7 @@ fn png(svg: &str, scale: f64) -> Result<Vec<u8>, ChartError> {
     }
     let mut picture =
         Pixmap::new(width as u32, height as u32).ok_or(ChartError::TooLarge { width, height })?;
-    // A last row or column that the drawing covers only in part must not show what lies behind.
+    // The drawing may cover the last row or column only in part, which must not become transparent.
     picture.fill(Color::WHITE);
     let enlarged = Transform::from_scale(scale as f32, scale as f32);
     resvg::render(&tree, enlarged, &mut picture.as_mut());
@@ -55,7 +55,7 @@ pub(super) fn tree(svg: &str) -> Result<Tree, ChartError> {
     Tree::from_str(svg, &options).map_err(|error| ChartError::Drawing { reason: error.to_string() })
 }
 
-/// The shipped typeface, so that a picture does not depend on the machine's fonts.
+/// The included typeface, so that a picture does not depend on the machine's fonts.
 fn database() -> Arc<Database> {
     static DATABASE: OnceLock<Arc<Database>> = OnceLock::new();
     let fill = || {
