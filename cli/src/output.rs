@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Output files that are written whole or not at all.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use lyapunov_lab::OutputError;
 use tempfile::{NamedTempFile, TempPath};
 
-/// A file in the making: it appears under its name when it is [kept](Output::keep), and not before.
+/// Output file that appears under its name when it is [kept](Output::keep), and not before.
 ///
-/// What is there already and is no regular file (a device, a pipe) is written to directly.
+/// A device, a pipe or anything else that exists and is no regular file is written to directly.
 #[derive(Debug)]
 pub(crate) struct Output {
     path: PathBuf,
@@ -23,12 +23,12 @@ enum Target {
 }
 
 impl Output {
-    /// Whether what is at `path` is written to directly: it is there already and no regular file.
+    /// Whether `path` is written to directly: it exists and is neither a regular file nor a folder.
     pub(crate) fn is_direct(path: &Path) -> bool {
         fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
     }
 
-    /// Opens `path` for writing; nothing is there under that name until [`Output::keep`].
+    /// Opens `path` for writing; no file appears under that name until [`Output::keep`].
     ///
     /// # Errors
     /// A folder that is missing or not writable, or a folder under that name.
@@ -44,15 +44,15 @@ impl Output {
         Ok(Self { path: path.to_owned(), target })
     }
 
-    /// Puts the file in its place.
+    /// Moves the file to its name.
     ///
     /// # Errors
-    /// What the system says; then nothing has changed under that name.
+    /// Any error of the system; nothing has changed under that name then.
     pub(crate) fn keep(self) -> Result<(), OutputError> {
         self.written()?.keep()
     }
 
-    /// Closes the file: a device that is full is noticed here.
+    /// Closes the file; a full device is noticed here.
     fn written(self) -> Result<Written, OutputError> {
         let Self { path, target } = self;
         let refuse = |source| OutputError::new(&path, source);
@@ -69,24 +69,24 @@ impl Output {
         Ok(Written { path, file })
     }
 
-    /// Says which file an error of the writer is about.
+    /// Error of the writer with the name of the file.
     pub(crate) fn blame(&self, source: io::Error) -> OutputError {
         OutputError::new(&self.path, source)
     }
 }
 
-/// Files of one folder, all of which are written before the first takes its name.
+/// Output files of one folder, all of which are written before the first takes its name.
 #[derive(Debug)]
 pub(crate) struct Outputs<'a> {
     folder: &'a Path,
     written: Vec<Written>,
 }
 
-/// A file that is whole, closed, and not under its name yet.
+/// File that is written and closed, and not under its name yet.
 #[derive(Debug)]
 struct Written {
     path: PathBuf,
-    /// What is to take which name; none if it went to where it is directly.
+    /// The temporary file and the name it will get; none if the output was written directly.
     file: Option<(TempPath, PathBuf)>,
 }
 
@@ -99,7 +99,7 @@ impl Written {
 }
 
 impl<'a> Outputs<'a> {
-    /// Those of `folder`, none so far.
+    /// No files yet, for `folder`.
     pub(crate) fn of(folder: &'a Path) -> Self {
         Self { folder, written: Vec::new() }
     }
@@ -107,7 +107,7 @@ impl<'a> Outputs<'a> {
     /// Writes the file that will be called `name`.
     ///
     /// # Errors
-    /// As [`Output::create`], and a device that is full.
+    /// As [`Output::create`], and a full device.
     pub(crate) fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
         let mut output = Output::create(&self.folder.join(name))?;
         output.write_all(bytes.as_ref()).map_err(|error| output.blame(error))?;
@@ -115,7 +115,7 @@ impl<'a> Outputs<'a> {
         Ok(())
     }
 
-    /// Writes these files, name and bytes.
+    /// Writes several files, each given by name and bytes.
     ///
     /// # Errors
     /// As [`Outputs::put`].
@@ -126,25 +126,25 @@ impl<'a> Outputs<'a> {
         files.into_iter().try_for_each(|(name, bytes)| self.put(&name, bytes))
     }
 
-    /// Puts all files in their places, one after the other.
+    /// Moves all files to their names, one after the other.
     ///
     /// # Errors
-    /// As [`Output::keep`]; the files before that one are in their places then.
+    /// As [`Output::keep`]; the files before the failed one have their names then.
     pub(crate) fn keep(self) -> Result<(), OutputError> {
         self.written.into_iter().try_for_each(Written::keep)
     }
 }
 
-/// Where the file is or will be: through a link, the file it points to is replaced, not the link.
+/// Path of the file to replace: of a symbolic link, its target and not the link.
 fn resolved(path: &Path) -> io::Result<PathBuf> {
-    // `new/` is a path without a file's name too, although its last part would pass for one.
+    // `new/` names no file, although its last component looks like a file name.
     let last = path.as_os_str().as_encoded_bytes().last().copied().map(char::from);
     if path.is_dir() || last.is_some_and(std::path::is_separator) {
         return Err(io::ErrorKind::IsADirectory.into());
     }
     match fs::canonicalize(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => match fs::read_link(path) {
-            // The system has followed the chain of links to its end already, so there is one.
+            // No endless recursion: canonicalize has followed the whole chain of links, so the chain ends.
             Ok(target) => resolved(&folder_of(path).join(target)),
             Err(_) => Ok(path.to_owned()),
         },
@@ -159,7 +159,7 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// A file without a name of its own yet, in the folder of `place`, with the rights that a new file has.
+/// Temporary file in the folder of `place`, with the permissions of a new file.
 fn beside(place: &Path) -> io::Result<NamedTempFile> {
     let folder = folder_of(place);
     let mut builder = tempfile::Builder::new();
@@ -167,9 +167,9 @@ fn beside(place: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.tempfile_in(folder).map_err(|error| match error.kind() {
-        // Some folders of the system are there and take no files.
+        // Some system folders exist but take no files.
         io::ErrorKind::NotFound if folder.is_dir() => io::ErrorKind::PermissionDenied.into(),
-        // The error names the file without a name, which means nothing to anybody.
+        // The error would name the temporary file, which means nothing to the user.
         kind => kind.into(),
     })
 }

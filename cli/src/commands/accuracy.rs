@@ -1,4 +1,4 @@
-//! `lyapunov accuracy`.
+//! The command `lyapunov accuracy`.
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
@@ -17,7 +17,7 @@ use crate::pictures::pictures;
 /// The file that `--json` prints.
 const RESULTS: &str = "accuracy.json";
 
-/// Parts that the bar has.
+/// Steps of the progress bar.
 const PARTS: f64 = 1000.0;
 
 /// Measure what accuracy costs in time on a scene: every propagator, step and scalar.
@@ -99,7 +99,7 @@ impl Accuracy {
         Ok(study)
     }
 
-    /// Writes everything, and only then lets it appear.
+    /// Writes all files before the first appears under its name.
     fn fill(&self, folder: &Folder<'_>, study: &Study, text: &str) -> Result<(), End> {
         let command = format!("lyapunov accuracy {}", self.scene.display());
         let command = match self.target {

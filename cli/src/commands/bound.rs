@@ -1,4 +1,4 @@
-//! `lyapunov bound`.
+//! The command `lyapunov bound`.
 
 use std::io::{self, Write};
 use std::path::PathBuf;

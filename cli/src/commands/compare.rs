@@ -1,4 +1,4 @@
-//! `lyapunov compare`.
+//! The command `lyapunov compare` of scenes.
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
@@ -20,7 +20,7 @@ use super::{BAR, End, heed_interrupts, shown, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
 
-/// Ticks in all from which on there is something to wait for.
+/// Ticks in all from which on a progress bar is worth showing.
 const LONG: u64 = 1 << 20;
 
 /// The file that `--json` prints.
@@ -106,7 +106,7 @@ impl Compare {
         met
     }
 
-    /// A bar where there is something to wait for.
+    /// Progress bar, hidden for a short comparison.
     pub(super) fn progress(&self, ticks: u64) -> ProgressBar {
         if self.quiet || ticks < LONG {
             return ProgressBar::hidden();
@@ -150,7 +150,7 @@ impl Compare {
     }
 }
 
-/// What takes runs of its own to be drawn: the end of a file's name, and its text or picture.
+/// Files of the figures that take runs of their own: the end of each file's name, and its text or picture.
 #[derive(Default)]
 struct Answers(Vec<(String, Vec<u8>)>);
 
@@ -162,7 +162,7 @@ impl Answers {
     }
 }
 
-/// Writes everything, and only then lets it appear.
+/// Writes all files before the first appears under its name.
 fn fill<'a>(
     folder: &Folder<'_>,
     scenes: &[PathBuf],
@@ -188,9 +188,9 @@ fn fill<'a>(
     outputs.keep().map_err(End::input)
 }
 
-/// What each scene's files begin with: the name of its own, with a number where two are alike.
+/// Names that the files of each scene begin with: the scene file's own, with a number where two are equal.
 ///
-/// Without a dot, which is what the name of a question follows: no file takes the name of another's.
+/// They contain no dot, since the name of a figure follows one; so no two files get the same name.
 pub(super) fn names(scenes: &[PathBuf]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for scene in scenes {

@@ -1,4 +1,4 @@
-//! `lyapunov effects`.
+//! The command `lyapunov effects`.
 
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
@@ -52,7 +52,7 @@ impl Effects {
         io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
     }
 
-    /// A bar where somebody looks.
+    /// Progress bar, hidden without a terminal.
     fn progress(&self) -> Result<ProgressBar, End> {
         if self.quiet || !io::stdout().is_terminal() {
             return Ok(ProgressBar::hidden());

@@ -1,4 +1,4 @@
-//! `lyapunov explain`.
+//! The command `lyapunov explain`.
 
 use std::io::{self, Write};
 use std::path::PathBuf;

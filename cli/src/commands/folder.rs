@@ -1,4 +1,4 @@
-//! A folder for results.
+//! Folder for results.
 
 use std::cell::Cell;
 use std::fs;
@@ -10,14 +10,14 @@ use lyapunov_lab::OutputError;
 use super::End;
 use crate::output::Output;
 
-/// The folder for the results. One that had to be made is taken away again if nothing comes of it.
+/// Folder for results. A folder that had to be made is removed again unless it is [kept](Folder::keep).
 pub(crate) struct Folder<'a> {
     path: &'a Path,
     is_new: Cell<bool>,
 }
 
 impl<'a> Folder<'a> {
-    /// Makes sure that the results, of which one is called `name`, can be written before they are worked for.
+    /// Makes the folder and checks, before the work starts, that a file called `name` can be written into it.
     pub(crate) fn claim(path: &'a Path, name: &str) -> Result<Self, End> {
         let is_new = Cell::new(!path.exists());
         fs::create_dir_all(path).map_err(|error| {
@@ -36,7 +36,7 @@ impl<'a> Folder<'a> {
         self.path
     }
 
-    /// From here on the folder stays.
+    /// Lets the folder stay.
     pub(crate) fn keep(&self) {
         self.is_new.set(false);
     }

@@ -1,4 +1,4 @@
-//! `lyapunov hard`.
+//! The command `lyapunov hard`.
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
@@ -27,7 +27,7 @@ const RESULTS: &str = "hard.json";
 pub(crate) struct Hard {
     /// Run the cases with this stabilizer in the place of ours, by its name in docs/family.md, in f64 and f32.
     ///
-    /// A bound that it does not promise may be passed: the case is then told as over, and is no failure.
+    /// A bound that it does not promise may be passed: the case is then reported as over, and is no failure.
     #[arg(long, value_name = "NAME")]
     stabilizer: Option<Member>,
     /// Write hard.json and report.html into this folder; made if not there.
@@ -88,7 +88,7 @@ impl Hard {
     }
 }
 
-/// Writes everything, and only then lets it appear.
+/// Writes all files before the first appears under its name.
 fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str, command: &str) -> Result<(), End> {
     let page = catalogue.report(command);
     let mut outputs = Outputs::of(folder.path());

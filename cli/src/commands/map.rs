@@ -1,4 +1,4 @@
-//! `lyapunov map`.
+//! The command `lyapunov map`.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -124,7 +124,7 @@ impl Map {
         };
         let effort = self.compute(&run, &grid, shard, &mut book, &mut survey)?;
         let computation = Computation::of(&run, effort);
-        // Of a shard nothing is known along an axis.
+        // A shard does not know the cells along a whole axis.
         let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
         if let (Some(folder), Some(book)) = (&folder, book) {
@@ -179,14 +179,14 @@ impl Map {
         })
     }
 
-    /// What is wrong with the map of this file.
+    /// Input error about the map in this file.
     fn blame(&self, error: impl std::fmt::Display) -> End {
         let file =
             self.scene.as_deref().map_or_else(String::new, |path| path.display().to_string());
         End::input(format!("{file}: {error}"))
     }
 
-    /// The command that makes the same map.
+    /// Command line that makes the same map.
     fn command(&self) -> String {
         let mut text = String::from("lyapunov map");
         if let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) {
@@ -251,7 +251,7 @@ impl Merge {
         }
     }
 
-    /// The tables, those of a folder among them.
+    /// Paths of the tables, with those in the folders that were named.
     fn tables(&self) -> Result<Vec<PathBuf>, End> {
         let mut tables = Vec::new();
         for path in &self.paths {
@@ -283,7 +283,7 @@ impl Merge {
     }
 }
 
-/// Writes everything beside the table, and only then lets it appear.
+/// Writes all files beside the table before the first appears under its name.
 fn fill(
     folder: &Path,
     survey: &Survey,

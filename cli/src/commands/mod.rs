@@ -1,4 +1,4 @@
-//! What the command line offers, and how its commands end.
+//! Commands of the command line, and the ways they end.
 
 mod accuracy;
 mod bound;
@@ -74,10 +74,10 @@ impl Command {
     }
 }
 
-/// How a share of something known looks while it grows.
+/// Template of a progress bar whose length is known.
 const BAR: &str = "{bar:40} {percent:>3} %, {eta} left";
 
-/// The bar in this form, hidden where nobody looks: unless standard output and standard error are both a terminal.
+/// The bar in this form, hidden unless standard output and standard error are both a terminal.
 pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
     if !io::stdout().is_terminal() {
         return ProgressBar::hidden();
@@ -88,15 +88,15 @@ pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// How long a command that leaves nothing behind may take to end after an interrupt.
+/// Longest time that a command without anything to tidy up may take to end after an interrupt.
 const GRACE: Duration = Duration::from_millis(500);
 
-/// From here on an interrupt lets the command end in its own way, through [`End::if_interrupted`].
+/// Handles interrupts from here on: the command ends in its own way, through [`End::if_interrupted`].
 ///
-/// A command that is not `tidying` up after itself is ended before long in any case: a write that nobody takes
-/// never comes back to look.
+/// A command that is not `tidying` up after itself ends after a grace period in any case: while it is blocked in a
+/// write that nobody reads, it cannot check for the interrupt.
 pub(crate) fn heed_interrupts(tidying: bool) {
-    // Without the handler an interrupt ends the process at once, which loses nothing but tidiness.
+    // Without the handler an interrupt ends the process at once; only the tidying up is lost.
     let _ = ctrlc::set_handler(move || {
         INTERRUPTED.store(true, Ordering::Relaxed);
         if !tidying {
@@ -106,24 +106,24 @@ pub(crate) fn heed_interrupts(tidying: bool) {
     });
 }
 
-/// Says something on standard error; where that is closed or full, nobody listens, and the exit status says it.
+/// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.
 pub(crate) fn say(message: impl Display) {
     let _ = writeln!(io::stderr(), "{message}");
 }
 
-/// Why a command ends before it is done.
+/// Reason why a command ends before it is done.
 #[derive(Debug)]
 pub(crate) enum End {
-    /// Whoever reads the output has read enough.
+    /// The reader of the output has closed it.
     Enough,
-    /// What was asked for is not right; the message says what would be.
+    /// The input is wrong; the message says what would be right.
     Input(String),
-    /// Something that is promised does not hold.
+    /// A promise does not hold.
     Failed(String),
-    /// Something here is not right.
+    /// A fault of the program itself.
     Internal(String),
     Interrupted,
-    /// Interrupted, with something left to go on from; the message says what.
+    /// Interrupted, with an unfinished result kept to go on from; the message names it.
     Kept(String),
 }
 
@@ -140,12 +140,12 @@ impl End {
         Self::Internal(message.to_string())
     }
 
-    /// Ends a command that was interrupted; called now and then by whatever takes long.
+    /// Error that ends an interrupted command. Long work calls this now and then.
     pub(crate) fn if_interrupted() -> Result<(), Self> {
         if INTERRUPTED.load(Ordering::Relaxed) { Err(Self::Interrupted) } else { Ok(()) }
     }
 
-    /// Tells why, and gives the exit status.
+    /// Prints the reason and returns the exit status.
     fn report(self) -> u8 {
         match self {
             Self::Enough => 0,
@@ -173,7 +173,7 @@ impl End {
     }
 }
 
-/// What an error of standard output means: a closed pipe is no fault.
+/// End that an error of standard output calls for: a closed pipe is no fault.
 pub(crate) fn standard_output(error: io::Error) -> End {
     match error.kind() {
         ErrorKind::BrokenPipe => End::Enough,

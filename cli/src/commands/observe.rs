@@ -1,4 +1,4 @@
-//! `lyapunov observe`.
+//! The command `lyapunov observe`.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -79,7 +79,7 @@ impl Observe {
             reachable(folder).map_err(End::input)?;
         }
         let observed = self.observe(&settings)?;
-        // Drawn before anything is written, so that a failure leaves no file behind.
+        // The figure is drawn before anything is written, so that a failure leaves no file behind.
         if let Some(folder) = &self.out {
             write(folder, &observed)?;
         }
@@ -120,7 +120,7 @@ impl Observe {
             source.show_progress();
         }
         let observed = observe::observe(source, &name, settings);
-        // A stream that is interrupted ends with an error of its own, which is not the news.
+        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
         End::if_interrupted()?;
         observed.map_err(End::input)
     }
@@ -147,7 +147,7 @@ fn json(observed: &Observed) -> Result<Vec<u8>, End> {
     Ok(text)
 }
 
-/// Refuses a folder that cannot be one before a long log is read.
+/// Checks before a long log is read that the folder exists or can be made.
 fn reachable(folder: &Path) -> Result<(), OutputError> {
     match fs::metadata(folder) {
         Ok(found) if !found.is_dir() => {

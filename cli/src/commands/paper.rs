@@ -1,4 +1,4 @@
-//! `lyapunov paper`.
+//! The command `lyapunov paper`.
 
 use std::fs;
 use std::io::{self, Write};
@@ -18,7 +18,7 @@ use super::{End, heed_interrupts, shown, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
 
-/// Time between two looks at interrupts.
+/// Time between two checks for interrupts.
 const BREATH: Duration = Duration::from_millis(50);
 
 /// Judge the paper's claims and draw its figures 6 to 9: a report, verdicts, figures and rows.
@@ -84,7 +84,7 @@ impl Paper {
     }
 }
 
-/// The study, by a thread of its own, so that an interrupt need not wait for a stage to end.
+/// Runs the study on a thread of its own, so that an interrupt need not wait for a stage to end.
 fn studied(bar: ProgressBar) -> Result<Study, End> {
     let (sender, studies) = sync_channel(1);
     thread::spawn(move || {
@@ -93,7 +93,7 @@ fn studied(bar: ProgressBar) -> Result<Study, End> {
             bar.set_message(stage.words());
             Ok(())
         });
-        // Nobody listens any more after an interrupt.
+        // After an interrupt the receiver is gone.
         let _ = sender.send(study);
     });
     loop {
@@ -107,7 +107,7 @@ fn studied(bar: ProgressBar) -> Result<Study, End> {
     }
 }
 
-/// Writes report, claims, figures and rows, and only then lets them appear.
+/// Writes report, claims, figures and rows before the first appears under its name.
 fn fill(folder: &Path, study: &Study, command: &str) -> Result<(), End> {
     let refused = |error| End::input(OutputError::new(folder, error));
     let figures = figures()?;

@@ -1,4 +1,4 @@
-//! `lyapunov run`.
+//! The command `lyapunov run`.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -16,7 +16,7 @@ use lyapunov_lab::{
 use super::{BAR, End, heed_interrupts, say, shown, standard_output};
 use crate::output::Output;
 
-/// Ticks between two looks at the clock and at interrupts.
+/// Ticks between two updates of the bar and checks for interrupts.
 const BREATH: u64 = 1 << 16;
 
 /// Simulate a scene and say what it came to.
@@ -47,7 +47,7 @@ impl Run {
         match &self.csv {
             Some(path) if path == Path::new("-") => {
                 heed_interrupts(false);
-                // Standard output by itself hands on every line alone.
+                // Standard output by itself writes each line separately.
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::new(output, &further).map_err(standard_output)?;
                 let hidden = ProgressBar::hidden();
@@ -79,7 +79,7 @@ impl Run {
         Ok(())
     }
 
-    /// Refuses to put the rows where the scene is.
+    /// Error if the rows would overwrite the scene.
     fn spare_scene(&self, csv: &Path) -> Result<(), End> {
         match (fs::canonicalize(&self.scene), fs::canonicalize(csv)) {
             (Ok(scene), Ok(place)) if scene == place && place.is_file() => {
@@ -109,7 +109,7 @@ impl Run {
         }
     }
 
-    /// A bar for runs that take long enough to look at it.
+    /// Progress bar, hidden for a short run.
     fn progress(&self, scene: &Scene) -> ProgressBar {
         if self.quiet || scene.ticks() < 50 * BREATH {
             return ProgressBar::hidden();
@@ -118,10 +118,10 @@ impl Run {
     }
 }
 
-/// What a run came to, and why it diverged if it did.
+/// Summary of a run, and the reason why it diverged if it did.
 type Told = (Summary, Hint);
 
-/// The numbers of a row beyond the first axis.
+/// Numbers of a row beyond the first axis.
 type Further<'a> = &'a mut dyn Iterator<Item = f64>;
 
 fn simulate(

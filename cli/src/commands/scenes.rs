@@ -1,4 +1,4 @@
-//! `lyapunov scenes`.
+//! The command `lyapunov scenes`.
 
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! `lyapunov schema`.
+//! The command `lyapunov schema`.
 
 use std::io::{self, Write};
 

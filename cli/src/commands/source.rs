@@ -1,4 +1,4 @@
-//! A stream that is read with progress and can be interrupted.
+//! Log as a stream of bytes, with progress and interrupts.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
@@ -11,16 +11,16 @@ use indicatif::ProgressBar;
 
 use super::{BAR, End, shown};
 
-/// Bytes that travel at once from a stream that may keep us waiting.
+/// Bytes that the reading thread hands over at once.
 const PIECE: usize = 1 << 16;
 
-/// Time between two looks at interrupts while a stream keeps us waiting.
+/// Time between two checks for interrupts while the stream has no data.
 const BREATH: Duration = Duration::from_millis(100);
 
-/// Files smaller than this, in bytes, are read before a bar is worth looking at.
+/// Size in bytes below which a file gets no progress bar.
 const SMALL: u64 = 1 << 24;
 
-/// A log as a stream of bytes: progress while it is read, and an end when there is an interrupt.
+/// Log as a stream of bytes that shows progress and ends at an interrupt.
 #[derive(Debug)]
 pub(crate) struct Source {
     stream: Stream,
@@ -31,9 +31,9 @@ pub(crate) struct Source {
 
 #[derive(Debug)]
 enum Stream {
-    /// A file, which never keeps us waiting for long.
+    /// A file, whose reads never block for long.
     File(File),
-    /// Anything else. It is read by a thread of its own, since nothing else ends a read that nobody answers.
+    /// Anything else, read by a thread of its own: a read that blocks cannot be ended otherwise.
     Thread { pieces: Receiver<io::Result<Vec<u8>>>, piece: Vec<u8>, used: usize },
 }
 
@@ -42,7 +42,7 @@ impl Source {
         Ok(Self::of(waiting(|| Ok(io::stdin()))?, None))
     }
 
-    /// The file at `path`, or whatever else is there.
+    /// Opens the file at `path`, or whatever else is there.
     pub(crate) fn open(path: &Path) -> io::Result<Self> {
         let found = fs::metadata(path).map_err(remedied)?;
         if found.is_dir() {
@@ -52,7 +52,7 @@ impl Source {
             let file = File::open(path).map_err(remedied)?;
             return Ok(Self::of(Stream::File(file), Some(found.len())));
         }
-        // Opening a pipe waits for whoever writes to it, so the thread does that too.
+        // Opening a pipe blocks until somebody writes to it, so the thread does that too.
         let path = path.to_owned();
         Ok(Self::of(waiting(move || File::open(path).map_err(remedied))?, None))
     }
@@ -61,7 +61,7 @@ impl Source {
         Self { stream, size, read: 0, bar: ProgressBar::hidden() }
     }
 
-    /// Shows how far it is, if that takes long enough to look at it.
+    /// Shows a progress bar, unless the file is small.
     pub(crate) fn show_progress(&mut self) {
         let (bar, template) = match self.size {
             Some(size) if size < SMALL => return,
@@ -72,7 +72,7 @@ impl Source {
     }
 }
 
-/// The error with what to do about it.
+/// The error with its remedy.
 fn remedied(error: io::Error) -> io::Error {
     match error.kind() {
         ErrorKind::NotFound => io::Error::other(
@@ -101,7 +101,7 @@ fn waiting<R: Read>(open: impl FnOnce() -> io::Result<R> + Send + 'static) -> io
                 Err(error) => return drop(sender.send(Err(error))),
             };
             piece.truncate(read);
-            // Nobody listens any more, or this was the end: an empty piece.
+            // The receiver is gone, or an empty piece has marked the end.
             if sender.send(Ok(piece)).is_err() || read == 0 {
                 return;
             }

@@ -1,4 +1,4 @@
-//! `lyapunov compare` of files that are no scenes.
+//! The command `lyapunov compare` of models and teleoperators.
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
@@ -16,7 +16,7 @@ use super::{End, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
 
-/// What is compared, each under the path as it was given.
+/// Files to compare, each under the path as it was given.
 pub(super) enum Subjects {
     Scenes(Vec<(String, Scene)>),
     Models(Vec<(String, Model)>),
@@ -24,7 +24,7 @@ pub(super) enum Subjects {
 }
 
 impl Subjects {
-    /// Reads files that are all of one kind.
+    /// Reads files, which must all be of one kind.
     pub(super) fn load(paths: &[PathBuf]) -> Result<Self, End> {
         let (mut scenes, mut models, mut teleoperators) = (Vec::new(), Vec::new(), Vec::new());
         for path in paths {
@@ -97,7 +97,7 @@ pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> 
     Ok(())
 }
 
-/// Writes everything, and only then lets it appear.
+/// Writes all files before the first appears under its name.
 fn fill<C: Compared>(
     folder: &Folder<'_>,
     files: &[PathBuf],
