@@ -1,4 +1,4 @@
-//! Why loops are unstable: the energy balance closes, and what is said to help does.
+//! Causes of unstable loops: the energy balance closes, and the proposed remedies hold.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov_lab::causes::{Balance, Change, Explanation};
@@ -7,7 +7,7 @@ use lyapunov_lab::{Rollout, Row, shipped};
 
 use crate::bounds::systems::{self, Chance, scene};
 
-/// The sum of the magnitudes of all that is in a balance.
+/// Sum of the magnitudes of all terms of a balance.
 fn size(it: &Balance) -> f64 {
     let ins = [it.hold, it.delay, it.filter, it.encoder, it.saturation, it.hand, it.push];
     let outs = [it.device, it.operator, it.link, it.wall, it.controller, it.friction, it.gained];
@@ -32,7 +32,7 @@ fn every_shipped_scene_closes_to_rounding() {
 }
 
 #[test]
-fn what_a_scene_does_not_have_leaks_nothing() {
+fn absent_effects_leak_nothing() {
     let of = |more: &str| {
         let text = format!(
             "duration = 1\nservo_rate = 500\ndevice = {{ mass = 0.2, damping = 0.3 }}\n\
@@ -54,9 +54,9 @@ fn what_a_scene_does_not_have_leaks_nothing() {
     assert!(of("effects.delay.ticks = 4\nstabilizer.popc.work = \"held\"").controller != 0.0);
 }
 
-/// Without a stabilizer the whole force is the environment's, also where the limit of the force has no place in `f32`.
+/// Without a stabilizer the whole force is the environment's, also where `f32` cannot hold the force limit exactly.
 #[test]
-fn nothing_is_booked_to_a_controller_that_is_not_there() {
+fn an_absent_controller_gets_no_energy() {
     let text = shipped::text_of("saturation").unwrap().replace("force = 4.0", "force = 4.1");
     let scene = scene(&text);
     assert!(scene.stabilizer.is_none());
@@ -66,7 +66,7 @@ fn nothing_is_booked_to_a_controller_that_is_not_there() {
 
 /// A free mass under held forces moves on parabolas: the work of the spring along them is known in closed form.
 #[test]
-fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
+fn the_hold_leaks_the_held_work_less_the_work_of_the_spring() {
     let scene = scene(
         "duration = 0.2\nservo_rate = 100\ndevice.mass = 0.5\n\
          environment.spring.stiffness = 300.0\ninitial.position = 0.01",
@@ -80,7 +80,7 @@ fn the_hold_s_leak_is_the_held_work_less_the_spring_s() {
     assert_abs_diff_eq!(told.gained / -held, 1.0, epsilon = 1e-9);
 }
 
-/// A random wall that is too stiff for its loop.
+/// Random scene whose wall is too stiff for the loop.
 fn unstable(chance: &mut Chance) -> Scene {
     let rate = chance.decades(100.0, 2000.0).round();
     let mass = chance.within(0.05, 0.5);
@@ -111,7 +111,7 @@ fn unstable(chance: &mut Chance) -> Scene {
     scene(&text)
 }
 
-/// Whether the swing about the end of a run does not grow: from its rows alone.
+/// Whether the swing towards the end of a run does not grow, from its rows alone.
 fn stays(scene: &Scene) -> bool {
     let rows: Vec<f64> = Rollout::<f64>::of(scene).unwrap().rows().map(|row| row.x).collect();
     if rows.len() as u64 != scene.ticks() + 1 {
@@ -153,7 +153,7 @@ fn every_remedy_holds() {
 }
 
 #[test]
-fn remedies_are_limits_a_little_further_fails() {
+fn a_little_beyond_its_remedy_the_loop_fails() {
     let scene = scene(
         "duration = 4\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.2 }\n\
          operator = { mass = 0.1, damping = 0.2, stiffness = 50, rest = 0.004 }\n\

@@ -1,4 +1,4 @@
-//! The claims of the paper against straight code: the loop written out, the medians over the same starts.
+//! The claims of the paper against straight code: a hand-written loop, and the medians over the same starts.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov_lab::paper::claims::{
@@ -7,7 +7,7 @@ use lyapunov_lab::paper::claims::{
 
 const PERIOD: f64 = 0.01;
 
-/// One run of 30 s at 100 Hz over held work with a cap of half of m / T, written out.
+/// Measures of one hand-written run of 30 s at 100 Hz over held work, with a cap of half of m / T.
 #[derive(Default)]
 struct Straight {
     settled: f64,
@@ -114,7 +114,7 @@ fn ensembles_agree_with_straight_code() {
             let each = |run: &Measures| run.taken_per_sample.unwrap_or(NEVER);
             compare(each, |run| run.taken_per_sample, 0.05, "taken per sample");
             if k > 10e3 {
-                // At 8 kN/m the median step depends on how far a chaotic loop has come to rest after 15 s.
+                // At 8 kN/m the median step depends on how far the chaotic loop has settled after 15 s.
                 let impulsive = |run: &Measures| run.impulsiveness.unwrap_or(NEVER);
                 compare(impulsive, |run| run.impulsiveness, 0.05, "impulsiveness");
             }
@@ -129,9 +129,9 @@ fn ensembles_agree_with_straight_code() {
     }
 }
 
-/// The loop is homogeneous: before chaos sets in, a larger start gives the same motion, larger.
+/// The loop is homogeneous: until chaos sets in, a larger start scales the motion.
 #[test]
-fn early_peaks_go_with_the_start() {
+fn early_peaks_scale_with_the_start() {
     let starts = starts(101);
     for (k, b) in [(8e3, 2.0), (50e3, 20.0)] {
         let traces = run(&Setting::read(k, b, Control::Lolc), &starts).expect("a setting");

@@ -1,4 +1,4 @@
-//! The family by name: each is what docs/family.md says, with the numbers of that page worked out here by hand.
+//! The family by name: each stabilizer is what docs/family.md says, with the numbers of that page worked out by hand.
 
 use approx::abs_diff_eq;
 use lyapunov::lanes::AutoF64x8;
@@ -36,7 +36,7 @@ fn popc() -> Popc<f64> {
     Popc::new(PortEnergy, DampingLimit::of_mass(0.4, 0.5, PERIOD).unwrap())
 }
 
-/// The member of this name, built here.
+/// The stabilizer of this name, built by hand.
 fn by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
     let popc = popc();
     // √(k / m) = 10 rad/s over 40 mm.
@@ -79,10 +79,10 @@ fn by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
     })
 }
 
-/// Up to the rounding of numbers that are worked out in another order.
+/// Asserts equal rows, up to the rounding of numbers that are computed in another order.
 fn alike(name: &str, ours: &[Row], theirs: &[Row]) {
     assert_eq!(ours.len(), theirs.len(), "{name}");
-    // Late in a run roundings have grown; the first contact is at 0.157 s.
+    // Rounding errors grow, so only the beginning is compared; the first contact is at 0.157 s.
     for (one, other) in ours.iter().zip(theirs).take(400) {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * (1e-3 + a.abs());
         assert!(near(one.x, other.x) && near(one.f_out, other.f_out), "{name}: {one:?} {other:?}");
@@ -90,7 +90,7 @@ fn alike(name: &str, ours: &[Row], theirs: &[Row]) {
 }
 
 #[test]
-fn each_is_set_as_the_page_says() {
+fn each_stabilizer_is_set_as_the_page_says() {
     let scene = Scene::parse(SCENE, "test").unwrap();
     let rows = |stabilizer: AnyStabilizer<f64>| -> Vec<Row> {
         Rollout::stabilized_by(&scene, stabilizer).unwrap().rows().collect()
@@ -101,19 +101,20 @@ fn each_is_set_as_the_page_says() {
         let Some(by_hand) = by_hand(member.name()) else { continue };
         let ours = rows(member.on(&scene).unwrap());
         alike(member.name(), &ours, &rows(by_hand));
-        // Each of them does something here, so that the numbers are looked at.
+        // Each stabilizer acts in this run, so that its numbers matter.
         assert!(ours.iter().zip(&none).any(|(one, other)| one.f_out != other.f_out), "{member}");
         built += 1;
     }
     assert_eq!(built, 13);
 }
 
-/// Those that differ from POPC by a parameter do differ in one loop or another: a wrong number could else not be seen.
+/// Every stabilizer that differs from POPC by a parameter differs from it in at least one of these loops; otherwise a
+/// wrong parameter would go unnoticed.
 #[test]
-fn the_parameters_are_seen() {
+fn every_parameter_makes_a_difference() {
     let coarse = SCENE.replace("resolution = 1e-5", "resolution = 1e-4");
-    // Pressed for a second at a time, thirty times as far as the start, into a wall that is soft: what is given back then
-    // is more than the start's energy, and later than a swing after it was taken.
+    // The hand presses for a second at a time, thirty times as far as the start, into a soft wall: the wall then gives
+    // back more than the start's energy, and later than one swing after it took it.
     let motion = "motion = { kind = \"sine\", amplitude = 0.06, frequency = 0.5 }";
     let pressed = SCENE
         .replace("position = -0.04", "position = -0.002")
@@ -133,13 +134,13 @@ fn the_parameters_are_seen() {
         })
         .map(Member::name)
         .collect();
-    // Nothing is stored at the start.
+    // The budget is zero here, since nothing is stored at the start.
     assert_eq!(same, ["popc", "lolc-spring", "popc-budgeted"]);
 }
 
-/// A start inside of the wall: 20 kN/m, 2 mm deep, hold 40 mJ.
+/// A start inside the wall: 20 kN/m, pressed by 2 mm, store 40 mJ.
 #[test]
-fn a_budget_is_what_is_stored_at_the_start() {
+fn a_budget_is_the_energy_stored_at_the_start() {
     let scene = SCENE.replace("position = -0.04", "position = 0.003");
     let scene = Scene::parse(&scene, "test").unwrap();
     let member: Member = "popc-budgeted".parse().unwrap();
@@ -207,9 +208,9 @@ fn lanes_and_scalars_are_set_alike() {
     }
 }
 
-/// No number of a scene makes a parameter that cannot be.
+/// No number of a scene gives a stabilizer an invalid parameter.
 #[test]
-fn odd_scenes_have_a_family_too() {
+fn every_stabilizer_can_be_made_for_odd_scenes() {
     let wall = "environment.wall.stiffness = 0.0\n";
     for odd in [
         // No hand, no damping, nothing moves.

@@ -1,11 +1,11 @@
-//! Scenes moved by each integrator, against the exact motion.
+//! Scenes under each integrator, against the exact motion.
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov_lab::scene::{Draft, Integrator, Positive, Scalar, StepsPerTick};
 use lyapunov_lab::shipped::{SCENES, text_of};
 use lyapunov_lab::{Rollout, Scene, Space, Tick, further_numbers, in_space};
 
-/// Rows in which nothing has had time to grow.
+/// Rows that are compared: too few for errors to grow.
 const ROWS: usize = 60;
 
 fn shipped(name: &str) -> Scene {
@@ -18,7 +18,7 @@ fn moved_by(scene: &Scene, integrator: Integrator) -> Scene {
     draft.check().unwrap_or_else(|conflict| panic!("{conflict}"))
 }
 
-/// Everything that the rows tell of the motion: each axis, and the operator where a link sets it apart.
+/// The motion in the rows: each axis, and the operator's position where a link separates it from the device.
 fn places(scene: &Scene) -> Vec<Vec<f64>> {
     in_space!(scene, Axes => {
         let place = |tick: Tick<Axes>| {
@@ -28,7 +28,7 @@ fn places(scene: &Scene) -> Vec<Vec<f64>> {
     })
 }
 
-/// The largest error as a share of the largest place, or of a millimetre if that is more.
+/// Largest error as a share of the largest position, or of a millimetre if that is more.
 fn error(scene: &Scene, integrator: Integrator) -> f64 {
     let (exact, other) = (places(scene), places(&moved_by(scene, integrator)));
     assert_eq!(exact.len(), other.len());
@@ -47,7 +47,7 @@ fn tolerance(tolerance: f64) -> Positive {
 }
 
 #[test]
-fn every_shipped_scene_moves_as_it_does_exactly() {
+fn every_shipped_scene_follows_the_exact_motion() {
     for shown in SCENES {
         let scene = shipped(shown.name);
         if scene.effects.friction.is_some() && scene.link.is_some() {
@@ -113,7 +113,7 @@ fn friction_behind_a_link_is_refused_by_name() {
 }
 
 #[test]
-fn what_moves_too_fast_to_be_followed_is_refused_by_name() {
+fn too_stiff_a_scene_is_refused_with_the_integrator_to_take() {
     let text = text_of("hold").expect("a scene");
     let stiff = text
         .replace("duration = 2.0", "duration = 2.0\nintegrator = \"dopri5\"")

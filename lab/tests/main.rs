@@ -1,4 +1,5 @@
-//! The library from outside, one module for each part; a single target, since each compiles the loops anew.
+//! Tests of the library from outside, one module for each part. They are a single target, since every target compiles
+//! the loops anew.
 
 mod bounds;
 mod causes;

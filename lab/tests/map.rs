@@ -1,4 +1,4 @@
-//! Maps from outside: lanes against runs by themselves, and both against the comparison of stabilizers.
+//! Maps from outside: lanes against single runs, and both against the comparison of stabilizers.
 
 use lyapunov_lab::Scene;
 use lyapunov_lab::bounds::Limits;
@@ -9,7 +9,7 @@ use lyapunov_lab::map::{
 };
 use proptest::prelude::*;
 
-/// A wall before a hand, with other lines in the place of these.
+/// Scene of a hand before a wall, in which `more` replaces the lines of the same keys.
 fn scene(more: &str) -> Scene {
     let usual = [
         ("duration", "0.6"),
@@ -32,7 +32,7 @@ fn grid(more: &str, x: &str, y: &str, members: &[impl Copy + Into<Member>]) -> G
     Grid::new(scene(more), axis(x), axis(y), members.iter().copied()).unwrap()
 }
 
-/// All cells, by the method that the scene calls for or one by one.
+/// Outcomes of all cells, by the method that the scene calls for or one by one.
 fn outcomes(grid: &Grid, alone: bool, threads: usize) -> Vec<Vec<Outcome>> {
     let run =
         if alone { Run::one_by_one(grid, Some(threads)) } else { Run::of(grid, Some(threads)) };
@@ -49,7 +49,7 @@ fn outcomes(grid: &Grid, alone: bool, threads: usize) -> Vec<Vec<Outcome>> {
 const STIFFNESS: &str = "environment.wall.stiffness";
 
 #[test]
-fn lanes_have_the_bits_of_runs_by_themselves() {
+fn lanes_have_the_bits_of_single_runs() {
     let x = format!("{STIFFNESS}=100..50000:13");
     let grid = grid("", &x, "environment.wall.damping=0..100:7", &Contender::ALL);
     let (lanes, alone) = (outcomes(&grid, false, 2), outcomes(&grid, true, 1));
@@ -59,7 +59,7 @@ fn lanes_have_the_bits_of_runs_by_themselves() {
 }
 
 #[test]
-fn sampled_work_and_other_caps_do_too() {
+fn lanes_have_them_with_sampled_work_and_other_caps_too() {
     for more in [
         "stabilizer.lolc = { work = \"sampled\", damping_cap = 0.2 }\n",
         "environment_rate = 1000.0\n",
@@ -159,12 +159,12 @@ fn a_scene_without_a_spring_is_not_judged_but_measured() {
     }
 }
 
-/// What is told of a map of three rows that hold up to so many of its ten stiffnesses each.
+/// Reported ratio of a map of three rows, each of which holds this many of its ten stiffnesses.
 fn told(x: &str, held: [u64; 3]) -> Option<OverExact> {
     told_of(x, &|row, column| Some(column < held[row as usize]))
 }
 
-/// What is told of a map of ten stiffnesses in three rows that is stable so.
+/// Reported ratio of a map of ten stiffnesses in three rows with these verdicts.
 fn told_of(x: &str, stable: &dyn Fn(u64, u64) -> Option<bool>) -> Option<OverExact> {
     let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
     let grid = grid(more, x, "initial.position=-0.005..-0.003:3", &[Contender::Popc]);
@@ -176,9 +176,9 @@ fn told_of(x: &str, stable: &dyn Fn(u64, u64) -> Option<bool>) -> Option<OverExa
     Bounds::of(&grid).unwrap().over_exact(&survey, 0)
 }
 
-/// A stabilizer that holds to the edge is told as better than that, and one that holds nothing as nothing.
+/// A stabilizer that holds up to the edge is reported as at least that, and one that holds nothing as zero.
 #[test]
-fn what_lies_beyond_the_edge_counts_as_the_edge() {
+fn stiffnesses_beyond_the_edge_count_as_the_edge() {
     let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
     let exact = Limits::of(&scene(more)).exact.unwrap();
     assert!((2000.0..5500.0).contains(&exact), "{exact}");
@@ -188,12 +188,12 @@ fn what_lies_beyond_the_edge_counts_as_the_edge() {
     assert_eq!(told(&x, [6, 6, 10]), over(6000.0, false));
     assert_eq!(told(&x, [6, 10, 10]), over(10_000.0, true));
     assert_eq!(told(&x, [0, 0, 6]), over(0.0, false));
-    // Both beyond the same edge: nothing is known.
+    // Where both lie beyond the same edge, nothing is known.
     let [soft, hard] = ["10..100:10", "20000..50000:10"].map(|it| format!("{STIFFNESS}={it}"));
     assert_eq!(told(&soft, [10, 10, 10]), None);
     assert_eq!(told(&hard, [0, 0, 0]), None);
     assert_eq!(told(&hard, [10, 10, 10]), over(50_000.0, true));
-    // What is not judged tells nothing: neither a whole row of it nor the cells before and behind.
+    // Cells that are not judged say nothing: neither a whole row of them nor those before and behind the judged ones.
     assert_eq!(told_of(&x, &|_, _| None), None);
     let some = |row, column| (row == 1).then_some(column < 6);
     assert_eq!(told_of(&x, &some), over(6000.0, false));

@@ -2,7 +2,7 @@
 //! environment, 2 s, LOLC with a cap of 0.5, stiffness 100 to 50,000 N/m by damping 0 to 100 N·s/m.
 //!
 //! `map/scalar` runs the cells one by one, `map/lanes` as many at once as fill a vector, on the best instructions that
-//! the processor has; both to their ends, but for cells whose fate is sealed.
+//! the processor has; both run each cell to its end, unless its verdict is certain before.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use lyapunov_lab::Scene;
@@ -33,7 +33,7 @@ fn map(c: &mut Criterion) {
     group.sample_size(10);
     for scalar in ["f32", "f64"] {
         for (name, lanes) in [("scalar", Lanes::One), ("lanes", Lanes::Many)] {
-            // One by one, a strip of every sixteenth row does.
+            // One by one, every sixteenth row is enough.
             let step = if lanes == Lanes::One { 16 } else { 1 };
             let rows = (0..SIDE).step_by(step);
             let cells: Vec<u64> = rows.flat_map(|row| row * SIDE..(row + 1) * SIDE).collect();

@@ -1,8 +1,8 @@
-//! What it costs to choose the parts of a loop at run time: a scene as it is built from a file, against the same chain
-//! composed by type, in ns per tick of one rollout.
+//! Cost of choosing the parts of a loop at run time: a scene built from a file against the same chain composed by type,
+//! in ns per tick of one rollout.
 //!
-//! `scene/<built|typed>/<f64|f64x8>/<k>`, with `k` effects; compare ids of one `k` with one another, not with another
-//! machine. Of eight effects there are two sets, for random numbers take the most of the time.
+//! `scene/<built|typed>/<f64|f64x8>/<k>`, with `k` effects; compare ids of one `k` on one machine only. There are two
+//! sets of eight effects, since random numbers take most of the time.
 
 mod typed;
 
@@ -56,9 +56,9 @@ effects.dropout = { probability = 0.1, seed = 7, policy = "hold" }
 effects.noise = { deviation = 2e-6, seed = 7 }
 "#;
 
-/// What is timed: a loop that moves on by ticks.
+/// Timed loop that advances tick by tick.
 trait Rolling<T> {
-    /// Every position of the run.
+    /// Runs the loop and writes every position.
     fn roll(&mut self, positions: &mut [T]);
 }
 
@@ -73,7 +73,7 @@ impl<T: Space> Rolling<T> for Assembly<T> {
     }
 }
 
-/// A plant and a port, by type.
+/// Plant and port composed by type.
 impl<T: Scalar, P: Plant<T>, Q: OnePort<T>> Rolling<T> for (P, Q) {
     #[inline(never)]
     fn roll(&mut self, positions: &mut [T]) {

@@ -1,4 +1,4 @@
-//! The same loops composed by type.
+//! The loops of the benchmark composed by type.
 
 use lyapunov::{
     DampingLimit, OnePort, ParameterError, Plant, Popc, PortEnergy, Scalar,
@@ -45,7 +45,7 @@ pub(crate) fn two<T: Scalar>() -> Result<(impl Plant<T>, impl OnePort<T>), Param
     Ok((body()?, port.differenced().encoded(T::of(1e-5))?))
 }
 
-/// What the larger sets have around the environment.
+/// Effects that the larger sets have around the environment.
 fn around<T: Scalar>(environment: impl OnePort<T>) -> Result<impl OnePort<T>, ParameterError> {
     let port = environment.held(10)?.stabilized(popc()?);
     let port = port.saturated(T::of(8.0))?.delayed::<4>(2)?;

@@ -6,13 +6,13 @@ use lyapunov_lab::{Assembly, Scene, Space};
 
 use crate::bounds::systems::{Chance, Kind, random, scene, stiffened};
 
-/// Ticks of a stretch in which the largest swing is looked for.
+/// Ticks of a stretch, over which the largest swing is taken.
 const STRETCH: usize = 4096;
 
-/// Stretches after which a loop that has neither grown nor decayed is given up.
+/// Largest number of stretches in which a loop must have grown or decayed.
 const MOST: usize = 3000;
 
-/// Whether the loop of `scene` decays, from its own motion.
+/// Whether the simulated motion of the loop of `scene` decays.
 #[track_caller]
 fn decays<V: Space>(scene: &Scene) -> bool {
     let mut moved = scene.to_draft();
@@ -59,7 +59,7 @@ fn is_the_limit<V: Space>(scene: &Scene, band: f64) -> bool {
         assert!(radius > 1.0 && (radius < 1.0 + band || !decays::<V>(&any)), "{scene:?}");
         return false;
     }
-    // Narrower, there is no room for what is to be shown.
+    // A narrower range of stable stiffnesses has no room for the points to be tested.
     if most * (1.0 - 2.0 * band) < from {
         return false;
     }
@@ -68,7 +68,7 @@ fn is_the_limit<V: Space>(scene: &Scene, band: f64) -> bool {
     let inside = (most * (1.0 - band) - from) / (most - from);
     assert!(at(inside), "inside of {from} to {most}: {scene:?}");
     assert!(!at(outside), "outside of {from} to {most}: {scene:?}");
-    // And nothing is unstable below.
+    // No stiffness below is unstable.
     for share in [0.1, 0.37, 0.71] {
         assert!(at(share), "{share} of {from} to {most}: {scene:?}");
     }
@@ -83,7 +83,7 @@ fn one_percent_inside_decays_and_one_percent_outside_grows() {
 }
 
 #[test]
-fn three_percent_in_f32() {
+fn three_percent_inside_decays_and_three_percent_outside_grows_in_f32() {
     let mut chance = Chance::new(2);
     let shown = (0..500).filter(|_| is_the_limit::<f32>(&random(&mut chance, ANY), 0.03)).count();
     assert!(shown > 350, "{shown}");
@@ -118,7 +118,7 @@ fn the_radius_passes_one_at_the_limit() {
 }
 
 #[test]
-fn a_loop_that_nothing_brakes_has_no_stable_stiffness() {
+fn a_loop_without_damping_has_no_stable_stiffness() {
     for more in
         ["", "operator.stiffness = 50.0\n", "environment_rate = 100\neffects.delay.ticks = 3\n"]
     {
@@ -133,7 +133,7 @@ fn a_loop_that_nothing_brakes_has_no_stable_stiffness() {
 }
 
 #[test]
-fn a_body_that_nothing_holds_stands_anywhere() {
+fn a_body_without_a_spring_rests_anywhere() {
     let text = "duration = 1\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 1.0 }\n\
                 environment.spring.stiffness = 0.0";
     let limits = Limits::of(&scene(text));

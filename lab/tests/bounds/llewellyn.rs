@@ -9,13 +9,13 @@ fn c(re: f64, im: f64) -> Complex<f64> {
     Complex::new(re, im)
 }
 
-/// What port 1 of a two-port given by impedances shows where port 2 ends in `end`.
+/// Impedance at port 1 of a two-port given by impedances, with port 2 terminated by `end`.
 fn shown(it: &TwoPort, end: Complex<f64>) -> Complex<f64> {
     it.p11 - it.p12 * it.p21 / (it.p22 + end)
 }
 
 #[test]
-fn what_is_absolutely_stable_shows_a_passive_port_whatever_passive_is_behind_it() {
+fn an_absolutely_stable_two_port_is_passive_at_port_1_for_any_passive_termination() {
     let mut chance = Chance::new(31);
     let (mut stable, mut unstable) = (0, 0);
     for _ in 0..3000 {
@@ -60,7 +60,7 @@ fn a_passive_coupling_is_always_stable_without_a_hold() {
 
 /// Held, the condition is `Re(1/Z_c) ≥ (1 − cos ∠ZOH) |ZOH| / (2 Re Z_d)`: their equation for the impedance display.
 #[test]
-fn with_a_hold_the_coupling_must_give() {
+fn with_a_hold_the_coupling_must_be_compliant() {
     let period = 1e-3;
     let mut chance = Chance::new(32);
     for _ in 0..2000 {
@@ -79,9 +79,9 @@ fn with_a_hold_the_coupling_must_give() {
 }
 
 #[test]
-fn a_hold_is_a_mean_half_a_period_late() {
+fn a_hold_is_the_mean_of_the_delays_up_to_one_period() {
     assert_eq!(hold(0.0, 1e-3), c(1.0, 0.0));
-    // By the sum of what it is the integral of.
+    // The transfer function is an integral; the sum approximates it.
     for w in [10.0, 1000.0, 3000.0] {
         let count = 20_000;
         let mean: Complex<f64> = (0..count)

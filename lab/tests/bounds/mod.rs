@@ -1,4 +1,4 @@
-//! How stiff a scene may be, by formula, against the loop itself and against references with more digits.
+//! Formulas for the largest stiffness of a scene, against the loop itself and against references with more digits.
 
 mod exact;
 mod llewellyn;

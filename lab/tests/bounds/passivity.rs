@@ -14,7 +14,7 @@ const ONE_RATE: Kind = Kind { slowest: 1, delay: 6, link: true, exact: false, da
 const TWO_RATES: Kind = Kind { slowest: 6, ..ONE_RATE };
 
 /// The least energy, J, that port and device's damper have taken at any time of a motion by `displacements`, straight
-/// between the ticks, and the sum of the magnitudes of what was exchanged.
+/// between the ticks, and the sum of the magnitudes of the work at the port.
 fn least(scene: &Scene, displacements: &[f64]) -> (f64, f64) {
     let mut port = Assembly::<f64>::of(scene).unwrap().port;
     let (period, damping) = (scene.period(), scene.device.damping.get());
@@ -31,7 +31,7 @@ fn least(scene: &Scene, displacements: &[f64]) -> (f64, f64) {
     (least, size)
 }
 
-/// A random motion: steps, swings and what is between.
+/// Random motion: swings, noise and mixtures of both.
 fn motion(chance: &mut Chance, count: usize) -> Vec<f64> {
     let waves: Vec<[f64; 3]> = (0..3)
         .map(|_| [chance.decades(1e-2, PI), chance.within(0.0, 2.0 * PI), chance.share()])
@@ -49,7 +49,7 @@ fn within(scene: &Scene, share: f64) -> Option<Scene> {
 }
 
 #[test]
-fn inside_no_motion_gets_energy_out() {
+fn inside_the_limit_no_motion_extracts_energy() {
     let mut chance = Chance::new(11);
     let mut shown = 0;
     for index in 0..3000 {
@@ -63,14 +63,14 @@ fn inside_no_motion_gets_energy_out() {
     assert!(shown > 1500, "{shown}");
 }
 
-/// Whether a hundredth of the stiffness matters beside the damper, for a motion of limited length to show it.
+/// Whether a hundredth of the stiffness matters beside the damper, so that a motion of limited length shows it.
 fn matters(scene: &Scene) -> bool {
     let part = LinearPart::of(scene).unwrap();
     let held = 0.5 * part.environment.stiffness * part.environment_period();
     held > 0.2 * part.device.damping
 }
 
-/// What the port answers to one displacement of 1 m, tick by tick, until its force stands still.
+/// Forces of the port after one displacement of 1 m, tick by tick, until the force is constant.
 fn answer(scene: &Scene) -> Vec<f64> {
     let mut port = Assembly::<f64>::of(scene).unwrap().port;
     let period = scene.period();
@@ -84,12 +84,12 @@ fn answer(scene: &Scene) -> Vec<f64> {
     answer.collect()
 }
 
-/// The angle per tick at which a swing gets the most energy out.
+/// Angle per tick of the swing that extracts the most energy.
 fn worst(scene: &Scene) -> f64 {
     let answer = answer(scene);
     let stands = answer[answer.len() - 1];
     let angles = (1..=600).map(|index| PI * f64::from(index) / 600.0);
-    // f(n) meets the displacement after it: the answer is one tick old; what stands gives −K / 2 at every angle.
+    // f(n) works over the next displacement: the answer is one tick old. Its constant part gives −K / 2 at every angle.
     let taken = |angle: f64| -> f64 {
         let moving = answer.iter().enumerate();
         moving.map(|(n, force)| (force - stands) * (angle * (n as f64 + 1.0)).cos()).sum()
@@ -98,14 +98,14 @@ fn worst(scene: &Scene) -> f64 {
 }
 
 #[test]
-fn outside_a_swing_gets_energy_out() {
+fn outside_the_limit_a_swing_extracts_energy() {
     let mut chance = Chance::new(12);
     let mut shown = 0;
     for _ in 0..1200 {
         let scene = random(&mut chance, ONE_RATE);
         let Some(scene) = within(&scene, 1.01).filter(matters) else { continue };
         let angle = worst(&scene);
-        // The start may take more than a period of the swing gives back.
+        // The start may take more energy than a period of the swing gives back.
         let swing: Vec<f64> =
             (0..60_000).map(|n| 1e-3 * (angle * (f64::from(n) + 0.5)).sin()).collect();
         let early = least(&scene, &swing[..30_000]).0;
@@ -138,7 +138,7 @@ fn form(scene: &Scene, count: usize) -> DMatrix<f64> {
 }
 
 #[test]
-fn with_two_rates_the_worst_of_all_motions_turns_at_the_limit() {
+fn with_two_rates_the_worst_motion_extracts_energy_only_outside_the_limit() {
     let mut chance = Chance::new(13);
     let mut shown = 0;
     for _ in 0..120 {
@@ -188,13 +188,13 @@ fn closed_forms() {
     near(with("velocity = \"exact\"\nenvironment.wall = { stiffness = 1 }"), 6000.0);
 }
 
-/// What a unit of stiffness needs at a hold of `ratio` ticks that comes `ticks` late: the largest eigenvalue of
-/// `−(e 1ᵀ / (z − 1) + its transpose's conjugate) / 2` over the phases, by nalgebra.
+/// Damping that a unit of stiffness needs at a hold of `ratio` ticks that comes `ticks` late: the largest eigenvalue of
+/// `−(e 1ᵀ / (z − 1) + its conjugate transpose) / 2` over the phases, by nalgebra.
 fn with_delay(ratio: usize, ticks: usize, period: f64) -> f64 {
     use nalgebra::Complex;
     let mut most = 0.0_f64;
     for index in 1..=200 {
-        // The largest is at 0.
+        // The largest eigenvalue is at angle 0.
         let angle = if index == 1 { 1e-4 } else { PI * f64::from(index) / 200.0 };
         let back = Complex::from_polar(1.0, -angle);
         let gain = (back.inv() - Complex::from(1.0)).inv();
@@ -208,7 +208,7 @@ fn with_delay(ratio: usize, ticks: usize, period: f64) -> f64 {
 }
 
 #[test]
-fn what_is_needed_at_the_limit_is_what_is_there() {
+fn at_the_limit_the_needed_damping_is_that_of_the_device() {
     let mut chance = Chance::new(14);
     for _ in 0..300 {
         let Some(scene) = within(&random(&mut chance, TWO_RATES), 1.0) else { continue };

@@ -1,6 +1,6 @@
 //! The exact limit to all its digits: references with 60 digits, from `scripts/bounds_references.py`.
 
-// As the script prints them.
+// The digits stay as the script prints them.
 #![allow(clippy::excessive_precision)]
 
 use approx::abs_diff_eq;
@@ -8,7 +8,7 @@ use lyapunov_lab::bounds::Limits;
 
 use crate::bounds::systems::scene;
 
-/// A loop without its stiffness, the largest stable one, a stiffness, and one less the radius there.
+/// Loop without its stiffness, largest stable stiffness, a tested stiffness, and 1 − spectral radius there.
 const REFERENCES: [(&str, f64, f64, f64); 10] = [
     (
         "servo_rate = 1000\ndevice = { mass = 1.0, damping = 1e-5 }",
@@ -97,7 +97,7 @@ fn the_exact_limit_has_all_its_digits() {
         let found = limits.exact.unwrap();
         assert!(abs_diff_eq!(found / most, 1.0, epsilon = 1e-14), "{found:e} {most:e}\n{text}");
         let found = 1.0 - limits.spectral_radius.unwrap();
-        // What 1 − radius keeps of its digits in f64, and not more than 10 of them.
+        // The digits that 1 − radius keeps in f64, and at most 10.
         let digits = 1e-10_f64.max(2.0 * f64::EPSILON / decay);
         assert!(abs_diff_eq!(found / decay, 1.0, epsilon = digits), "{found:e} {decay:e}\n{text}");
     }

@@ -1,4 +1,4 @@
-//! Gil's rule, the limit of friction and encoder, and what does not apply.
+//! Gil's rule, the limit of friction and encoder, and limits that do not apply.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{OnePort, PortSample};
@@ -7,9 +7,9 @@ use lyapunov_lab::{Assembly, Scene};
 
 use crate::bounds::systems::{Chance, scene};
 
-/// With little damping against the mass the rule is the first order of the exact limit.
+/// Gil's rule is the first order of the exact limit where the damping is small against the mass.
 #[test]
-fn the_rule_is_what_the_exact_limit_tends_to() {
+fn the_exact_limit_tends_to_gil_s_rule() {
     let mut chance = Chance::new(21);
     for _ in 0..2000 {
         let rate = chance.decades(100.0, 4000.0);
@@ -19,7 +19,7 @@ fn the_rule_is_what_the_exact_limit_tends_to() {
         let wall = small(&mut chance);
         let ticks = chance.whole(0, 5);
         let ratio = chance.whole(1, 4);
-        // The rule's first order is in the environment's period, and its damper is as slow.
+        // The rule is of first order in the environment's period, and its damper runs at that period.
         let wall = if ratio == 1 { wall } else { 0.0 };
         let text = format!(
             "duration = 1\nservo_rate = {rate}\nenvironment_rate = {}\n\
@@ -61,7 +61,7 @@ fn energies(text: &str, positions: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn friction_pays_for_half_a_step_and_damping_for_the_hold() {
+fn friction_covers_half_a_count_and_damping_covers_the_hold() {
     let mut chance = Chance::new(22);
     for _ in 0..1500 {
         let (device, coulomb) = (chance.decades(0.1, 10.0), chance.decades(0.01, 1.0));
@@ -70,14 +70,14 @@ fn friction_pays_for_half_a_step_and_damping_for_the_hold() {
         let most = most.friction_quantization.unwrap();
         let exact = (2.0 * device * 1000.0).min(2.0 * coulomb / resolution);
         assert_abs_diff_eq!(most / exact, 1.0, epsilon = 1e-14);
-        // Inside, no random motion over a few steps gets energy out.
+        // Inside the limit no random motion over a few counts extracts energy.
         let text = rubbing(device, coulomb, resolution, 0.99 * most);
         let size = resolution * chance.decades(0.1, 30.0);
         let walk: Vec<f64> = (0..200).map(|_| size * chance.within(-1.0, 1.0)).collect();
         let least = energies(&text, &walk).into_iter().fold(0.0, f64::min);
         assert!(least >= -1e-12 * most * size * size, "{text}");
         if exact < 2.0 * device * 1000.0 {
-            // Outside, to and fro across the edge of a count does.
+            // Outside the limit a motion to and fro across the edge of a count does.
             let text = rubbing(device, coulomb, resolution, 1.01 * most);
             let step = 1e-6 * resolution;
             let edge = 0.5 * resolution;
@@ -93,7 +93,7 @@ fn friction_pays_for_half_a_step_and_damping_for_the_hold() {
 const START: &str = "duration = 1\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 1.0 }\n";
 
 #[test]
-fn what_does_not_apply_is_none_and_says_why() {
+fn limits_that_do_not_apply_are_none_with_a_reason() {
     let of = |more: &str| Limits::of(&scene(&format!("{START}{more}")));
     let says = |limits: &Limits, words: &str| limits.notes.iter().any(|note| note.contains(words));
 
@@ -139,9 +139,9 @@ fn every_environment_with_a_stiffness_has_limits() {
     }
 }
 
-/// Numbers that a scene may hold, and that no loop has.
+/// Limits of scenes with numbers that are allowed, and that no real loop has.
 #[test]
-fn hostile_scenes_end_and_tell_only_numbers() {
+fn extreme_scenes_end_and_report_finite_limits() {
     let values: [f64; 7] = [1e-300, 1e-30, 1e-6, 1.0, 1e6, 1e30, 1e300];
     let mut chance = Chance::new(23);
     let mut any = || values[chance.whole(0, 6) as usize];

@@ -1,9 +1,9 @@
-//! Random loops.
+//! Random scenes with a linear loop.
 
 use lyapunov_lab::Scene;
 use lyapunov_lab::scene::{Environment, Finite, NonNegative};
 
-/// A generator of numbers that are the same on every machine (Steele, Lea and Flood, OOPSLA 2014).
+/// Generator of numbers that are the same on every machine (Steele, Lea and Flood, OOPSLA 2014).
 pub(crate) struct Chance(u64);
 
 impl Chance {
@@ -27,7 +27,7 @@ impl Chance {
         low + (high - low) * self.share()
     }
 
-    /// As often in each decade.
+    /// A number from `low` to `high`, uniform in its logarithm.
     pub(crate) fn decades(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.share())
     }
@@ -45,7 +45,7 @@ pub(crate) fn scene(text: &str) -> Scene {
     Scene::parse(text, "test").unwrap_or_else(|fault| panic!("{fault}\n{text}"))
 }
 
-/// What a random scene may have.
+/// Features that a random scene may have.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kind {
     pub(crate) slowest: u64,
@@ -60,7 +60,7 @@ pub(crate) fn random(chance: &mut Chance, kind: Kind) -> Scene {
     let rate = chance.decades(50.0, 5000.0);
     let ratio = if chance.happens(0.5) { 1 } else { chance.whole(1, kind.slowest) };
     let mass = chance.decades(0.02, 5.0);
-    // Of the mass over the environment's period: what burns within few thousand ticks.
+    // Damping in units of the mass over the environment's period: such a loop dissipates within a few thousand ticks.
     let unit = mass * rate / ratio as f64;
     let share = |chance: &mut Chance| chance.decades(0.02, 1.0);
     let mut text = format!("duration = 1\nservo_rate = {rate}\n");

@@ -5,10 +5,11 @@ use std::ops::ControlFlow;
 use lyapunov_lab::family::{Contender, Member};
 use lyapunov_lab::hard::Catalogue;
 
-/// Whatever its promise: every output is finite, what is bad is rejected and what follows is not, every correction is within
-/// its limit, and the account closes where one is kept. Its bound is kept by those that promise it.
+/// Laws that hold for every stabilizer: every output is finite, bad samples are rejected and the ones after them are
+/// not, every correction is within its limit, and the ledger closes where one is kept. Only a stabilizer that promises
+/// the bound has to keep it.
 #[test]
-fn every_member_keeps_what_it_is_held_to() {
+fn every_stabilizer_keeps_the_laws_and_its_promises() {
     let (mut cases, mut over) = (Vec::new(), 0);
     let nobody = Member::Plain(Contender::Nobody);
     let family = || Member::ALL.into_iter().filter(|member| *member != nobody);
@@ -25,8 +26,8 @@ fn every_member_keeps_what_it_is_held_to() {
         cases.push(catalogue.rows.len());
     }
     let all = Catalogue::cases().len();
-    // Two are about how a sum is kept, one about watching two axes at once.
+    // Three cases do not apply: two are about the arithmetic of the ledger, one about two axes watched at once.
     assert_eq!(cases, vec![all - 3; family().count()]);
-    // Not every bound is kept by everybody, or the cases would not be hard.
+    // Some stabilizers exceed some bounds; otherwise the cases would not be hard.
     assert!(over > 20, "{over}");
 }

@@ -1,4 +1,4 @@
-//! What the hard cases promise, on stabilizers that break it and on random scenes.
+//! The hard cases on faulty stabilizers, on the whole family and on random scenes.
 
 mod family;
 mod own;

@@ -1,11 +1,11 @@
-//! A stabilizer of one's own fails a hard case in the words of the shipped laws.
+//! Faulty stabilizers: each fails a hard case by the same law as in `lyapunov::laws`.
 
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{Correction, DampingLimit, Lolc, PortEnergy, PortSample, Stabilizer};
 use lyapunov_lab::AnyStabilizer;
 use lyapunov_lab::hard::{Catalogue, Tally};
 
-/// A stabilizer with something wrong in what it makes of the right correction.
+/// Stabilizer that spoils a right correction.
 #[derive(Clone)]
 struct Wrong {
     popc: Lolc<f64, PortEnergy>,
@@ -30,7 +30,7 @@ fn tried(case: &str, stabilizer: &(impl Stabilizer<f64> + Clone + 'static)) -> T
     case.with(&own).expect("a run").expect("a case for one value at a time")
 }
 
-/// The case and the shipped laws name the same law.
+/// Asserts that the case and the shipped laws name the same law.
 #[track_caller]
 fn fails(
     case: &str,
@@ -48,7 +48,7 @@ fn fails(
 }
 
 #[test]
-fn a_right_one_breaks_nothing() {
+fn a_right_stabilizer_breaks_no_law() {
     let right = Lolc::new(PortEnergy, limit());
     for case in ["a debt at rest", "NaN once", "a stale sample"] {
         assert_eq!(tried(case, &right).broken, None, "{case}");
@@ -82,7 +82,7 @@ fn a_pull_along_the_motion_does_not_oppose() {
 }
 
 #[test]
-fn a_negative_damping_is_told() {
+fn a_negative_damping_is_reported() {
     fails("a debt at rest", Law::NoNegativeDamping, |_, _, correction| Correction {
         alpha: -correction.alpha,
         ..correction
@@ -90,7 +90,7 @@ fn a_negative_damping_is_told() {
 }
 
 #[test]
-fn a_debt_that_is_not_told_is_not_served() {
+fn an_unreported_debt_is_not_served() {
     fails("a debt at rest", Law::Served, |_, _, correction| Correction {
         shortfall: 0.0,
         ..correction
@@ -98,7 +98,7 @@ fn a_debt_that_is_not_told_is_not_served() {
 }
 
 #[test]
-fn a_sum_that_forgets_does_not_balance() {
+fn a_ledger_that_forgets_does_not_balance() {
     fails("a debt at rest", Law::Balances, |_, _, correction| Correction {
         observed_energy: correction.observed_energy * (1.0 - 1e-9),
         ..correction
@@ -106,7 +106,7 @@ fn a_sum_that_forgets_does_not_balance() {
 }
 
 #[test]
-fn a_correction_beyond_the_limit_is_told() {
+fn a_correction_beyond_the_limit_is_reported() {
     fails("a debt at rest", Law::WithinLimit, |sample, effort, correction| {
         let alpha = if correction.alpha > 0.0 { correction.alpha + 200.0 } else { 0.0 };
         let effort = if correction.accepted { effort + alpha * sample.velocity } else { 0.0 };

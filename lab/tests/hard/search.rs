@@ -1,6 +1,6 @@
-//! Random scenes, looking for new hard cases: what breaks a law, and verdicts that differ between `f64` and `f32`.
+//! Random scenes, in search of new hard cases: broken laws, and verdicts that differ between `f64` and `f32`.
 //!
-//! `HARD_SCENES=100000 cargo test --release -p lyapunov-lab --test hard search -- --nocapture` looks longer.
+//! `HARD_SCENES=100000 cargo test --release -p lyapunov-lab --test hard search -- --nocapture` searches longer.
 
 use std::cell::Cell;
 use std::fmt::Write;
@@ -12,7 +12,7 @@ use lyapunov_lab::scene::{Scene, Stabilizer};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
-/// Scenes that a run of the tests looks at.
+/// Scenes of a run of the tests.
 const SCENES: u32 = 400;
 
 const SEED: u64 = 20_026;
@@ -28,7 +28,8 @@ fn rarely<S: Strategy>(some: S) -> impl Strategy<Value = Option<S::Value>> {
     prop::option::weighted(0.25, some)
 }
 
-/// The period, s, and the scene: the wall and the hand by what they come to in a tick, so that most scenes are neither dull nor hopeless.
+/// The period, s, and the scene. Wall and hand are drawn relative to the tick, so that most scenes are neither trivial
+/// nor hopeless.
 fn loops() -> impl Strategy<Value = (f64, String)> {
     let sizes = (decades(-2.0, 4.5), decades(-4.0, 4.0), decades(-7.0, 1.0));
     let wall = (decades(-4.0, 1.5), prop::option::weighted(0.5, decades(-4.0, 0.3)), -1.0..1.0);
@@ -73,7 +74,7 @@ fn loops() -> impl Strategy<Value = (f64, String)> {
                 let candidate = ["device-damping", "mass-spring-damper"][kind - 1];
                 let _ = writeln!(text, "candidate = \"{candidate}\"");
             }
-            // The velocity is a key of the whole scene.
+            // The velocity is a key of the scene and not of a table, so it comes first.
             let text = if exact { format!("velocity = \"exact\"\n{text}") } else { text };
             (1.0 / rate, text)
         },
@@ -125,7 +126,7 @@ fn first<V: Space>(scene: &Scene) -> Option<Tally> {
     watch::<V>(scene).ok()?.first().copied()
 }
 
-/// How far it swings in the last quarter, against the start: far beyond, within, or in between.
+/// Whether the swing of the last quarter is far beyond the start (true) or within it (false); none in between.
 fn grows(scene: &Scene, tally: &Tally) -> Option<bool> {
     let (start, speed) = (scene.initial.position.get().abs(), scene.initial.velocity.get().abs());
     let rest = scene.operator.rest.get().abs();
@@ -155,10 +156,10 @@ fn check(text: &str) -> Result<(), String> {
     if double != lanes {
         return found(format!("lanes differ: {double:?} and {lanes:?}"));
     }
-    // What does not fit f32 is no scene of f32.
+    // A scene whose numbers do not fit f32 is not run in f32.
     let single = first::<f32>(&scene);
     for tally in [Some(double), single].into_iter().flatten() {
-        // An uncapped run can pass from within the range to beyond it in one tick.
+        // An uncapped run can leave the range of the scalar within one tick.
         if uncapped(&scene) && tally.out_of_range.is_some() {
             continue;
         }
@@ -168,7 +169,7 @@ fn check(text: &str) -> Result<(), String> {
     }
     let verdicts = [Some(double), single].map(|tally| tally.and_then(|it| grows(&scene, &it)));
     match verdicts {
-        // What an uncapped damper does hangs on roundings.
+        // The effect of an uncapped damper depends on rounding.
         [Some(one), Some(other)] if one != other && !uncapped(&scene) => {
             found(format!("f64 {double:?}\nf32 {single:?}"))
         }

@@ -1,4 +1,4 @@
-//! What is refused, and in which words.
+//! Model files that are refused, and the words of the refusal.
 
 use std::fs;
 
@@ -86,7 +86,7 @@ fn a_fault_is_named_with_its_key_its_place_and_its_remedy() {
 }
 
 #[test]
-fn a_model_is_told_from_a_scene() {
+fn a_model_is_not_taken_for_a_scene() {
     for name in crate::models::shipped::NAMES {
         let text = fs::read_to_string(path(name)).unwrap();
         assert!(Model::is_in(&text) && Model::is_in(&format!("\u{feff}{text}")));
@@ -97,7 +97,7 @@ fn a_model_is_told_from_a_scene() {
     for scene in lyapunov_lab::shipped::SCENES {
         assert!(!Model::is_in(scene.text), "{}", scene.name);
     }
-    // Also where the text is broken: what is said of it are words about models.
+    // A broken text counts too, so that its error is about models.
     let broken = "duration = 1,0\n[plant.van-der-pol]\nmu = 1\n";
     assert!(Model::is_in(broken) && !Model::is_in(""));
 }

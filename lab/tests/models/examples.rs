@@ -17,7 +17,7 @@ use crate::models::shipped::{compared, curve, model};
 
 const PERIOD: f64 = 1e-3;
 
-/// V at each tick of the example's loop, under LOLC with a decay or under nothing.
+/// Loop of an example, under LOLC with a decay or without a stabilizer.
 struct Example<P, F, const N: usize> {
     plant: P,
     energy: F,
@@ -77,7 +77,7 @@ impl<P, F, const N: usize> Example<P, F, N> {
 }
 
 #[test]
-fn the_motor_is_its_example() {
+fn the_motor_matches_its_example() {
     let parts = MotorParts {
         inertia: 1e-4,
         friction: 1e-5,
@@ -101,7 +101,7 @@ fn the_motor_is_its_example() {
 }
 
 #[test]
-fn the_admittance_device_is_its_loop_in_a_program() {
+fn the_admittance_device_matches_its_loop_in_a_program() {
     let device = AdmittanceDevice::new(1000.0).unwrap();
     let example = Example {
         plant: device,
@@ -117,7 +117,7 @@ fn the_admittance_device_is_its_loop_in_a_program() {
 }
 
 #[test]
-fn the_arm_is_its_example() {
+fn the_arm_matches_its_example() {
     let arm = TwoLinkArm::new(RigidLink::rod(2.0, 0.4), RigidLink::rod(1.0, 0.3)).unwrap();
     let stiffness = [40.0, 10.0];
     let example = Example {
@@ -134,7 +134,7 @@ fn the_arm_is_its_example() {
 }
 
 #[test]
-fn the_leg_is_its_example() {
+fn the_leg_matches_its_example() {
     let ground = Ground { stiffness: 2e4, damping: 0.5, drag: 0.2 };
     let (thigh, shank) = (RigidLink::rod(4.0, 0.4), RigidLink::rod(2.5, 0.45));
     let leg = ProstheticLeg::new(thigh, shank, [0.3, -0.6], ground).unwrap();

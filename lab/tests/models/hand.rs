@@ -1,4 +1,4 @@
-//! Two models written out by hand: nothing of the library but the file.
+//! Two hand-written models that use nothing of the library but the file.
 
 use approx::abs_diff_eq;
 use lyapunov_lab::models::{Contestant, Model, Plant, Score};
@@ -7,7 +7,7 @@ use crate::models::shipped::{compared, curve, model};
 
 type State = [f64; 2];
 
-/// A plant of one place and its rate, whose flow is the rate.
+/// Plant with one coordinate and its rate, whose flow is the rate.
 struct Hand {
     /// The acceleration in a state under an input.
     acceleration: Box<dyn Fn(State, f64) -> f64>,
@@ -17,7 +17,7 @@ struct Hand {
     period: f64,
 }
 
-/// What a run comes to.
+/// Result of a run.
 #[derive(Debug, Default)]
 struct Found {
     values: Vec<f64>,
@@ -116,13 +116,13 @@ impl Found {
         }
         assert_eq!(score.bounded, largest <= 4.0 * self.values[0], "{}", score.stabilizer);
         let share = 100.0 * self.active as f64 / self.values.len() as f64;
-        // A debt at the edge of rounding may be one here and none there.
+        // Where the debt is about zero, rounding decides whether the tick counts as active.
         assert!(abs_diff_eq!(score.active, share, epsilon = 0.1), "{}: {share}", score.stabilizer);
     }
 }
 
 #[test]
-fn van_der_pol_is_what_it_is_by_hand() {
+fn van_der_pol_matches_the_hand_written_loop() {
     let model = model("van-der-pol");
     let Plant::VanDerPol(plant) = model.plant else { panic!("{model:?}") };
     assert_eq!((plant.mu.get(), model.servo_rate.get()), (1.0, 100.0));
@@ -137,7 +137,7 @@ fn van_der_pol_is_what_it_is_by_hand() {
 }
 
 #[test]
-fn the_pendulum_is_what_it_is_by_hand() {
+fn the_pendulum_matches_the_hand_written_loop() {
     let model = model("inverted-pendulum");
     let (mass, length, damping, gravity) = (0.5, 0.4, 0.002, 9.80665);
     let (stiffness, derivative) = (6.0, 0.4);

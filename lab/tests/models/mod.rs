@@ -1,4 +1,4 @@
-//! Models of control-affine plants from files: what they come to, and what is refused.
+//! Models of control-affine plants from files: their results, and the files that are refused.
 
 mod bad;
 mod examples;

@@ -38,7 +38,7 @@ pub(crate) fn curve(comparison: &Comparison, contestant: Contestant) -> Vec<f64>
 }
 
 #[test]
-fn every_plant_ships_and_every_file_there_is_one() {
+fn every_plant_has_a_shipped_file_and_every_file_a_plant() {
     let folder = path("").parent().unwrap().to_owned();
     let entries = fs::read_dir(folder).unwrap().map(|it| it.unwrap().file_name());
     let mut found: Vec<_> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
@@ -69,29 +69,29 @@ fn the_schema_is_what_the_command_prints_and_takes_every_file() {
     assert!(!validator.is_valid(&serde_json::to_value(bad).unwrap()));
 }
 
-/// What each example says of its loop, and its model file with it.
+/// Bounds that each example, and the comment of its model file, claims of its loop.
 #[test]
 fn loops_are_bounded_where_their_examples_say_so() {
     for name in NAMES {
         let comparison = compared(&model(name));
         let bounded: Vec<bool> = comparison.scores().map(|score| score.bounded).collect();
-        // Nothing acts on the oscillator, so that the energy of its port has nothing to tell.
+        // No effort acts on the oscillator, so the energy of its port shows nothing.
         let by_port = name != "van-der-pol";
         assert_eq!(bounded, [false, by_port, true, true], "{name}");
         let [none, .., decrease, decay] = &comparison.scores().collect::<Vec<_>>()[..] else {
             panic!("{name}: {comparison}");
         };
         assert_eq!((none.active, none.taken, none.shortfall), (0.0, Some(0.0), Some(0.0)));
-        // Kept at what it began with, and asked for more.
+        // The decrease keeps V at about its start; the decay asks for more.
         let began = comparison.began;
         assert!(decrease.end.unwrap() > 0.9 * began, "{name}");
         assert!(decay.end.unwrap() < 0.5 * began, "{name}");
     }
 }
 
-/// Both scalars come to the same where the loop does not run away.
+/// Both scalars agree where the loop does not run away.
 #[test]
-fn single_precision_comes_to_the_same() {
+fn single_precision_agrees() {
     for name in NAMES {
         let mut single = model(name);
         single.scalar = lyapunov_lab::scene::Scalar::F32;
@@ -108,7 +108,7 @@ fn single_precision_comes_to_the_same() {
     }
 }
 
-/// A delay of 0 and a controller at the servo rate are what is not said.
+/// A delay of 0 and a controller at the servo rate are the defaults.
 #[test]
 fn neutral_values_change_nothing() {
     let text = fs::read_to_string(path("dc-motor")).unwrap();

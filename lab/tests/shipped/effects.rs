@@ -1,4 +1,4 @@
-//! What the comments of the effects' scenes say.
+//! The claims in the comments of the effects' scenes.
 
 use std::f64::consts::SQRT_2;
 
@@ -96,7 +96,7 @@ fn jitter_errs_where_the_motion_is_fast() {
     };
     let fastest = most(&rows[500..], |row| row.v.abs());
     let (fast, turning) = (change(|v| v > 0.3), change(|v| v < 0.1));
-    // The change from tick to tick has the errors of two intervals; where the motion turns it is acceleration.
+    // The change from tick to tick has the errors of two intervals; where the motion turns, it is mostly acceleration.
     assert_abs_diff_eq!(fast / SQRT_2 / fastest, 0.05, epsilon = 0.01);
     assert!(turning < fast / 3.0, "{turning} for {fast}");
 }
@@ -163,6 +163,6 @@ fn the_tour_works_all_its_parts() {
         let stroke = between(&rows, second.into(), f64::from(second) + 1.0);
         assert!(most(stroke, |row| row.f_env) > 1.0 && least(stroke, |row| row.x) < -0.01);
     }
-    // The loop is bounded with all of it.
+    // The loop with all its parts is bounded.
     assert!(most(&rows, |row| row.x.abs()) < 0.03);
 }

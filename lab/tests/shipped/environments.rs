@@ -1,4 +1,4 @@
-//! What the comments of the environments' scenes say.
+//! The claims in the comments of the environments' scenes.
 
 use std::f64::consts::PI;
 
@@ -54,7 +54,7 @@ fn hunt_crossley_takes_a_share_that_falls_with_speed() {
         let middle = 0.5 * (low + high);
         if g(-middle) < g(0.2) { low = middle } else { high = middle }
     }
-    // The force is a sampled one, which gives a little back.
+    // The sampled force gives a little energy back.
     assert_abs_diff_eq!(back, low, epsilon = 0.02 * low);
     let slower = |draft: &mut Draft| draft.initial.velocity = Finite::new(0.1).unwrap().into();
     let slower = -rows_of(&edited(&scene, slower)).last().unwrap().v;
@@ -81,7 +81,7 @@ fn varying_spring_swings_itself_up() {
     assert!(most(&rows_of(&steady), |row| row.x.abs()) < 1.01 * 0.001);
 }
 
-/// A held spring gives `T / 2 f'(x) v²` and the dampers take `b v²`: along an undamped swing of size A the two are the same
+/// A held spring gives `T / 2 f'(x) v²` and the dampers take `b v²`: along an undamped swing of size A both are equal
 /// where the mean of `f' = k + 3 c x²`, weighted with the velocity, is `2 b / T`.
 #[test]
 fn cubic_spring_lets_small_swings_die_and_large_ones_grow() {
@@ -121,7 +121,7 @@ fn plane_pushes_square_to_itself_and_lets_slide() {
         .map(|tick| tick.truth.position.x)
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     assert!(most - least > 0.03);
-    // How far into the wall, along its normal.
+    // Penetration depth along the wall's normal.
     let depth = |x: f64, y: f64| -(0.5 * x + y) / 1.25_f64.sqrt();
     let places = ticks.iter().map(|tick| tick.truth.position);
     let deepest = places.map(|place| depth(place.x, place.y)).fold(0.0, f64::max);

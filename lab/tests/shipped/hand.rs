@@ -1,11 +1,11 @@
-//! What the comments of the scenes about the operator say.
+//! The claims in the comments of the operator's scenes.
 
 use approx::assert_abs_diff_eq;
 use lyapunov_lab::{Rollout, Row};
 
 use crate::shipped::rows::{between, least, most, rows, scene, width};
 
-/// Where a hand of 200 N/m at `rest` and a wall of 2 kN/m from 2 mm on balance.
+/// Position where a hand of 200 N/m at `rest` and a wall of 2 kN/m from 2 mm on balance.
 fn pressed(rest: f64) -> f64 {
     (2000.0 * 0.002 + 200.0 * rest) / 2200.0
 }

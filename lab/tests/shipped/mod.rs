@@ -1,4 +1,4 @@
-//! The scenes that ship: each runs to its end and shows what its comment says, and editors can check it.
+//! The shipped scenes: each runs to its end and shows what its comment says, and editors can check it.
 
 mod effects;
 mod environments;

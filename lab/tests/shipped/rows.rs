@@ -1,4 +1,4 @@
-//! Shipped scenes and their rows.
+//! Helpers that read shipped scenes and their rows.
 
 use std::path::{Path, PathBuf};
 
@@ -52,12 +52,12 @@ pub(crate) fn most(rows: &[Row], number: impl Fn(&Row) -> f64) -> f64 {
     rows.iter().map(number).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// From the least to the largest.
+/// Difference between the largest and the least.
 pub(crate) fn width(rows: &[Row], number: impl Fn(&Row) -> f64) -> f64 {
     most(rows, &number) - least(rows, &number)
 }
 
-/// What crossed the port into the environment, J.
+/// Energy that crossed the port into the environment, J.
 pub(crate) fn absorbed(rows: &[Row]) -> f64 {
     rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).sum()
 }

@@ -1,4 +1,4 @@
-//! The schema of scene files: made from the types, true to what is read, and where editors look for it.
+//! The schema of scene files: made from the types, in agreement with the reader, and where editors look for it.
 
 use std::fs;
 
@@ -14,7 +14,7 @@ fn validator() -> Validator {
     jsonschema::validator_for(&serde_json::from_str(&schema_text()).unwrap()).unwrap()
 }
 
-/// A TOML file as what checks it sees it.
+/// A TOML file as the JSON value that the validator checks.
 fn json(text: &str) -> Value {
     serde_json::to_value(toml::from_str::<toml::Value>(text).unwrap()).unwrap()
 }
@@ -27,7 +27,7 @@ fn with(name: &str, from: &str, to: &str) -> String {
 }
 
 #[test]
-fn the_file_is_what_the_types_say() {
+fn the_schema_file_is_made_from_the_types() {
     let file = fs::read_to_string(folder().join("scene.schema.json")).unwrap();
     assert_eq!(file, schema_text(), "lyapunov schema > scenes/scene.schema.json");
 }
@@ -42,7 +42,7 @@ fn every_shipped_scene_is_valid() {
     }
 }
 
-/// A shipped scene, a part of it, and what may stand there instead.
+/// A shipped scene, a part of it, and a valid replacement.
 #[rustfmt::skip]
 const ALLOWED: &[(&str, &str, &str)] = &[
     ("paper-8k-lolc", "damping_cap = 0.5", "damping_cap = inf"),
@@ -69,7 +69,7 @@ const ALLOWED: &[(&str, &str, &str)] = &[
 ];
 
 #[test]
-fn what_a_scene_may_say_is_valid() {
+fn allowed_values_are_valid() {
     let validator = validator();
     for (name, from, to) in ALLOWED {
         let text = with(name, from, to);
@@ -80,7 +80,7 @@ fn what_a_scene_may_say_is_valid() {
     }
 }
 
-/// A shipped scene, a part of it, and what may not stand there instead.
+/// A shipped scene, a part of it, and an invalid replacement.
 #[rustfmt::skip]
 const REFUSED: &[(&str, &str, &str)] = &[
     ("hold", "duration = 2.0", ""),
@@ -163,7 +163,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
 ];
 
 #[test]
-fn what_a_scene_may_not_say_is_not_valid() {
+fn forbidden_values_are_not_valid() {
     let validator = validator();
     for (name, from, to) in REFUSED {
         let text = with(name, from, to);
@@ -172,7 +172,7 @@ fn what_a_scene_may_not_say_is_not_valid() {
     }
 }
 
-/// The parts of a schema that stand for a value or a table of the file.
+/// Visits the parts of a schema that stand for a value or a table of the file.
 fn walk(schema: &Value, path: &str, visit: &mut impl FnMut(&str, &Value)) {
     visit(path, schema);
     for key in ["oneOf", "anyOf", "allOf"] {

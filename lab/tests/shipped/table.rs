@@ -9,11 +9,11 @@ use lyapunov_lab::{Rollout, in_space};
 
 use crate::shipped::rows::{edited, folder, scene};
 
-/// Whether effects have a certain one among them.
+/// Test whether a certain effect is among the effects.
 type Has = fn(&Effects) -> bool;
 
 #[test]
-fn the_table_is_the_folder() {
+fn the_table_lists_the_folder() {
     let files = fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
     let scenes = files.filter(|path| path.extension() == Some("toml".as_ref()));
     let names: BTreeSet<String> =

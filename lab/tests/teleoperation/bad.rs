@@ -1,4 +1,4 @@
-//! What is refused, and in which words.
+//! Teleoperator files that are refused, and the words of the refusal.
 
 use lyapunov_lab::Scene;
 use lyapunov_lab::models::Model;
@@ -6,7 +6,7 @@ use lyapunov_lab::teleoperation::Teleoperator;
 
 use crate::teleoperation::shipped::{NAMES, text};
 
-/// A part of the file with a varying delay, what stands there instead, the key at fault, and words of the message.
+/// A part of the file with a varying delay, its replacement, the key at fault, and words of the message.
 #[rustfmt::skip]
 const CASES: &[(&str, &str, &str, &[&str])] = &[
     ("mass = 0.3", "mass = -0.3", "master.mass",
@@ -68,7 +68,7 @@ fn a_fault_is_named_with_its_key_its_place_and_its_remedy() {
 }
 
 #[test]
-fn kinds_of_files_are_told_apart() {
+fn kinds_of_files_are_distinguished() {
     for name in NAMES {
         let text = text(name);
         assert!(Teleoperator::is_in(&text) && !Model::is_in(&text));

@@ -1,4 +1,4 @@
-//! The shipped files written out by hand: nothing of the library but its random numbers.
+//! Hand-written runs of the shipped files, which use nothing of the library but its random numbers.
 
 use approx::abs_diff_eq;
 use lyapunov::effects::{Random, Source};
@@ -18,8 +18,8 @@ const B: f64 = 2.0;
 const CAP: f64 = 0.5;
 const SPEED: f64 = 0.02;
 
-/// How far apart two runs may come to lie, m: what the rounding of an account hides of the start's 5 mJ moves a device in its
-/// hand by `√(2 ε E / k)`, 0.15 nm.
+/// Allowed distance between two runs, m: the part of the start's energy, 5 mJ, that the rounding of a ledger hides
+/// moves a device in its hand by `√(2 ε E / k)`, 0.15 nm.
 const FINEST: f64 = 1e-9;
 
 type Motion = [f64; 2];
@@ -35,14 +35,14 @@ fn sprung(stiffness: f64, force: f64, [x, v]: Motion, t: f64) -> Motion {
     [rest + e * (away * c + slope * s), e * velocity]
 }
 
-/// The same without a spring.
+/// The same motion without a spring.
 fn free(force: f64, [x, v]: Motion, t: f64) -> Motion {
     let (last, gone) = (force / DAMPING, -(-DAMPING * t / MASS).exp_m1());
     let excess = v - last;
     [x + last * t + excess * gone * MASS / DAMPING, last + excess * (1.0 - gone)]
 }
 
-/// The slave after `t` s, piece by piece, with the instants between them by bisection.
+/// The slave after `t` s, in pieces inside and outside the wall; bisection finds the instants between them.
 fn walled(force: f64, from: Motion, t: f64) -> Motion {
     let within = from[0] > SURFACE || (from[0] == SURFACE && from[1] > 0.0);
     let piece = |t: f64| {
@@ -66,7 +66,7 @@ fn walled(force: f64, from: Motion, t: f64) -> Motion {
     walled(force, [SURFACE, v], t - far)
 }
 
-/// Every letter ever sent, with the tick on which it arrives.
+/// Channel that keeps every message ever sent, with the tick on which it arrives.
 struct Post {
     least: f64,
     spread: f64,
@@ -112,7 +112,7 @@ struct Port {
 }
 
 impl Port {
-    /// Books `work`; the damping, the account before it, and what it leaves unpaid.
+    /// Books `work`; returns the damping, the observed energy before the correction, and the shortfall.
     fn serve(&mut self, work: f64, velocity: f64, joined: bool) -> (f64, f64, f64) {
         self.absorbed += work.max(0.0);
         self.gave += (-work).max(0.0);
@@ -124,7 +124,7 @@ impl Port {
     }
 }
 
-/// What a run comes to.
+/// Result of a run.
 #[derive(Debug, Default)]
 struct Found {
     master: Vec<f64>,
@@ -231,7 +231,7 @@ impl Found {
         for (told, count) in [score.active_master, score.active_slave].into_iter().zip(self.active)
         {
             let share = 100.0 * count as f64 / self.master.len() as f64;
-            // A correction at the edge may count here and not there.
+            // Where a correction is about the threshold, rounding decides whether it counts.
             assert!(
                 abs_diff_eq!(told, share, epsilon = 0.1),
                 "{}: {told}, {share}",
@@ -242,12 +242,12 @@ impl Found {
 }
 
 #[test]
-fn every_row_is_what_it_is_by_hand() {
+fn every_row_matches_the_hand_written_run() {
     for (name, seconds) in NAMES.iter().flat_map(|name| [(name, "5.0"), (name, "2.0")]) {
         let file = parsed(&text(name).replace("duration = 5.0", &format!("duration = {seconds}")));
         let comparison = compared(&file);
         for ((contestant, curves), score) in comparison.curves().zip(comparison.scores()) {
-            // The swing that credit feeds as it comes in is chaotic: after some seconds rounding decides.
+            // The swing that the arriving credit feeds is chaotic: after some seconds rounding decides.
             if contestant == Contestant::Compensated && seconds != "2.0" {
                 continue;
             }

@@ -5,7 +5,7 @@ use lyapunov_lab::teleoperation::Contestant;
 use crate::teleoperation::shipped::{compared, parsed, scores, text};
 
 #[test]
-fn what_both_ports_gave_is_told_as_shortfall() {
+fn energy_that_both_ports_generated_is_reported_as_shortfall() {
     let mut generated = 0;
     for seed in 0..60 {
         let (delay, spread, loss) = (seed % 7 * 9, seed % 5 * 13, f64::from(seed % 4) * 0.3);
@@ -20,7 +20,7 @@ fn what_both_ports_gave_is_told_as_shortfall() {
             match contestant {
                 Contestant::None => generated += i32::from(kept < -1.0),
                 Contestant::Waves => {}
-                // Of sums of some 10 mJ.
+                // The tolerance is for ledgers of some 10 mJ.
                 _ => assert!(kept >= -shortfall - 1e-9, "{row:?} in\n{text}"),
             }
         }

@@ -1,4 +1,4 @@
-//! Teleoperators from files: what they come to, and what is refused.
+//! Teleoperators from files: their results, and the files that are refused.
 
 mod bad;
 mod hand;

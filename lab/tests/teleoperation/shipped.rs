@@ -52,7 +52,7 @@ fn the_schema_is_what_the_command_prints_and_takes_every_file() {
     }
 }
 
-/// What the comments of the files and docs/teleoperation.md say of them, in both scalars.
+/// The claims in the comments of the files and in docs/teleoperation.md, in both scalars.
 #[test]
 fn the_loop_alone_swings_up_and_the_others_hold() {
     for name in NAMES {
@@ -71,7 +71,8 @@ fn the_loop_alone_swings_up_and_the_others_hold() {
     }
 }
 
-/// What was given and what stayed unpaid is so within the first seconds: at rest no debt is made, with or without compensation.
+/// The ports generate energy, and leave a shortfall, only within the first seconds: at rest no debt arises, with or
+/// without compensation.
 #[test]
 fn debts_do_not_grow_with_time() {
     for name in NAMES {
@@ -88,7 +89,7 @@ fn debts_do_not_grow_with_time() {
     }
 }
 
-/// A channel that does nothing is one that is not there, and drift that is not taken back stays.
+/// A neutral channel equals an absent one, and compensation without a speed equals the plain two-port.
 #[test]
 fn neutral_values_change_nothing() {
     let text = text("constant-delay").replace("compensation_speed = 0.02\n", "");

@@ -1,12 +1,13 @@
-//! Where waves come to rest, in closed form.
+//! Rest of the wave-variable teleoperator in closed form.
 
 use crate::teleoperation::shipped::{compared, parsed, scores, text};
 use approx::abs_diff_eq;
 
-/// At rest hand, link, coordination and wall are springs in a row. The link's is that of a line: a wave there and back takes
-/// `2 d + 1` ticks, during which `b` carries the force, so it yields by `(2 d + 1) T / (2 b)` metres to the newton.
+/// At rest hand, link, coordination and wall are springs in series. The link's spring is that of a line: a wave takes
+/// `2 d + 1` ticks there and back, during which `b` carries the force, so the link yields by `(2 d + 1) T / (2 b)`
+/// metres per newton.
 #[test]
-fn waves_rest_where_springs_in_a_row_do() {
+fn waves_rest_where_springs_in_series_do() {
     for delay in [0, 1, 20, 50] {
         let text = text("constant-delay")
             .replace("delay = 20", &format!("delay = {delay}"))
