@@ -1,4 +1,4 @@
-//! The claims of the paper as the command tells them: table, JSON and page.
+//! The claims of the paper in the command's output: table, JSON and page.
 
 use std::process::Command;
 

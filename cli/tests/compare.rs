@@ -1,4 +1,4 @@
-//! `lyapunov compare` from outside.
+//! Tests of `lyapunov compare` of scenes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// What must go wrong with status 2, saying all of `words` and writing nothing to standard output.
+/// Asserts that the command fails with status 2, prints all of `words` and writes nothing to standard output.
 fn refused(arguments: &[&dyn AsRef<std::ffi::OsStr>], words: &[&str]) {
     let output = compare(arguments);
     let said = text(&output.stderr);
@@ -33,7 +33,7 @@ fn refused(arguments: &[&dyn AsRef<std::ffi::OsStr>], words: &[&str]) {
     words.iter().for_each(|word| assert!(said.contains(word), "{word}: {said}"));
 }
 
-/// The rows of a document without what a clock was asked for.
+/// The rows of a document without its timings.
 fn timeless(document: &str) -> Value {
     let mut document: Value = serde_json::from_str(document).unwrap();
     let keys = document["not_deterministic"].clone();
@@ -103,14 +103,14 @@ fn tables_files_and_documents_agree() {
     assert!((90.0..100.0).contains(&value(6, "stiffness_felt_percent").as_f64().unwrap()));
 }
 
-/// The lines of a table below its head, in cells.
+/// Cells of a table, line by line, without its head.
 fn cells(path: &Path) -> Vec<Vec<String>> {
     let text = fs::read_to_string(path).unwrap();
     let cells = |line: &str| line.split(',').map(str::to_owned).collect();
     text.lines().skip(1).map(cells).collect()
 }
 
-/// What came in is what went, and what the controller took is what the table says of it.
+/// The energies that came in equal those that went out, and the controller's share is that of the table.
 #[test]
 fn energies_by_cause_add_up() {
     let folder = tempfile::tempdir().unwrap();
@@ -133,9 +133,9 @@ fn energies_by_cause_add_up() {
     }
 }
 
-/// Each wall by itself, as one compares it.
+/// Each wall of the figure agrees with a comparison of that wall alone.
 #[test]
-fn the_trade_off_is_what_144_comparisons_say() {
+fn the_trade_off_agrees_with_144_comparisons() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("short.toml");
     let scene = |stiffness: f64, damping: f64| {
@@ -163,7 +163,7 @@ fn the_trade_off_is_what_144_comparisons_say() {
         errors.push(comparison.scores().map(error).collect());
     }
     let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
-    // Held by both stabilizers, and by nobody without one.
+    // Walls that are stable under both stabilizers and unstable without one.
     let is_common = |it: &&Vec<Option<f64>>| it[0].is_none() && it[1].is_some() && it[2].is_some();
     let common: Vec<_> = errors.iter().filter(is_common).collect();
     assert!(stable(0) < stable(2) && stable(2) < stable(1) && common.len() > 4);
@@ -213,7 +213,7 @@ fn bad_input_is_refused_and_leaves_nothing_behind() {
     let bad = folder.path().join("bad.toml");
     fs::write(&bad, "duration = -1\n").unwrap();
     refused(&[&bad, &"--out", &out], &["bad.toml", "duration", "-1"]);
-    // An f32 cannot hold this, which only shows when the loop is made.
+    // An f32 cannot hold this number, which shows only when the loop is built.
     let text = "duration = 1.0\nservo_rate = 1000.0\nscalar = \"f32\"\ndevice.mass = 1e38\n\
         operator.mass = 1e38\nenvironment.wall.stiffness = 1.0\n";
     fs::write(&bad, text.replace("1e38", "3e38")).unwrap();
@@ -229,7 +229,7 @@ fn bad_input_is_refused_and_leaves_nothing_behind() {
     fs::create_dir(folder.path().join("taken")).unwrap();
     fs::create_dir(folder.path().join("taken/paper-8k-popc.png")).unwrap();
     refused(&[&scene, &"--out", &folder.path().join("taken")], &["paper-8k-popc.png"]);
-    // Nothing appears when not everything can.
+    // If one file cannot be written, none appears.
     assert_eq!(fs::read_dir(folder.path().join("taken")).unwrap().count(), 1);
 }
 
@@ -283,7 +283,7 @@ fn the_family_takes_part_by_name() {
     let some = rows("tank,popc,popc-threshold");
     let names: Vec<&str> = some.iter().map(|row| row["stabilizer"].as_str().unwrap()).collect();
     assert_eq!(names, ["tank", "popc", "popc-threshold"]);
-    // Who else takes part is no matter, and a tank adds no damping.
+    // The other entrants change nothing, and a tank adds no damping.
     assert_eq!(some[1], rows("none,popc")[1]);
     assert_eq!(some[0]["active_percent"], 0.0);
 

@@ -1,4 +1,4 @@
-//! The command from outside, one module for each thing that it is held against.
+//! Tests of the command from outside, one module for each thing that it is compared with.
 
 mod claims;
 mod cli;

@@ -1,4 +1,4 @@
-//! `lyapunov compare` of models, from outside.
+//! Tests of `lyapunov compare` of models.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -47,7 +47,7 @@ fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
 }
 
 #[test]
-fn what_is_written_is_what_was_measured() {
+fn the_written_files_agree_with_each_other() {
     let place = tempfile::tempdir().unwrap();
     let (out, pendulum) = (place.path().join("out"), path("inverted-pendulum"));
     let arguments: [&OsStr; 5] =
@@ -90,7 +90,7 @@ fn what_is_written_is_what_was_measured() {
 }
 
 #[test]
-fn what_does_not_go_together_is_refused() {
+fn files_and_options_that_do_not_go_together_are_refused() {
     let (model, scene) = (path("van-der-pol"), path("x").with_file_name("../hold.toml"));
     let refuses = |arguments: &[&OsStr], words: &[&str]| {
         let said = lyapunov(arguments);

@@ -1,4 +1,4 @@
-//! The commands that print what ships: scenes and their schema.
+//! Tests of `lyapunov scenes` and `lyapunov schema`, which print the shipped scenes and their schema.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ fn each_is_printed_as_it_is_in_its_file() {
 }
 
 #[test]
-fn a_name_that_none_has_is_an_error() {
+fn an_unknown_name_is_an_error() {
     let said = said(&["scenes", "frictoin"]);
     assert_eq!(said.status.code(), Some(2));
     assert!(said.stdout.is_empty());

@@ -1,4 +1,4 @@
-//! `lyapunov compare` of teleoperators, from outside.
+//! Tests of `lyapunov compare` of teleoperators.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -44,7 +44,7 @@ fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
 }
 
 #[test]
-fn what_is_written_is_what_was_measured() {
+fn the_written_files_agree_with_each_other() {
     let place = tempfile::tempdir().unwrap();
     let (out, file) = (place.path().join("out"), path("lossy"));
     let arguments: [&OsStr; 5] =
@@ -82,7 +82,7 @@ fn what_is_written_is_what_was_measured() {
 }
 
 #[test]
-fn what_does_not_go_together_is_refused() {
+fn files_and_options_that_do_not_go_together_are_refused() {
     let (file, model) = (path("lossy"), path("x").with_file_name("../models/van-der-pol.toml"));
     let refuses = |arguments: &[&OsStr], words: &[&str]| {
         let said = lyapunov(arguments);

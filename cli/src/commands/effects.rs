@@ -12,8 +12,8 @@ use super::{End, heed_interrupts, standard_output};
 /// Measure what each effect costs per step, on this machine.
 ///
 /// Prints the nanoseconds that a step takes longer with an effect than without, alone and with all other effects, for one
-/// rollout (f64) and for eight at once (f64x8). Environments and axes stand in the place of the wall, so theirs is what
-/// they cost beyond it. docs/effects/prices.md says how to read the table.
+/// rollout (f64) and for eight at once (f64x8). Environments and axes replace the wall, so their price is the
+/// difference to it. docs/effects/prices.md says how to read the table.
 ///
 /// Exit status: 0 done, 1 internal error, 130 interrupted.
 #[derive(Args, Debug)]

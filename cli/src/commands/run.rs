@@ -19,7 +19,7 @@ use crate::output::Output;
 /// Ticks between two updates of the bar and checks for interrupts.
 const BREATH: u64 = 1 << 16;
 
-/// Simulate a scene and say what it came to.
+/// Simulate a scene and summarize the run.
 ///
 /// The summary goes to standard output, or to standard error where `--csv -` sends the rows to standard output.
 /// docs/contract.md defines the rows, docs/command.md the JSON.

@@ -1,4 +1,4 @@
-//! What accuracy costs, as the command tells it.
+//! Tests of `lyapunov accuracy`.
 
 use serde_json::Value;
 
@@ -37,7 +37,7 @@ fn a_target_is_met_by_keys_that_a_scene_takes() {
 }
 
 #[test]
-fn a_target_that_nobody_meets_gets_the_nearest() {
+fn an_unreachable_target_gets_the_nearest_setting() {
     let place = Place::new();
     place.put_scene("scene.toml", "duration = 10.0", "duration = 0.1");
     let said = place.run(["accuracy", "scene.toml", "--target", "1e-300"]);

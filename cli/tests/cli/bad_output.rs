@@ -1,4 +1,4 @@
-//! Places where no rows can be written.
+//! Outputs that cannot be written.
 
 use std::fs;
 use std::os::unix::fs::{FileTypeExt, symlink};
@@ -31,7 +31,7 @@ fn rows_that_cannot_be_written_are_refused() {
     }
 }
 
-/// The longer run fills more than one buffer before the device says that it is full.
+/// The longer run fills more than one buffer before the device reports that it is full.
 #[test]
 fn a_full_device_is_noticed_early_and_late() {
     let place = Place::new();
@@ -63,9 +63,9 @@ fn the_scene_is_never_overwritten() {
     place.refuses(["run".as_ref(), "scene.toml".as_ref(), "--csv".as_ref(), path.as_os_str()], &[]);
 }
 
-/// Someone who may write everywhere is stopped by this folder just the same.
+/// This folder stops even a user who may write everywhere.
 #[test]
-fn a_folder_of_the_system_takes_no_figures() {
+fn a_system_folder_takes_no_figures() {
     let place = Place::new();
     place.put("file", "not a folder");
     place.refuses(["paper", "--out", "file"], &["file cannot be written"]);

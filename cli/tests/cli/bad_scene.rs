@@ -1,4 +1,4 @@
-//! Scenes that are wrong, and things that are no scenes.
+//! Wrong scenes, and files that are no scenes.
 
 use std::ffi::OsStr;
 use std::fs::{self, File};
@@ -11,8 +11,8 @@ use std::time::Duration;
 use crate::cli::place::{Place, SCENE};
 use crate::cli::said::{Said, Start};
 
-/// A part of the shipped scene, what stands there instead, and what must be said of it: the line, the key, the value
-/// and what would be right.
+/// A part of the shipped scene, its replacement, and words of the error: the line, the key, the value and what would be
+/// right.
 type Case = (&'static str, &'static str, &'static [&'static str]);
 
 #[rustfmt::skip]
@@ -52,7 +52,7 @@ const CASES: &[Case] = &[
     ("[device]", "[device", &["scene.toml:12", "lacks its closing `]`"]),
 ];
 
-/// Tables below the shipped scene, and what must be said of them.
+/// Tables to add below the shipped scene, and words of the error.
 #[rustfmt::skip]
 const TABLES: &[(&str, &[&str])] = &[
     ("[effects.filter]\ncutoff = 0", &["`effects.filter.cutoff`", "greater than 0", "Hz"]),
@@ -98,7 +98,7 @@ fn a_wrong_scene_is_refused_with_its_line_and_what_would_be_right() {
 }
 
 #[test]
-fn what_is_no_text_in_toml_is_refused() {
+fn files_that_are_no_toml_text_are_refused() {
     let place = Place::new();
     place.put("empty", "");
     place.put("blank", "\n \n# nothing\n");
@@ -136,7 +136,7 @@ fn what_is_no_text_in_toml_is_refused() {
 }
 
 #[test]
-fn any_name_of_a_scene_will_do() {
+fn a_scene_may_have_any_file_name() {
     let place = Place::new();
     for name in
         [&b"with spaces.toml"[..], b"not-\xff-text.toml", "größe.toml".as_bytes(), b"no ending"]
@@ -151,7 +151,7 @@ fn any_name_of_a_scene_will_do() {
     }
 }
 
-/// A pipe in the file system is read like any file, once somebody writes to it.
+/// A named pipe is read like any file, once somebody writes to it.
 #[test]
 fn a_scene_may_come_from_a_pipe() {
     let place = Place::new();

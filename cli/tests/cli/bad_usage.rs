@@ -1,4 +1,4 @@
-//! Arguments that are wrong, and the help that says which are right.
+//! Wrong arguments, and the help that gives the right ones.
 
 use crate::cli::place::Place;
 
@@ -44,7 +44,7 @@ fn no_argument_gets_help_and_status_2() {
     assert!(place.contents().is_empty());
 }
 
-/// What every command's help tells of options and ends.
+/// Options and exit statuses in the help of every command.
 const ENDS: &[&str] =
     &["--json", "--quiet", "Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted."];
 

@@ -1,4 +1,4 @@
-//! The prices of the effects, as the command tells them.
+//! Tests of `lyapunov effects`, the prices of the effects.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::cli::place::Place;
 
 #[test]
-fn the_prices_are_told_as_json() {
+fn the_prices_are_printed_as_json() {
     let said = Place::new().run(["effects", "--json"]);
     said.ended(0, &[]);
     let told: Value = serde_json::from_str(&said.out).unwrap();

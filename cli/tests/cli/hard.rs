@@ -1,10 +1,10 @@
-//! The hard cases, as the command tells them.
+//! Tests of `lyapunov hard`.
 
 use serde_json::Value;
 
 use crate::cli::place::Place;
 
-/// One run for everything: it takes the longest of all commands here.
+/// A single run for all checks: this command takes the longest.
 #[test]
 fn all_pass_and_the_files_say_so() {
     let place = Place::new();
@@ -32,7 +32,7 @@ fn all_pass_and_the_files_say_so() {
 }
 
 #[test]
-fn a_member_of_the_family_stands_in_the_place_of_ours() {
+fn a_member_of_the_family_replaces_ours() {
     let place = Place::new();
     let said = place.run(["hard", "--stabilizer", "popc-spread", "--out", "made"]);
     said.ended(0, &["popc-spread in the place of ours", "measured", "does not promise"]);
@@ -51,7 +51,7 @@ fn a_member_of_the_family_stands_in_the_place_of_ours() {
 }
 
 #[test]
-fn what_cannot_be_done_is_refused_before_anything_runs() {
+fn bad_input_is_refused_before_anything_runs() {
     let place = Place::new();
     place.put("file", "");
     place.refuses(["hard", "--out", "file"], &["part of the path is a file"]);

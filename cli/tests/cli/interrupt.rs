@@ -1,4 +1,4 @@
-//! Runs that are interrupted.
+//! Interrupted commands.
 
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 use crate::cli::place::Place;
 use crate::cli::said::{Said, Start};
 
-/// An interrupted run ends within about this time.
+/// Longest time that an interrupted command may take to end.
 const SOON: Duration = Duration::from_millis(1500);
 
-/// Hours of work, as many ticks as a run may have.
+/// Place with a scene of hours of work: as many ticks as a run may have.
 fn long() -> Place {
     let place = Place::new();
     place.put_scene("scene.toml", "duration = 10.0", "duration = 1e7");
@@ -31,7 +31,7 @@ fn interrupted(child: Child) {
     assert!(said.took < SOON, "{:?}", said.took);
 }
 
-/// Waits until the rows are on their way to a file that has no name of its own yet.
+/// Waits until the command writes rows to its temporary file.
 fn begun(place: &Place) {
     let start = Instant::now();
     while !place.names(".").iter().any(|name| name.starts_with(".lyapunov-")) {
@@ -66,7 +66,7 @@ fn an_interrupted_run_keeps_the_file_that_was_there() {
 fn a_run_without_rows_is_interrupted_too() {
     let place = long();
     let child = place.command(["run", "scene.toml"]).start(Stdio::piped());
-    // Nothing tells from outside that it has begun.
+    // Nothing shows from outside that the run has begun.
     thread::sleep(Duration::from_millis(300));
     interrupted(child);
 }
@@ -85,7 +85,7 @@ fn an_interrupted_study_leaves_no_folder() {
 }
 
 #[test]
-fn an_interrupted_study_of_accuracy_takes_its_folder_away() {
+fn an_interrupted_study_of_accuracy_removes_its_folder() {
     let place = long();
     let before = place.contents();
     let command = ["accuracy", "scene.toml", "--out", "results"];
@@ -99,9 +99,9 @@ fn an_interrupted_study_of_accuracy_takes_its_folder_away() {
     assert_eq!(place.contents(), before);
 }
 
-/// The pipe is full and nobody reads on: the run stands still in a write that no signal ends.
+/// The pipe is full and nobody reads it: the run is blocked in a write that no signal ends.
 #[test]
-fn a_run_is_interrupted_while_nobody_takes_its_rows() {
+fn a_run_blocked_by_its_reader_is_interrupted() {
     let place = long();
     let mut child = place.command(["run", "scene.toml", "--csv", "-"]).start(Stdio::piped());
     let mut rows = child.stdout.take().unwrap();

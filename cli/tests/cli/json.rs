@@ -1,4 +1,4 @@
-//! `run --json` and `run --quiet`.
+//! Tests of `run --json` and `run --quiet`.
 
 use approx::abs_diff_eq;
 use serde_json::Value;
@@ -7,7 +7,7 @@ use crate::cli::place::{Place, SCENE};
 
 const STIFF: &str = include_str!("../../../scenes/paper-50k-none.toml");
 
-/// The rows, a column after the other.
+/// The rows as columns.
 fn columns(csv: &str) -> Vec<Vec<f64>> {
     let rows: Vec<Vec<f64>> = csv
         .lines()
@@ -32,7 +32,7 @@ fn most(numbers: &[f64], of: fn(f64) -> f64) -> f64 {
 
 /// Every number against the rows of the same run.
 #[test]
-fn the_json_is_what_the_rows_come_to() {
+fn the_json_agrees_with_the_rows() {
     let place = Place::with_scene();
     let said = place.run(["run", "scene.toml", "--json", "--csv", "rows.csv"]);
     said.ended(0, &[]);
@@ -69,10 +69,10 @@ fn the_json_is_what_the_rows_come_to() {
 }
 
 #[test]
-fn settling_is_told_as_in_words() {
+fn settling_is_reported_as_in_words() {
     let place = Place::new();
     let popc = SCENE.replace("stiffness = 8000.0\ndamping = 2.0", "stiffness = 5e4\ndamping = 20");
-    // In the last tenth of a run settling is not yet settled, but the time is told.
+    // A run that settles in its last tenth does not count as settled, but the time is reported.
     for (duration, settled) in [("10.0", true), ("2.4", false)] {
         let scene = popc.replace("duration = 10.0", &format!("duration = {duration}"));
         place.put("scene.toml", scene);
@@ -85,7 +85,7 @@ fn settling_is_told_as_in_words() {
     }
 }
 
-/// What is not there or out of range is null, and nothing else is.
+/// A number is null where it does not exist or is out of range, and only there.
 #[test]
 fn numbers_are_finite_or_null() {
     let place = Place::new();
@@ -110,7 +110,7 @@ fn numbers_are_finite_or_null() {
     assert_eq!(none["rows"], 0);
 }
 
-/// Rows and JSON each have a stream, as rows and words have.
+/// Rows and JSON go to separate streams, as rows and words do.
 #[test]
 fn rows_on_standard_output_send_the_json_to_standard_error() {
     let place = Place::with_scene();

@@ -1,4 +1,4 @@
-//! `lyapunov map`: shards, interruptions and bad input.
+//! Tests of `lyapunov map`: shards, interruptions and bad input.
 
 use std::process::Stdio;
 use std::thread;
@@ -52,7 +52,7 @@ fn a_map_is_the_same_whole_in_shards_and_on_any_threads() {
 }
 
 #[test]
-fn the_family_is_mapped_beside_what_a_scene_can_name() {
+fn the_family_is_mapped_beside_the_stabilizers_of_scenes() {
     let place = place();
     let names = ["--stabilizers", "popc-spread,none,tank,lolc"];
     let with = |more: &[&'static str]| axes(&[&names[..], more].concat());
@@ -65,7 +65,7 @@ fn the_family_is_mapped_beside_what_a_scene_can_name() {
     place.run(["map", "merge", "shards", "--out", "merged"]).ended(0, &["tank"]);
     let whole = place.text("whole/map.csv");
     assert_eq!(place.text("merged/map.csv"), whole);
-    // Who runs beside them is no matter.
+    // The other stabilizers of the map change nothing.
     place.run(axes(&["--out", "usual", "--stabilizers", "none,lolc"])).ended(0, &[]);
     let usual = place.text("usual/map.csv");
     let rows = |table: &str, name: &str| -> Vec<String> {
@@ -79,14 +79,14 @@ fn the_family_is_mapped_beside_what_a_scene_can_name() {
     let page = place.text("whole/report.html");
     assert!(page.contains("--stabilizers popc-spread,none,tank,lolc"));
     assert!(page.contains("<td>tank</td>"));
-    // A map of others is not gone on with.
+    // A map of other stabilizers is not resumed.
     std::fs::create_dir(place.path("other")).unwrap();
     place.put("other/map.part.csv", &whole);
     place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
 }
 
 #[test]
-fn a_table_that_was_cut_off_is_gone_on_with() {
+fn a_table_that_was_cut_off_is_resumed() {
     let place = place();
     place.run(axes(&["--out", "whole"])).ended(0, &[]);
     let whole = place.text("whole/map.csv");
@@ -166,7 +166,7 @@ fn bad_arguments_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn another_map_is_neither_gone_on_with_nor_merged() {
+fn another_map_is_neither_resumed_nor_merged() {
     let place = place();
     place.run(axes(&["--out", "out", "--shard", "0/2"])).ended(0, &[]);
     place.refuses(["map", "merge", "out", "--out", "merged"], &["shard 1/2 is missing"]);
@@ -189,7 +189,7 @@ fn another_map_is_neither_gone_on_with_nor_merged() {
 fn a_full_disk_loses_nothing() {
     let place = place();
     std::fs::create_dir(place.path("out")).unwrap();
-    // What is written is a file of its own until it is whole; a link to a full device stands for a disk that is.
+    // Files are temporary until they are whole, so a link to a full device stands for a full disk.
     std::os::unix::fs::symlink("/dev/full", place.path("out/map.json")).unwrap();
     place.put("out/map.csv", "an earlier map");
     place.run(axes(&["--out", "out"])).ended(2, &["map.json", "no space is left"]);

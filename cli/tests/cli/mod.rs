@@ -1,6 +1,6 @@
-//! The command line from outside: what it says, what it writes and what it leaves alone, with which exit status.
+//! Tests of the command line from outside: its messages, its files, those that it must leave alone, its exit status.
 
-// Devices, pipes, signals and names that are no text.
+// The tests need devices, pipes, signals and file names that are no text.
 #![cfg(unix)]
 
 mod accuracy;

@@ -1,4 +1,4 @@
-//! `lyapunov paper`.
+//! Tests of `lyapunov paper`.
 
 use std::fs;
 use std::path::Path;
@@ -17,8 +17,8 @@ const CASES: [&str; 6] = [
     "paper-8k-popc",
 ];
 
-/// Figures that are pictures, and the rows that `run` gives for the shipped scenes, byte for byte; a second run gives
-/// the same.
+/// The figures are pictures, and the rows are those that `run` gives for the shipped scenes, byte for byte; a second
+/// run gives the same.
 #[test]
 fn the_folder_holds_figures_and_rows_and_nothing_else_changes() {
     let place = Place::new();
@@ -47,7 +47,7 @@ fn the_folder_holds_figures_and_rows_and_nothing_else_changes() {
     }
 }
 
-/// Both files of a figure can be read, and the picture is the drawing at twice its size, with something on it.
+/// Asserts that both files of a figure can be read, and that the picture is the drawing at twice its size, not empty.
 fn picture(stem: &Path) {
     let svg = fs::read_to_string(stem.with_extension("svg")).unwrap();
     let size = Tree::from_str(&svg, &Options::default()).unwrap().size();

@@ -1,4 +1,4 @@
-//! A folder to run the command in, and what is in it.
+//! Folder to run the command in, and its contents.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -14,10 +14,10 @@ use crate::cli::said::Said;
 /// The shipped scene that most tests start from.
 pub(crate) const SCENE: &str = include_str!("../../../scenes/paper-8k-lolc.toml");
 
-/// As much of a file as is compared; a sparse one may be larger than memory.
+/// Bytes of a file that are compared; a sparse file may be larger than memory.
 const MOST: u64 = 1 << 20;
 
-/// What is at a path.
+/// Content at a path.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Content {
     Folder,
@@ -26,7 +26,7 @@ pub(crate) enum Content {
     Other,
 }
 
-/// A folder of its own for one test, which is where the command is run.
+/// Folder of one test, in which the command runs.
 #[derive(Debug)]
 pub(crate) struct Place(TempDir);
 
@@ -73,7 +73,7 @@ impl Place {
         Said::by(&mut self.command(arguments))
     }
 
-    /// Runs what cannot be done: it ends with status 2, says `words`, and leaves everything as it was.
+    /// Runs a command that must fail: it ends with status 2, prints `words` and changes nothing.
     #[track_caller]
     pub(crate) fn refuses<A: AsRef<OsStr>>(
         &self,
@@ -89,7 +89,7 @@ impl Place {
         said
     }
 
-    /// Everything in the folder and below.
+    /// Everything in the folder and its subfolders.
     pub(crate) fn contents(&self) -> BTreeMap<PathBuf, Content> {
         let mut contents = BTreeMap::new();
         let mut folders = vec![self.0.path().to_owned()];
@@ -106,7 +106,7 @@ impl Place {
         contents
     }
 
-    /// The names of what is directly in `folder`, in order.
+    /// Names of the direct entries of `folder`, in order.
     pub(crate) fn names(&self, folder: &str) -> Vec<String> {
         let entries = fs::read_dir(self.path(folder)).unwrap();
         let name = |entry: std::io::Result<fs::DirEntry>| {

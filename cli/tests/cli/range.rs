@@ -1,4 +1,4 @@
-//! Motion that leaves the range of the scalar is a result.
+//! Motion that leaves the range of the scalar, which is a result and no error.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! What the command said, and how it ended.
+//! Output and exit status of a command.
 
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
@@ -8,17 +8,17 @@ use std::time::{Duration, Instant};
 /// The widest line that fits a terminal.
 const WIDTH: usize = 100;
 
-/// Longer than any command here takes on a busy machine; one that is still there by then hangs.
+/// Time after which a command counts as hanging; none here takes as long, even on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A command that has ended.
+/// Output, exit status and duration of a command that has ended.
 #[derive(Debug)]
 pub(crate) struct Said {
     /// The exit status; none if a signal ended it.
     pub(crate) status: Option<i32>,
     pub(crate) out: String,
     pub(crate) err: String,
-    /// How long it took to end.
+    /// Time that the command took to end.
     pub(crate) took: Duration,
 }
 
@@ -27,7 +27,7 @@ impl Said {
         Self::by_child(command.stdin(Stdio::null()).start(Stdio::piped()))
     }
 
-    /// Waits for the end, and ends what does not.
+    /// Waits for the end, and kills a command that hangs.
     pub(crate) fn by_child(mut child: Child) -> Self {
         let start = Instant::now();
         let out = child.stdout.take().map(|pipe| thread::spawn(|| text(pipe)));
@@ -50,13 +50,13 @@ impl Said {
         Self { status: status.code(), out: text(out), err: text(err), took }
     }
 
-    /// Everything that was said, in one line, so that a folded sentence is found.
+    /// All output in one line, so that a wrapped sentence is found.
     fn unfolded(&self) -> String {
         let all = format!("{} {}", self.out, self.err);
         all.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// The exit status is `status`, every one of `words` was said, and what was said is fit for a person.
+    /// Asserts that the exit status is `status`, and that the output holds every one of `words` and no internals.
     #[track_caller]
     pub(crate) fn ended(&self, status: i32, words: &[&str]) {
         assert_eq!(self.status, Some(status), "{self:?}");
@@ -69,7 +69,7 @@ impl Said {
         }
     }
 
-    /// No line is wider than a terminal.
+    /// Asserts that no line is wider than a terminal.
     #[track_caller]
     pub(crate) fn fits(&self) {
         for line in self.out.lines().chain(self.err.lines()) {
@@ -78,7 +78,7 @@ impl Said {
     }
 }
 
-/// Starts a command whose standard error is caught and whose standard output goes to `out`.
+/// Start of a command with its standard error captured and its standard output sent to `out`.
 pub(crate) trait Start {
     fn start(&mut self, out: Stdio) -> Child;
 }

@@ -1,4 +1,4 @@
-//! Standard output and standard error, wherever they lead.
+//! Standard output and standard error, into pipes, full devices and closed readers.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -39,7 +39,7 @@ fn two_runs_give_the_same_bytes() {
     }
 }
 
-/// As with `| head -1`, early in the rows and before the first.
+/// The reader closes the pipe, as `head -1` does, early in the rows and before the first.
 #[test]
 fn a_reader_that_has_enough_ends_the_run_quietly() {
     let place = Place::new();
@@ -64,7 +64,7 @@ fn a_reader_gone_before_the_summary_costs_no_rows() {
 }
 
 #[test]
-fn a_full_standard_output_is_told() {
+fn a_full_standard_output_is_reported() {
     let place = Place::with_scene();
     let before = place.contents();
     for arguments in [&["run", "scene.toml", "--csv", "-"][..], &["run", "scene.toml"]] {
@@ -89,7 +89,7 @@ fn a_full_standard_error_changes_no_status() {
     }
 }
 
-/// Enough ticks for a bar, if anybody were looking; the rows, if they were kept, would take some 400 MB.
+/// Enough ticks for a progress bar on a terminal; rows kept in memory would take some 400 MB.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_long_run_is_silent_until_its_end_and_small() {

@@ -1,4 +1,4 @@
-//! What the summary says of the shipped scenes and of those with more in them.
+//! The summary of the shipped scenes and of scenes with further keys.
 
 use approx::abs_diff_eq;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::cli::place::{Place, SCENE};
 use crate::cli::said::Said;
 
-/// What one of the shipped scenes reads.
+/// File that one of the shipped scenes reads.
 const MOTION: &str = include_str!("../../../scenes/motion-file.csv");
 
 #[test]
@@ -46,7 +46,7 @@ fn the_shipped_scenes_fit_the_terminal() {
 }
 
 #[test]
-fn what_is_not_the_default_is_told() {
+fn values_other_than_the_defaults_are_reported() {
     let place = Place::new();
     let scene = SCENE
         .replace("duration = 10.0", "duration = 2.5\nscalar = \"f32\"\nvelocity = \"exact\"")
@@ -68,7 +68,7 @@ fn what_is_not_the_default_is_told() {
 }
 
 #[test]
-fn a_plant_that_does_not_move_exactly_is_told() {
+fn an_integrator_other_than_exact_is_reported() {
     for (keys, words) in [
         ("integrator = \"rk4\"\nsteps_per_tick = 4", "environment at 20 Hz, rk4 in 4 steps wall"),
         (
@@ -82,7 +82,7 @@ fn a_plant_that_does_not_move_exactly_is_told() {
 }
 
 #[test]
-fn a_plant_that_nothing_pulls_has_nowhere_to_settle() {
+fn without_an_operator_s_spring_nothing_settles() {
     let place = Place::new();
     place.put_scene("scene.toml", "stiffness = 50.0", "stiffness = 0.0");
     place.run(["run", "scene.toml"]).ended(0, &["without an operator's spring"]);
@@ -98,7 +98,7 @@ fn said_of(from: &str, to: &str, tables: &str) -> Said {
 }
 
 #[test]
-fn effects_are_told_in_words() {
+fn effects_are_reported_in_words() {
     let cases = [
         ("[effects.delay]\nticks = 1", "effects delay 1 tick"),
         ("[effects.filter]\nwindow = 1", "effects window 1 tick"),

@@ -1,4 +1,4 @@
-//! `bound`, `explain`, and the two lines of `run`.
+//! Tests of `bound`, of `explain`, and of the two lines that `run` prints of them.
 
 use approx::assert_abs_diff_eq;
 use serde_json::Value;
@@ -24,7 +24,7 @@ fn place() -> Place {
 }
 
 #[test]
-fn the_limits_are_told_in_words_and_as_json() {
+fn the_limits_are_printed_in_words_and_as_json() {
     let place = place();
     let said = place.run(["bound", "wall.toml"]);
     said.ended(0, &["passive, any operator 6000", "6.667 times too stiff", "the loop grows"]);

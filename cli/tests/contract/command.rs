@@ -1,4 +1,4 @@
-//! The command against the reference: traces while they are determined, rows to the end of any run.
+//! The command against the reference: traces for as long as they are determined, rows to the end of any run.
 
 use crate::contract::binary::run;
 use crate::contract::facts;
@@ -73,7 +73,7 @@ fn rows_of_random_scenes_follow_in_f32() {
     for_each(generate::scenes(Scalar::F32, 20.0), 60, 14, follows);
 }
 
-/// Chaotic, settling, uncapped and growing, for the longest and the fastest that a scene here is.
+/// Chaotic, settling, uncapped and growing loops, at the longest duration and at the fastest rate of these tests.
 #[test]
 fn rows_of_long_runs_follow() {
     for scalar in [Scalar::F64, Scalar::F32] {
@@ -93,7 +93,8 @@ fn rows_of_long_runs_follow() {
     }
 }
 
-/// The exit status is 0 and no row holds NaN or infinity, or `run` fails; the rows go to the last that fits, or `follow` does.
+/// `run` fails unless the exit status is 0 and every number is finite; `follow` fails unless the rows go to the last
+/// one that fits into the scalar.
 #[test]
 fn motion_out_of_range_ends_the_rows() {
     for (scalar, duration) in [(Scalar::F32, 100.0), (Scalar::F64, 150.0)] {

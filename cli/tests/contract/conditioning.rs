@@ -1,22 +1,22 @@
-//! How long a trace is determined by its scene rather than by rounding.
+//! Length for which a trace is determined by its scene and not by rounding.
 //!
-//! The same scene is run again with its start moved and every state rounded at random; where that moves a column by more
-//! than a small part of its largest value, the scene ends. In f64 the start moves by 1e-13 of the largest position and
-//! nothing may move by more than 1e-10: rounding is amplified a thousandfold at most. In f32 the second run also has the
-//! scene's numbers rounded, the start moves by 1e-7 and nothing may move by more than 1e-3.
+//! The same scene is run again with its start moved and every state rounded at random; where that moves a column by
+//! more than a small part of its largest value, the scene is cut. In f64 the start moves by 1e-13 of the largest
+//! position and nothing may move by more than 1e-10: rounding is amplified a thousandfold at most. In f32 the second
+//! run also has the scene's numbers rounded, the start moves by 1e-7 and nothing may move by more than 1e-3.
 //!
-//! A few runs do not meet every decision. Near rest the damper is one: there the last place of the sum, or whether the
-//! velocity is exactly 0, switches it between nothing and its cap, so the scene ends there too.
+//! A few runs do not find every switch. Near rest the damper is one: there the last place of the observed energy, or
+//! whether the velocity is exactly 0, switches it between nothing and its cap, so the scene is cut there too.
 
 use crate::contract::reference::{self, Disturbance};
 use crate::contract::row::Row;
 use crate::contract::scene::{Scalar, Scene, Velocity};
 use crate::contract::trace;
 
-/// Below this nothing of the loop has happened yet.
+/// Least number of ticks of a comparison; in fewer nothing of the loop has happened yet.
 const FEWEST_TICKS: usize = 8;
 
-/// Units in the last place of its largest value so far, by which the sum or a velocity may be off.
+/// Error that the observed energy or a velocity may have, in units in the last place of its largest value so far.
 const UNITS: f64 = 16.0;
 
 pub(crate) fn shortened(scene: &Scene) -> Option<Scene> {
@@ -82,7 +82,7 @@ mod tests {
     use crate::contract::reference;
     use crate::contract::scene::{Kind, SOFT, STIFF, Scalar, Scene, Work};
 
-    /// A comparison that ends before the controller applied would compare nothing.
+    /// A trace that is cut before the controller acts would compare nothing of it.
     #[test]
     fn traces_reach_past_the_first_contact() {
         for wall in [SOFT, STIFF] {

@@ -1,4 +1,4 @@
-//! What is known about the paper's loops (docs/contract.md), asked of the reference and of the command alike.
+//! Known facts about the paper's loops (docs/contract.md), checked on the reference and on the command.
 
 use crate::contract::row::Row;
 use crate::contract::scene::{Kind, SOFT, STIFF, Scene, Work};
@@ -25,7 +25,7 @@ fn popc(scene: Scene) -> Scene {
     scene.with(Kind::Popc, Work::Held, 0.5)
 }
 
-/// The ticks from touching the wall to the first one off it again.
+/// Ticks from the first one in contact with the wall to the first one off it again.
 pub(crate) fn first_contact(rows: &[Row]) -> std::ops::RangeInclusive<usize> {
     let touch = rows.iter().position(|row| row.x_measured > 0.0);
     let touch = touch.expect("the loop starts 4 mm before the wall and swings past it");

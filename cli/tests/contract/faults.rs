@@ -1,4 +1,4 @@
-//! Whether the comparisons tell a sound run from a misreading of the contract.
+//! Tests of the comparisons: they pass sound runs and catch misreadings of the contract.
 
 use crate::contract::conditioning::shortened;
 use crate::contract::fault::Fault;
@@ -10,7 +10,7 @@ use crate::contract::scene::{STIFF, Scalar, Scene};
 use crate::contract::second;
 use crate::contract::trace;
 
-/// Where rounding decides nothing, two formulations that share no formula agree, row by row too.
+/// Two formulations that share no formula agree where rounding decides nothing; their rows agree everywhere.
 fn both_forms_agree(scene: &Scene) -> Result<(), String> {
     let second = |scene: &Scene| Ok(second::run(scene, None));
     let told = |error| format!("{error}\n{}", scene.toml());
@@ -37,7 +37,7 @@ fn rows_of_long_runs_follow() {
     for_each(scenes(Scalar::F64, 20.0), 200, 2, follow);
 }
 
-/// Errors of the size of the scalar's own, put into the state and into each column, pass.
+/// Rounding errors of the scalar, added to the state and to each column, must pass.
 fn rounded_follows(scene: &Scene) -> Result<(), String> {
     let held = scene.in_scalar();
     let disturbance = Disturbance { start: 0.0, rounding: scene.scalar.epsilon(), seed: 7 };
@@ -55,7 +55,7 @@ fn rounding_is_no_fault() {
 }
 
 #[test]
-fn a_trace_may_end_only_where_the_scalar_does() {
+fn a_trace_may_end_only_at_the_end_of_the_scalar_s_range() {
     for scalar in [Scalar::F64, Scalar::F32] {
         let mut scene = Scene::paper(STIFF).lasting(150.0);
         scene.scalar = scalar;
@@ -82,7 +82,7 @@ fn every_fault_is_caught_by_rows_and_by_traces() {
         let differs = |scene: &&Scene| trace::compare(scene, misread).is_err();
         let by_traces = short.iter().filter(differs).count();
         assert!(by_rows > 0, "no row shows {fault:?}");
-        // A trace that hangs on a tie is not determined.
+        // A trace that depends on a rounding tie is not determined.
         assert!(by_traces > 0 || fault == Fault::EncoderHalvesToEven, "no trace shows {fault:?}");
     }
 }

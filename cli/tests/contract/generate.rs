@@ -1,4 +1,4 @@
-//! Scenes: a list by hand, and random ones from fixed seeds.
+//! Scenes of the tests: a list by hand, and random ones from fixed seeds.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
@@ -22,7 +22,7 @@ const STABILIZERS: [Option<(Kind, Work, f64)>; 12] = [
     Some((Kind::Spring, Work::Sampled, 0.25)),
 ];
 
-/// Both walls at one and two rates under each stabilizer, and the corners that random numbers do not hit.
+/// Both walls at one and two rates under each stabilizer, and corner cases that random numbers do not hit.
 pub(crate) fn known() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for wall in [SOFT, STIFF] {
@@ -67,7 +67,7 @@ fn corners() -> Vec<Scene> {
         scenes.push(scene);
     }
 
-    // Work and credit at n = 0, which only a velocity that is known at once makes differ from zero.
+    // Work and credit at n = 0 differ from zero only if the velocity is known at once.
     for kind in [Kind::MassSpringDamper, Kind::DeviceDamping] {
         for work in [Work::Held, Work::Sampled] {
             let mut scene = stabilized(kind).with(kind, work, 1.0);
@@ -85,7 +85,7 @@ fn corners() -> Vec<Scene> {
     scenes
 }
 
-/// Starts on a half count that both scalars hold exactly. Their traces are a matter of one bit, their rows are not.
+/// Starts on a half count that both scalars hold exactly. One bit decides their traces, but not their rows.
 pub(crate) fn ties() -> Vec<Scene> {
     let tie = |counts| {
         let mut scene = Scene::paper(SOFT).lasting(2.0).with(Kind::Popc, Work::Held, 0.5);
@@ -96,7 +96,8 @@ pub(crate) fn ties() -> Vec<Scene> {
     [1.5, -2.5, 0.5, -0.5].map(tie).to_vec()
 }
 
-/// A position near a half count is a matter of one bit, which no tolerance of a trace in f32 covers; its rows can be checked.
+/// The scene without its encoder: near a half count one bit decides the measured position, which no tolerance of a
+/// trace in f32 covers. Its rows can be checked.
 pub(crate) fn without_encoder(mut scene: Scene) -> Scene {
     scene.encoder = None;
     scene

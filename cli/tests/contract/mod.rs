@@ -1,8 +1,9 @@
-//! Checks the command against the tick contract (docs/contract.md), calculated here a second time and on its own: nothing
-//! in this target uses the library.
+//! Checks of the command against the tick contract (docs/contract.md), which is calculated here a second time: nothing
+//! in this module uses the library.
 //!
-//! A controlled loop at a stiff wall is chaotic, so two checks share the work. A trace is compared with the reference for
-//! as long as rounding cannot have grown to matter, and on runs of any length each row must follow from the rows before it.
+//! A controlled loop at a stiff wall is chaotic, so there are two checks. A trace is compared with the reference for as
+//! long as rounding cannot have grown to matter, and on runs of any length each row must follow from the rows before
+//! it.
 
 mod binary;
 mod command;

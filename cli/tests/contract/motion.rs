@@ -1,4 +1,4 @@
-//! The exact motion of m x'' + b x' + k y = -f over one period of constant f, with y = x - rest.
+//! Exact motion of m x'' + b x' + k y = -f over one period of constant f, with y = x - rest.
 //!
 //! Everything follows from the impulse response h (h(0) = 0, h'(0) = 1), its derivative and its integral. Their Taylor
 //! series are summed in double-double, so that one form serves every damping, k = 0 and short periods alike: the closed
@@ -66,8 +66,8 @@ impl Mul for Double {
     }
 }
 
-/// x(n+1) = x + position_y y + position_v v - position_f f, v(n+1) = v + velocity_y y + velocity_v v - velocity_f f, and
-/// the same without v: dx(n+1) = decay dx(n) - pull y(n) - now f(n) - before f(n-1).
+/// Coefficients of one period: x(n+1) = x + position_y y + position_v v - position_f f, v(n+1) = v + velocity_y y +
+/// velocity_v v - velocity_f f, and the same without v: dx(n+1) = decay dx(n) - pull y(n) - now f(n) - before f(n-1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion {
     pub(crate) position_y: f64,
@@ -125,7 +125,7 @@ fn impulse_response(friction: Double, spring: Double, period: Double) -> (Double
     (h, slope.over(period.high), area * period)
 }
 
-/// The textbook solution in f64: coarser than the series, but nothing is shared with it.
+/// Tests against the textbook solution in f64, which is coarser than the series and shares nothing with it.
 #[cfg(test)]
 mod tests {
     use approx::{abs_diff_eq, assert_abs_diff_eq};

@@ -1,15 +1,15 @@
-//! One servo tick after the other, in the contract's order.
+//! Reference of the contract: one servo tick after the other, in the contract's order.
 
 use crate::contract::motion::Motion;
 use crate::contract::row::Row;
 use crate::contract::scene::{Kind, Scene, Velocity, Work};
 
-/// What a second run of the same scene adds, to learn how much of a trace rounding may decide.
+/// Disturbance of a second run of the same scene, which shows how much of a trace rounding may decide.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Disturbance {
     /// Added to the start, in metres.
     pub(crate) start: f64,
-    /// Relative error of the state and of the sum at each tick, up to this, of either sign.
+    /// Largest relative error, of either sign, of the state and of the observed energy at each tick.
     pub(crate) rounding: f64,
     pub(crate) seed: u64,
 }
@@ -101,7 +101,7 @@ fn wall(scene: &Scene, x_measured: f64, v: f64) -> f64 {
     }
 }
 
-/// The sum, the damper and what the damper could not serve.
+/// Observed energy, injected damping and shortfall.
 fn stabilize(
     scene: &Scene,
     last: Option<Row>,

@@ -1,17 +1,17 @@
-//! Each row of a trace follows from the rows before it, however long and however chaotic the trace.
+//! Check that each row of a trace follows from the rows before it, however long and however chaotic the trace is.
 //!
-//! An equation may miss by a small part of its largest term, plus a few units in the last place of what it is a
-//! difference of: a position is known no better than it is stored, and where dx, an increment or a penetration is small
-//! beside the positions, its own magnitude says nothing about its error. Below the normal numbers the last place is an
-//! absolute error.
+//! An equation may be off by a small part of its largest term, plus a few units in the last place of the operands of
+//! its differences: a position is known no better than it is stored, and where dx, an increment or a penetration is
+//! small beside the positions, its own magnitude says nothing about its error. Below the normal numbers the last place
+//! is an absolute error.
 
 use crate::contract::motion::Motion;
 use crate::contract::row::Row;
 use crate::contract::scene::{Kind, Scalar, Scene, Stabilizer, Velocity, Work};
 
-/// Of the state, for the step of the plant: its sums of several products, each rounded, and the map's own rounding.
+/// Units of the state, for the step of the plant: its sums of several products, each rounded, and the map's rounding.
 const STEP_UNITS: f64 = 32.0;
-/// Of an operand, for one difference.
+/// Units of an operand, for one difference.
 const DIFFERENCE_UNITS: f64 = 4.0;
 
 type Checked = Result<(), String>;
@@ -59,7 +59,7 @@ impl Check<'_> {
         self.scene.scalar.tiny() * self.scene.scalar.epsilon()
     }
 
-    /// A term that the scalar cannot hold ends the trace elsewhere; it is no business of this equation.
+    /// Compares within the allowed error. A term that the scalar cannot hold is passed: [`Check::end`] judges it.
     fn near(
         &self,
         n: usize,
@@ -135,7 +135,7 @@ impl Check<'_> {
             return self.exactly(n, "x_measured", x_measured, x);
         };
         let whole = (x_measured / resolution).round() * resolution;
-        // A power of two divides without rounding, so even a tie is decided.
+        // Division by a power of two does not round, so even a tie is determined.
         if resolution.log2().fract() == 0.0 {
             let want = (x / resolution).round() * resolution;
             return self.exactly(n, "x_measured", x_measured, want);
@@ -272,7 +272,7 @@ impl Check<'_> {
         self.exactly(n, "f_act", row.f_act, want)
     }
 
-    /// A trace is whole, or ends because the next row would not have fitted into the scalar.
+    /// Checks that the trace is whole, or ends because the next row does not fit into the scalar.
     fn end(&self) -> Checked {
         let ticks = self.scene.ticks();
         match self.rows {
@@ -285,7 +285,7 @@ impl Check<'_> {
         }
     }
 
-    /// Whether the next row, or a product on the way to it, is more than the scalar holds.
+    /// Whether the next row, or a product on the way to it, is beyond the range of the scalar.
     fn leaves(&self, before: &Row, last: &Row) -> bool {
         let (map, scene) = (&self.motion, &self.scene);
         let y = last.x - scene.operator.rest;

@@ -1,4 +1,4 @@
-//! A scene as plain numbers.
+//! Scene of the contract tests as plain numbers.
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scalar {
@@ -106,7 +106,7 @@ pub(crate) struct Scene {
     pub(crate) encoder: Option<f64>,
     pub(crate) delay: usize,
     pub(crate) saturation: Option<f64>,
-    /// Written with defaults left out and whole numbers as integers.
+    /// The file leaves defaults out and writes whole numbers as integers.
     pub(crate) terse: bool,
 }
 
@@ -158,7 +158,7 @@ impl Scene {
         self.operator.mass + self.device.mass
     }
 
-    /// Every number as the scalar holds it: which side of a surface a position lies on depends on the last bit.
+    /// The scene with every number as the scalar holds it: a position's last bit decides its side of a surface.
     pub(crate) fn in_scalar(&self) -> Self {
         let mut scene = self.clone();
         let numbers = [

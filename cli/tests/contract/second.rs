@@ -1,6 +1,6 @@
-//! The contract once more, in another form and with misreadings to choose from: it tells whether the comparisons can tell.
+//! Second form of the contract, with misreadings to choose from: it tests whether the comparisons find them.
 //!
-//! The plant is integrated by Runge and Kutta's fourth-order method in steps far below the period; the port's energy is
+//! The plant is integrated by the fourth-order Runge-Kutta method in steps far below the period; the port's energy is
 //! an integral beside it, the delay a queue and the hold a countdown.
 
 use std::collections::VecDeque;
@@ -9,8 +9,8 @@ use crate::contract::fault::Fault;
 use crate::contract::row::Row;
 use crate::contract::scene::{Kind, Scene, Velocity, Work};
 
-/// Runge-Kutta steps per unit of z, the plant's fastest rate times the period. The answer to a force is off by z^3 / 60 in
-/// the fourth power of the steps, the state by z^4 / 120: both stay near rounding.
+/// Runge-Kutta steps per unit of z, the plant's fastest rate times the period. The answer to a force is off by z^3 / 60
+/// over the fourth power of the steps, the state by z^4 / 120: both stay near rounding.
 const FINENESS: f64 = 1500.0;
 
 pub(crate) fn run(scene: &Scene, fault: Option<Fault>) -> Vec<Row> {
@@ -243,7 +243,7 @@ impl<'a> Loop<'a> {
             [s[0] + by * k[0], s[1] + by * k[1], s[2] + by * k[2]]
         };
         self.state[2] = 0.0;
-        // The state is the start plus what has been gained, so that a thousand steps round like one.
+        // The gain is summed apart from the start, so that a thousand steps round like one.
         let start = self.state;
         let mut gained = [0.0; 3];
         for _ in 0..steps as usize {

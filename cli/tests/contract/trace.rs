@@ -1,12 +1,12 @@
-//! Two traces of one scene, row by row.
+//! Comparison of two traces of one scene, row by row.
 
 use crate::contract::conditioning;
 use crate::contract::reference;
 use crate::contract::row::{HEADER, Row};
 use crate::contract::scene::{Scalar, Scene};
 
-/// Within this part of each column's largest absolute value: well above what conditioning lets rounding reach, well below
-/// what any misreading of the contract does.
+/// Tolerance as a part of each column's largest absolute value: well above the error that conditioning lets rounding
+/// reach, well below the error of any misreading of the contract.
 pub(crate) fn tolerance(scalar: Scalar) -> f64 {
     match scalar {
         Scalar::F64 => 2e-9,
@@ -14,7 +14,7 @@ pub(crate) fn tolerance(scalar: Scalar) -> f64 {
     }
 }
 
-/// What is left of a debt is as exact as the sum, however small it is: the two energies share a scale.
+/// Largest value of each column. The shortfall is only as exact as the observed energy, so both share a scale.
 pub(crate) fn largest(rows: &[Row]) -> [f64; 12] {
     let scale = |columns: [f64; 12], row: &Row| {
         let mut values = row.columns().into_iter();
@@ -43,7 +43,7 @@ pub(crate) fn agree(reference: &[Row], other: &[Row], tolerance: f64) -> Result<
     Ok(())
 }
 
-/// The scene is cut where its trace stops being determined; a scene with nothing left has nothing to say.
+/// Compares the trace up to where it stops being determined; a scene with nothing left passes.
 pub(crate) fn compare(
     scene: &Scene,
     run: impl Fn(&Scene) -> Result<Vec<Row>, String>,

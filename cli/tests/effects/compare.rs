@@ -1,25 +1,25 @@
-//! The command's rows against those of the reference.
+//! Comparison of the command's rows with those of the reference.
 
 use crate::effects::reference::{Loop, Row, column};
 use crate::effects::run::rows;
 use crate::effects::scene::Scene;
 
-/// How far another start and other roundings may move a trace before it ends, and how much farther than they do the
-/// command may be off; parts of the largest value of each column.
+/// Factor by which the command may be off more than another start and other roundings move the trace.
 const FACTOR: f64 = 30.0;
 
-/// A loop with numbers of this size has run away, and has no more to tell.
+/// Size of numbers at which a loop has run away, and its trace is cut.
 const RUNAWAY: f64 = 1e5;
 
-/// What is asked of a scene's arithmetic.
+/// Tolerances for a scene's scalar: `base` and `undetermined` as parts of the largest value of each column, `start` of
+/// the largest position.
 struct Precision {
-    /// By how much the second start differs.
+    /// Difference of the second start.
     start: f64,
     /// A unit in the last place.
     epsilon: f64,
-    /// What a row may always be off by.
+    /// Error that is allowed in any row.
     base: f64,
-    /// Where a trace ends.
+    /// Spread of the runs at which the trace is cut.
     undetermined: f64,
 }
 
@@ -33,7 +33,7 @@ impl Precision {
     }
 }
 
-/// Numbers near 1, from a fixed seed.
+/// Random factors near 1, from a fixed seed.
 struct Rounding {
     size: f64,
     state: u64,
@@ -74,7 +74,7 @@ fn disturbed(scene: &Scene, start: f64, rounding: f64, seed: u64) -> Vec<Row> {
     rows
 }
 
-/// The largest value of each column; what is left of a debt has the scale of the sum.
+/// Largest value of each column; the shortfall has the scale of the observed energy.
 fn scales(rows: &[Row]) -> Row {
     let mut scales = vec![0.0_f64; rows[0].len()];
     for row in rows {
@@ -84,7 +84,7 @@ fn scales(rows: &[Row]) -> Row {
     scales
 }
 
-/// How far two rows are apart, in parts of the scales.
+/// Distance of two rows, in parts of the scales.
 fn apart(one: &Row, other: &Row, scales: &Row) -> f64 {
     let pairs = one.iter().zip(other).zip(scales);
     let parts = pairs.map(|((one, other), scale)| match (one - other).abs() {
@@ -94,7 +94,7 @@ fn apart(one: &Row, other: &Row, scales: &Row) -> f64 {
     parts.fold(0.0, f64::max)
 }
 
-/// Compares the trace for as long as it is determined; returns how many ticks that is.
+/// Compares the trace for as long as it is determined; returns the number of those ticks.
 pub(crate) fn agrees(scene: &Scene) -> Result<usize, String> {
     let precision = Precision::of(scene);
     let ours = reference(scene);
@@ -125,7 +125,7 @@ pub(crate) fn agrees(scene: &Scene) -> Result<usize, String> {
     }
 }
 
-/// Holds every row against what follows from the rows before it.
+/// Compares every row with the one that follows from the rows before it.
 pub(crate) fn follows(scene: &Scene) -> Result<(), String> {
     let told = rows(scene)?;
     let base = if scene.single { 1e-4 } else { 1e-11 };
@@ -133,13 +133,13 @@ pub(crate) fn follows(scene: &Scene) -> Result<(), String> {
     let mut machine = Loop::new(scene);
     for (n, row) in told.iter().enumerate() {
         if n > 0 && !scene.exact {
-            // Where the velocity is not told, the position is taken as it is.
+            // Where the rows do not hold the plant's velocity, the position is taken from them.
             for axis in 0..scene.dimensions {
                 machine.state[axis][0] = row[column(axis, 0)];
             }
         }
         let ours = machine.tick(n);
-        // A damper is the sum over v² T: where the motion is slow, it has fewer digits than the sum.
+        // The injected damping is the debt over v² T: where the motion is slow, it has fewer digits than the debt.
         let speed = (0..scene.dimensions).map(|axis| row[column(axis, 2)]).fold(0.0, f64::hypot);
         let weight = speed * speed * scene.period();
         let damper = if weight > 0.0 { base * scales[8] / weight } else { 0.0 };

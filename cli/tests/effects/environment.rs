@@ -1,4 +1,4 @@
-//! What the device touches.
+//! Environments of the reference.
 
 use std::f64::consts::TAU;
 
@@ -59,7 +59,7 @@ impl Environment {
         }
     }
 
-    /// What its own damper burns in `period` at `v`.
+    /// Energy that the environment's own damper dissipates in `period` at `v`.
     pub(crate) fn credit(&self, t: f64, x: Axes, v: Axes, period: f64) -> f64 {
         let touching = |p: f64, power: f64| if p > 0.0 { power * period } else { 0.0 };
         match *self {
@@ -85,7 +85,7 @@ impl Environment {
         }
     }
 
-    /// Place and velocity of a moving wall.
+    /// Position and velocity of a moving wall.
     fn surface(&self, t: f64) -> (f64, f64) {
         let Self::MovingWall { position, amplitude, frequency, .. } = *self else {
             panic!("only one wall moves");

@@ -4,7 +4,7 @@ use approx::abs_diff_eq;
 
 const STAGES: usize = 7;
 
-/// What `state` gains over `step` s under `rate`.
+/// Gain of `state` over `step` s under `rate`.
 pub(crate) fn gain<const N: usize>(
     state: [f64; N],
     step: f64,
@@ -26,7 +26,7 @@ pub(crate) fn gain<const N: usize>(
     table[STAGES - 1]
 }
 
-/// The gain alone is computed, so that small steps cost a large state no digits.
+/// Gain of one midpoint run. The state is not added to it, so that small steps cost a large state no digits.
 fn midpoint<const N: usize>(
     state: [f64; N],
     step: f64,

@@ -1,8 +1,8 @@
-//! Checks the command against the table of effects (docs/effects, docs/contract.md), calculated here on its own: nothing in
-//! this target uses the library.
+//! Checks of the command against the effects (docs/effects, docs/contract.md), which are calculated here independently:
+//! nothing in this module uses the library.
 //!
 //! A trace is compared with the reference for as long as rounding cannot have grown to matter. On runs of any length
-//! each row must follow from the rows before it, whatever the loop is.
+//! and of any loop each row must follow from the rows before it.
 
 mod compare;
 mod environment;

@@ -1,4 +1,4 @@
-//! An effect at its neutral value gives the bytes of its absence.
+//! Effects at their neutral values, which give the same bytes as their absence.
 
 use crate::effects::run::csv_of;
 
@@ -14,7 +14,7 @@ const STABILIZERS: [&str; 9] = [
     "[stabilizer.lolc]\ncandidate = \"spring\"\nwork = \"sampled\"",
 ];
 
-/// Awkward numbers, so that a rounding more or less is seen.
+/// Numbers with many digits, so that one rounding more or less shows.
 const BASE: &str =
     "[device]\nmass = 0.2\ndamping = 0.013\n[initial]\nposition = -0.0037\nvelocity = 0.011\n";
 
@@ -41,7 +41,7 @@ fn same(one: &str, other: &str, motion: Option<&str>) {
     }
 }
 
-/// On one mass and on two.
+/// Asserts that `table` changes nothing, on one mass and on two.
 #[track_caller]
 fn neutral(table: &str) {
     for link in ["", "[link]\nstiffness = 3000.7\ndamping = 0.4\n"] {
@@ -118,7 +118,7 @@ fn walls() {
     let wall = "position = 0.0003\nstiffness = 8000.1\ndamping = 2.3\n";
     for motion in ["amplitude = 0\nfrequency = 7.7\n", "amplitude = 0.01\nfrequency = 0\n"] {
         let moving = format!("[environment.moving-wall]\n{wall}{motion}");
-        // A wall that would begin to move at no frequency stands.
+        // At frequency 0 the wall stands still, whatever its amplitude.
         reduces(&moving, WALL);
     }
     for (depth, lower) in [("0.0001", "8000.1"), ("0", "8000.1"), ("9", "3")] {
@@ -146,7 +146,7 @@ fn springs() {
     reduces("[environment.mass-spring-damper]\nposition = 0.0003\nstiffness = 410.7\n", spring);
 }
 
-/// In two dimensions, with a solid.
+/// The neutral values in two dimensions, with a solid.
 #[test]
 fn several_axes() {
     let base = |rest: &str| {
@@ -185,7 +185,7 @@ fn several_axes() {
     }
 }
 
-/// Rates divide each other but for a billionth, which does not add up in the time that an environment tells.
+/// Rates may fail to divide each other by a billionth, which does not add up in the environment's time.
 #[test]
 fn rates_within_their_tolerance() {
     let wall = format!(

@@ -1,4 +1,4 @@
-//! Each effect by itself, on a loop that settles: compared to the end.
+//! Each effect alone, on a loop that settles, compared to the end of the run.
 
 use crate::effects::compare::agrees;
 use crate::effects::scene::{Dropout, Environment, Filter, Friction, Kind, Motion, Pulse, Scene};
@@ -12,7 +12,7 @@ fn to_the_end(scene: &Scene) {
                 scene = scene.with(kind, false, 0.25);
             }
             let compared = agrees(&scene).unwrap_or_else(|error| panic!("{error}"));
-            // A stabilizer at rest switches by the last bit.
+            // At rest the last bit switches a stabilizer.
             let least = if stabilizer.is_none() { scene.ticks() } else { scene.ticks() / 10 };
             assert!(compared >= least, "{compared} ticks of\n{}", scene.toml());
         }
@@ -39,7 +39,7 @@ fn noise() {
 
 #[test]
 fn jitter() {
-    // With the larger one some intervals would be below 0, and are 0.
+    // With the larger deviation some intervals would be negative, and are 0.
     for deviation in [1e-4, 1e-3] {
         to_the_end(&Scene { jitter: Some((deviation, 5)), ..Scene::calm() });
         to_the_end(&Scene {

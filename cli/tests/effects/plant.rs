@@ -1,9 +1,9 @@
-//! What moves: one mass or two, with friction or without.
+//! Plant of the reference: one mass or two, with or without friction.
 
 use crate::effects::integrate::gain;
 use crate::effects::scene::{Friction, Scene};
 
-/// Device's position and velocity, then the operator's, on one axis.
+/// Position and velocity of the device, then of the operator, on one axis.
 pub(crate) type State = [f64; 4];
 
 /// The plant on one axis during one tick.
@@ -14,7 +14,7 @@ pub(crate) struct Plant {
     rest: f64,
     link: Option<[f64; 2]>,
     friction: Option<Friction>,
-    /// Held on the device over the tick: what pushes less what the port exerts.
+    /// Force held on the device over the tick: the push less the port's force.
     force: f64,
 }
 
@@ -66,7 +66,7 @@ impl Plant {
         [dx, dv, w, on_operator / self.operator[0]]
     }
 
-    /// A step that resolves the fastest of what happens.
+    /// Step that resolves the fastest dynamics.
     fn step(&self, state: State, phase: Phase) -> f64 {
         let [k, b] = self.link.unwrap_or_default();
         let speed = |[mass, damping]: [f64; 2], stiffness: f64| {
@@ -78,7 +78,7 @@ impl Plant {
         };
         if let Some(law) = self.friction {
             let slope = (law.breakaway - law.coulomb) / (law.stribeck_velocity * self.device[0]);
-            // Far above that velocity the law is flat, and only coming down to it matters.
+            // Far above that velocity the law is flat, and only the way down to it needs resolving.
             let far = state[1].abs() > 20.0 * law.stribeck_velocity;
             let room = if far { 0.5 * state[1].abs() } else { law.stribeck_velocity };
             fastest += slope + self.rate(state, phase)[1].abs() / room;

@@ -1,4 +1,4 @@
-//! Random numbers as docs/effects/noise.md words them.
+//! Random numbers as defined in docs/effects/noise.md.
 
 use approx::abs_diff_eq;
 
@@ -27,7 +27,7 @@ fn words(seed: u64, call: u64, source: Source, axis: u32) -> [u32; 4] {
     c
 }
 
-/// Within 0 and 1, without 1.
+/// Number from 0 to 1, without 1.
 fn fraction(high: u32, low: u32) -> f64 {
     let whole = u64::from(high) * (1 << 32) + u64::from(low);
     (whole / 2048) as f64 * 0.5_f64.powi(53)

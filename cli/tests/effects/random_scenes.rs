@@ -1,4 +1,4 @@
-//! Scenes that mix effects as they come.
+//! Random scenes that mix effects.
 
 use std::cell::Cell;
 
@@ -8,7 +8,7 @@ use crate::effects::compare::{agrees, follows};
 use crate::effects::generate::{for_each, scenes};
 use crate::effects::scene::Scene;
 
-/// Compares, and tells that enough was compared for it to mean something.
+/// Compares the traces, and asserts that more than `part` of their ticks is determined.
 fn all_agree(scenes: impl Strategy<Value = Scene>, cases: u32, seed: u64, part: f64) {
     let (whole, compared) = (Cell::new(0), Cell::new(0));
     for_each(scenes, cases, seed, |scene| {
@@ -25,7 +25,7 @@ fn traces_agree() {
     all_agree(scenes(false), 120, 41, 0.5);
 }
 
-/// A position near a half count is a matter of one bit, which no tolerance of a trace in f32 covers.
+/// No encoder: near a half count one bit decides the measured position, which no tolerance of a trace in f32 covers.
 #[test]
 fn traces_agree_in_f32() {
     let scenes = scenes(true).prop_map(|mut scene| {

@@ -1,4 +1,4 @@
-//! The tick contract with every effect, tick by tick, in f64.
+//! Reference of the tick contract with every effect, tick by tick, in f64.
 
 use crate::effects::environment::dot;
 use crate::effects::plant::{Plant, State};
@@ -6,17 +6,17 @@ use crate::effects::random::{self, Source};
 use crate::effects::scene::{Axes, Kind, Motion, Scene};
 use crate::effects::velocity::velocity;
 
-/// One row of the CSV, in the order of `Scene::columns`.
+/// Row of the CSV, in the order of `Scene::columns`.
 pub(crate) type Row = Vec<f64>;
 
-/// Where the further axes begin, and how many columns each has.
+/// First column of the further axes; each axis has `PER_AXIS` columns.
 const FURTHER: usize = 12;
 const PER_AXIS: usize = 7;
 
-/// The most ticks that a filter looks back.
+/// Largest number of ticks that a filter looks back.
 const LONGEST_WINDOW: usize = 256;
 
-/// The columns of x, x_measured, v and so on, on each axis.
+/// Column of x, x_measured, v and so on, on each axis.
 pub(crate) fn column(axis: usize, index: usize) -> usize {
     if axis == 0 { 1 + index } else { FURTHER + (axis - 1) * PER_AXIS + index }
 }
@@ -56,7 +56,7 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// Row `n`, from the plant's state now and the rows before.
+    /// Row `n`, from the plant's present state and the rows before.
     pub(crate) fn tick(&mut self, n: usize) -> Row {
         let scene = self.scene;
         let x = self.state.map(|state| state[0]);
@@ -90,12 +90,12 @@ impl<'a> Loop<'a> {
         row
     }
 
-    /// Goes on with another sum, as if rounded otherwise.
+    /// Replaces the observed energy, as if it had been rounded otherwise.
     pub(crate) fn disturb(&mut self, observer: f64) {
         self.observer = observer;
     }
 
-    /// Takes from `row`, a row `n` that was told, whatever later rows follow from.
+    /// Takes from `row`, row `n` of the command, all that later rows follow from.
     pub(crate) fn believe(&mut self, n: usize, row: &[f64]) {
         let scene = self.scene;
         for axis in 0..scene.dimensions {
@@ -185,7 +185,7 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// The sum, the damper and what the damper could not serve.
+    /// Observed energy, injected damping and shortfall.
     fn stabilize(&mut self, n: usize, x: Axes, v: Axes) -> (f64, f64, f64) {
         let scene = self.scene;
         let Some(stabilizer) = scene.stabilizer else {
@@ -218,7 +218,7 @@ impl<'a> Loop<'a> {
 }
 
 impl Scene {
-    /// Where the operator's spring rests on the first axis from tick `n` to the next.
+    /// Rest of the operator's spring on the first axis from tick `n` to the next.
     fn rest_at(&self, n: usize) -> f64 {
         let (rest, t) = (self.operator.rest[0], n as f64 / self.servo_rate);
         match &self.motion {
@@ -251,7 +251,7 @@ impl Scene {
         }
     }
 
-    /// What pushes the device on the first axis from tick `n` to the next.
+    /// Push on the device on the first axis from tick `n` to the next.
     fn push_at(&self, n: usize) -> f64 {
         let pulse = self.pulse.map_or(0.0, |it| {
             let ticks = self.tick_of(it.start)..self.tick_of(it.start + it.duration);

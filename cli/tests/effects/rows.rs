@@ -1,4 +1,4 @@
-//! Long runs of loops that rounding decides: each row follows from the rows before it.
+//! Long runs of chaotic loops, in which each row follows from the rows before it.
 
 use crate::effects::compare::follows;
 use crate::effects::reference::Row;
@@ -38,7 +38,7 @@ fn every_row_of_long_runs_follows() {
 
 /// The noise is Gaussian: mean, deviation, the share within one and two deviations, and no memory.
 #[test]
-fn noise_is_what_it_says() {
+fn noise_is_gaussian_without_memory() {
     let deviation = 4e-6;
     let scene = Scene { noise: Some((deviation, 2024)), duration: 60.0, ..chaotic() };
     let noise = |row: &Row| (row[2] - row[1]) / deviation;
@@ -49,7 +49,7 @@ fn noise_is_what_it_says() {
         |within: f64| mean_of(&mut told.iter().map(|z| f64::from(u8::from(z.abs() < within))));
     let next = mean_of(&mut told.windows(2).map(|pair| pair[0] * pair[1]));
     let fourth = mean_of(&mut told.iter().map(|z| z.powi(4)));
-    // Five standard errors each.
+    // The tolerance of each is five standard errors.
     let error = 5.0 / count.sqrt();
     for (what, got, want, spread) in [
         ("mean", mean_of(&mut told.iter().copied()), 0.0, 1.0),
@@ -63,14 +63,14 @@ fn noise_is_what_it_says() {
     }
 }
 
-/// Under `hold` a lost answer leaves the force as it was, under `zero` there is none.
+/// Under `hold` a lost answer leaves the force as it was, under `zero` the force is zero.
 #[test]
 fn dropout_loses_its_share() {
     for zero in [false, true] {
         let dropout = Some(Dropout { probability: 0.3, seed: 11, zero });
         let mut scene = Scene { dropout, ..chaotic() };
         scene.environment = Environment::Spring { position: 0.0, stiffness: 100.0 };
-        // Always moving, so that two answers are never the same by chance.
+        // The hand always moves, so that two answers are never equal by chance.
         scene.motion = Some(Motion::Sine { amplitude: 0.003, frequency: 1.7 });
         let told = rows(&scene).unwrap();
         let answers: Vec<&Row> = told.iter().step_by(scene.hold).collect();

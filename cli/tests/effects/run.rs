@@ -1,4 +1,4 @@
-//! The command under test.
+//! Runs of the command under test.
 
 use std::fs;
 use std::path::Path;
@@ -13,7 +13,7 @@ pub(crate) fn csv(scene: &Scene) -> Result<String, String> {
     csv_of(&scene.toml(), scene.motion_file().as_deref())
 }
 
-/// The same of the text of a scene, with the file of its motion beside it.
+/// The bytes of the CSV of a scene's text, with the file of its motion beside it.
 pub(crate) fn csv_of(scene: &str, motion: Option<&str>) -> Result<String, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let put = |name: &str, text: &str| {
@@ -24,7 +24,7 @@ pub(crate) fn csv_of(scene: &str, motion: Option<&str>) -> Result<String, String
     };
     put("scene.toml", scene)?;
     motion.map_or(Ok(()), |motion| put(MOTION_FILE, motion))?;
-    // From elsewhere: what a scene names is looked for beside the scene.
+    // The command runs in another folder: files that a scene names are looked for beside the scene.
     let output = Command::new(env!("CARGO_BIN_EXE_lyapunov"))
         .args(["run".as_ref(), folder.path().join("scene.toml").as_os_str()])
         .args(["--csv", "-"])

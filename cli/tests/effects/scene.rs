@@ -1,4 +1,4 @@
-//! A scene as plain numbers.
+//! Scene of the effect tests as plain numbers.
 
 pub(crate) type Axes = [f64; 3];
 
@@ -10,7 +10,7 @@ pub(crate) enum Motion {
     File { rows: Vec<(f64, f64)> },
 }
 
-/// Position first where there is one, then stiffness and damping.
+/// Environment; the position comes first where there is one, then stiffness and damping.
 #[derive(Clone, Debug)]
 pub(crate) enum Environment {
     Wall { position: f64, stiffness: f64, damping: f64 },
@@ -47,7 +47,7 @@ pub(crate) enum Filter {
     Window(usize),
 }
 
-/// A size and a seed.
+/// Size and seed of a random effect.
 pub(crate) type Chance = (f64, u64);
 
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +90,7 @@ pub(crate) struct Scene {
     pub(crate) dimensions: usize,
     pub(crate) operator: Operator,
     pub(crate) motion: Option<Motion>,
-    /// Time, stiffness and damping.
+    /// Time, stiffness and damping of each change.
     pub(crate) grip: Option<Vec<[f64; 3]>>,
     /// Mass and damping.
     pub(crate) device: [f64; 2],
@@ -113,7 +113,7 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    /// A hand on a wall that a sampled loop can bear.
+    /// A hand on a wall that is soft enough for a sampled loop.
     pub(crate) fn calm() -> Self {
         Self {
             duration: 1.0,

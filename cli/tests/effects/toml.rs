@@ -1,10 +1,10 @@
-//! The scene file of a scene, and the file of its motion.
+//! Scene file of a scene, and the file of its motion.
 
 use std::fmt::Write;
 
 use crate::effects::scene::{Axes, Environment, Filter, Kind, Motion, Scene, Stabilizer};
 
-/// What stands beside the scene, under the name that the scene gives it.
+/// File of the motion, beside the scene, under the name that the scene gives it.
 pub(crate) const MOTION_FILE: &str = "recorded/hand.csv";
 
 impl Scene {

@@ -1,4 +1,4 @@
-//! Velocities from positions.
+//! Velocity estimates from positions.
 
 use crate::effects::scene::{Filter, Scene};
 
@@ -21,7 +21,7 @@ pub(crate) fn velocity(scene: &Scene, x: &[f64], before: f64) -> f64 {
             let band = scene.encoder.unwrap_or(0.0);
             let fits = |length: usize| {
                 let slope = (x[n] - x[n - length]) / length as f64;
-                // Counts that are one off lie on the band itself, so that its end needs some room for rounding.
+                // Counts that are off by one lie on the edge of the band, so the edge needs some room for rounding.
                 let room = 1e-9 * band + 1e-15 * x[n].abs();
                 (1..length)
                     .all(|back| (x[n] - slope * back as f64 - x[n - back]).abs() <= band + room)

@@ -1,9 +1,9 @@
-//! The command under test.
+//! Runs of the command under test.
 
 use std::io::Write;
 use std::process::{Child, Command, Stdio};
 
-/// What the command came to.
+/// Exit status and output of the command.
 #[derive(Debug)]
 pub(crate) struct Ended {
     pub(crate) status: Option<i32>,
@@ -21,7 +21,7 @@ pub(crate) fn command(arguments: &[&str]) -> Command {
 /// The command over a log that comes in by standard input.
 pub(crate) fn observe(log: &[u8], arguments: &[&str]) -> Ended {
     let mut child = command(&[&["-"], arguments].concat()).stdin(Stdio::piped()).spawn().unwrap();
-    // A command that ends early closes the pipe, which is its right.
+    // A command that ends early closes the pipe, which is no error.
     let _ = child.stdin.take().unwrap().write_all(log);
     ended(child)
 }

@@ -1,4 +1,4 @@
-//! Input that means no good: an error that says what would be right, exit status 2, and no file.
+//! Hostile input, which gets an error with a remedy, exit status 2 and no file.
 
 use std::fs::{self, File};
 use std::path::Path;
@@ -8,7 +8,7 @@ use crate::observe::command::{Ended, observe, run};
 
 const GOOD: &str = "t,x,f\n0,0,1\n1,1,1\n2,0,1\n";
 
-/// Refused for this reason, with nothing on standard output.
+/// Asserts that the command refused the input for these reasons and printed nothing on standard output.
 fn refused(ended: &Ended, reasons: &[&str]) {
     assert_eq!((ended.status, ended.out.as_str()), (Some(2), ""), "{}", ended.error);
     assert!(ended.error.starts_with("error: "), "{}", ended.error);
@@ -19,7 +19,7 @@ fn refused(ended: &Ended, reasons: &[&str]) {
 }
 
 #[test]
-fn logs_that_are_none_are_refused() {
+fn files_that_are_no_logs_are_refused() {
     let cases: [(&[u8], &[&str]); 9] = [
         (b"", &["standard input: the log is empty"]),
         (b"\n\n\n", &["the log is empty"]),
@@ -89,7 +89,7 @@ fn paths_that_hold_no_log_are_refused() {
     refused(&run(&[&path("missing.csv")]), &["missing.csv: there is no such file"]);
     refused(&run(&[&path("")]), &["this is a folder"]);
 
-    // A gigabyte of zeros without a line break is no work.
+    // A gigabyte of zeros without a line break is refused at once.
     File::create(path("zeros.csv")).unwrap().set_len(1 << 30).unwrap();
     let start = Instant::now();
     refused(&run(&[&path("zeros.csv")]), &["zeros.csv:1: this is no row: the line is longer"]);
@@ -129,7 +129,7 @@ fn bad_rows_are_counted_and_named() {
     }
 }
 
-/// Nothing is there after an error, and everything after none.
+/// After an error no file is there, after a success all are.
 #[test]
 fn files_are_written_whole_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
@@ -153,7 +153,7 @@ fn files_are_written_whole_or_not_at_all() {
     assert_eq!(fs::read_to_string(out.join("observe.json")).unwrap(), json);
     assert!(fs::read(out.join("observe.png")).unwrap().starts_with(b"\x89PNG"));
 
-    // What cannot be written is refused, and what was there before stays.
+    // If a file cannot be written, the command fails and the earlier files stay.
     let file = out.join("observe.json");
     refused(
         &observe(GOOD.as_bytes(), &["--out", file.to_str().unwrap()]),

@@ -1,5 +1,5 @@
-//! `lyapunov observe` against what is calculated here on its own, on the shipped log, on random logs and on
-//! input that means no good.
+//! Tests of `lyapunov observe` against an independent calculation, on the shipped log, on random logs and on hostile
+//! input.
 
 mod command;
 mod hostile;

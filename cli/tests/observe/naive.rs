@@ -1,10 +1,10 @@
-//! The definitions of docs/observe.md, calculated in memory and without anything of the library.
+//! The definitions of docs/observe.md, calculated in memory and without the library.
 
-/// A line of a log, with its numbers in SI units.
+/// Row of a log, with its numbers in SI units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Row {
     Good(Sample),
-    /// A row that cannot be used; what it tells of time and force.
+    /// A row that cannot be used, with its time and force if they can be read.
     Bad {
         t: Option<f64>,
         f: Option<f64>,
@@ -19,7 +19,7 @@ pub(crate) struct Sample {
     pub(crate) v: Option<f64>,
 }
 
-/// What applied between two good rows.
+/// Step between two good rows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub(crate) from: Sample,
@@ -34,7 +34,7 @@ pub(crate) struct Step {
     pub(crate) gap: bool,
 }
 
-/// The steps of a log, and how many rows are bad.
+/// Steps of a log, and the number of bad rows.
 pub(crate) fn steps(rows: &[Row]) -> (Vec<Step>, u64) {
     let (mut steps, mut bad) = (Vec::new(), 0);
     let mut last: Option<Sample> = None;
@@ -100,14 +100,14 @@ impl Step {
     }
 }
 
-/// A contact: the steps from `first` to `last`.
+/// Contact: the steps from `first` to `last`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact {
     pub(crate) first: usize,
     pub(crate) last: usize,
 }
 
-/// The contacts above a threshold; up to three steps below it do not end one.
+/// Contacts above a threshold; up to three steps below it do not end one.
 pub(crate) fn contacts(steps: &[Step], threshold: f64) -> Vec<Contact> {
     let mut contacts: Vec<Contact> = Vec::new();
     for (index, step) in steps.iter().enumerate() {

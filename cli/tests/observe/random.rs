@@ -6,14 +6,14 @@ use proptest::prelude::*;
 
 use crate::observe::naive::{self, Row, Sample, Step};
 
-/// What goes wrong with a row.
+/// Fault of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fault {
     None,
     Gap,
     Force(&'static str),
     Position(&'static str),
-    /// A bad position, and a force from before.
+    /// A bad position with an old force.
     Stale,
     Time(&'static str),
     Back,
@@ -174,7 +174,7 @@ impl Log {
     }
 }
 
-/// Values that agree within rounding of sums of this size.
+/// Asserts that values agree within the rounding of sums of this size.
 fn near(name: &str, found: f64, expected: f64, size: f64) -> Result<(), TestCaseError> {
     prop_assert!(
         abs_diff_eq!(found, expected, epsilon = 1e-11 * size),
@@ -183,7 +183,7 @@ fn near(name: &str, found: f64, expected: f64, size: f64) -> Result<(), TestCase
     Ok(())
 }
 
-/// Lowest value and last value of a running sum, and the first step that it is below zero.
+/// Lowest and last value of a running sum, the first step below zero, and whether no value is too near zero to judge.
 fn course(terms: impl Iterator<Item = f64>) -> (f64, f64, Option<usize>, bool) {
     let (mut sum, mut lowest, mut first, mut clear) = (0.0_f64, 0.0_f64, None, true);
     for (index, term) in terms.enumerate() {
@@ -241,7 +241,7 @@ fn sums(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCaseEr
 
 fn repair(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCaseError> {
     let Some(damping) = observed.report.repair.damping else { return Ok(()) };
-    // With that damper the sum is nowhere below zero, and with less it is.
+    // With that damping the sum never falls below zero, and with less it does.
     let (mut sum, mut size) = (0.0, 0.0);
     let mut lowest = f64::INFINITY;
     for step in steps {
@@ -279,7 +279,7 @@ fn contacts(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCa
     Ok(())
 }
 
-/// The text fits the terminal, and every number in it is one.
+/// Asserts that the text fits the terminal and holds no NaN and no infinity.
 fn fits(text: &str) -> Result<(), TestCaseError> {
     prop_assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
     let quotes = |line: &&str| !line.trim().starts_with("line ") && !line.trim().starts_with("= ");
@@ -297,7 +297,7 @@ proptest! {
         agrees(&log)?;
     }
 
-    /// Whatever the bytes, there is a report or an error, and what is told fits the terminal.
+    /// Any bytes give a report or an error, and either fits the terminal.
     #[test]
     fn any_bytes_give_a_report_or_an_error(rest in proptest::collection::vec(any::<u8>(), 0..400), fields in "[0-9eE.,+\\-\n\" naif;#]{0,400}") {
         for bytes in [rest.clone(), [b"t,x,f\n", &rest[..]].concat(), [b"t,x,f\n", fields.as_bytes()].concat()] {
@@ -308,7 +308,7 @@ proptest! {
         }
     }
 
-    /// Numbers of any size stay in range, and the report in its columns.
+    /// With numbers of any size the results stay finite, and the report stays in its columns.
     #[test]
     fn numbers_of_any_size_fit(rows in proptest::collection::vec((1e-30..1e30_f64, -200..60_i32, -200..60_i32), 3..40)) {
         let mut text = String::from("t,x,f\n");

@@ -1,4 +1,4 @@
-//! The shipped log of MuJoCo against our own simulation of the same scene and against its own rows.
+//! Tests on the shipped log of MuJoCo, against our own simulation of the same scene and against its own rows.
 
 use approx::assert_relative_eq;
 use lyapunov::{DampingLimit, Popc, PortEnergy};
@@ -14,7 +14,7 @@ fn report() -> Report {
     observe(std::fs::File::open(LOG).unwrap(), LOG, &Settings::default()).unwrap().report
 }
 
-/// The same scene in the lab, under a POPC that may not inject anything.
+/// The same scene in the lab, under a POPC that may inject no damping.
 fn rollout(rows: usize) -> Vec<Row> {
     let scene = Scene::load(SCENE.as_ref()).unwrap();
     let watch: Popc<f64> = Popc::new(PortEnergy, DampingLimit::of_mass(0.0, 0.3, 0.01).unwrap());
@@ -22,7 +22,7 @@ fn rollout(rows: usize) -> Vec<Row> {
 }
 
 #[test]
-fn the_observer_sees_what_our_own_simulation_says() {
+fn the_observer_agrees_with_our_own_simulation() {
     let (report, rows) = (report(), rollout(201));
     assert_eq!((report.rows, report.bad_rows.count, report.gaps.count), (201, 0, 0));
     let first = rows.iter().find(|row| row.observer < 0.0).unwrap();
@@ -47,14 +47,14 @@ fn the_observer_sees_what_our_own_simulation_says() {
         max_relative = SHARE
     );
 
-    // The printed observer is blind to it, as docs/paper.md says of this scene.
+    // The paper's printed observer misses the debt, as docs/paper.md says of this scene.
     let printed: f64 = rows.iter().map(|row| row.f_env * row.v * 0.01).sum();
     assert_relative_eq!(report.printed.last, printed, max_relative = SHARE);
     assert_eq!(report.printed.negative_at, None);
 }
 
 #[test]
-fn every_contact_of_the_log_is_told() {
+fn every_contact_of_the_log_is_reported() {
     let report = report();
     let rows = rollout(201);
     let mut starts: Vec<f64> = rows

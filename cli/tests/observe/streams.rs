@@ -1,4 +1,4 @@
-//! Logs that come in slowly, or for ever.
+//! Logs that arrive slowly or without end.
 #![cfg(target_os = "linux")]
 
 use std::fmt::Write as _;
@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use crate::observe::command::{command, ended};
 
-/// The largest memory, in KiB, that the command took for a log of so many rows.
+/// Largest memory, in KiB, that the command took for a log of this many rows.
 fn peak(rows: u32) -> u64 {
     let mut child = command(&["-", "--json"]).stdin(Stdio::piped()).spawn().unwrap();
     let mut input = child.stdin.take().unwrap();
@@ -18,7 +18,7 @@ fn peak(rows: u32) -> u64 {
     let mut text = String::new();
     for row in 0..rows {
         let (t, x) = (f64::from(row) * 1e-3, (f64::from(row) * 0.01).sin());
-        // Contacts, debts, bad rows and gaps, for whatever might be kept of them.
+        // The log has contacts, debts, bad rows and gaps, since each might take memory.
         match row % 1000 {
             7 => text.push_str("bad,row\n"),
             8 => {}
@@ -30,7 +30,7 @@ fn peak(rows: u32) -> u64 {
         }
     }
     input.write_all(text.as_bytes()).unwrap();
-    // All but what a pipe holds has been read by now.
+    // By now the command has read all but the bytes that the pipe holds.
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
     drop(input);
     assert_eq!(ended(child).status, Some(0));
@@ -53,7 +53,7 @@ fn an_interrupt_ends_a_command_that_waits() {
     let arguments = ["-", "--out", out.to_str().unwrap()];
     let mut child = command(&arguments).stdin(Stdio::piped()).spawn().unwrap();
     let mut input = child.stdin.take().unwrap();
-    // A command that reads has its handler in place.
+    // Once the command reads, its interrupt handler is in place.
     input.write_all(&b"t,x,f\n0,0,0\n1,1,1\n".repeat(20_000)).unwrap();
     thread::sleep(Duration::from_millis(200));
     let id = child.id().to_string();
