@@ -1,12 +1,12 @@
-//! The commonest Lyapunov function.
+//! Quadratic Lyapunov function.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
-/// `V = ½ xᵀ P x`, `∇V = P x`.
+/// The quadratic form `V = ½ xᵀ P x`, with `∇V = P x`.
 ///
-/// For a linear plant `P` solves the Lyapunov equation `AᵀP + P A = −Q` of a loop that is stable, or is what linear
-/// quadratic design gives.
+/// For a linear plant `P` solves the Lyapunov equation `AᵀP + P A = −Q` of a stable loop, or comes from linear
+/// quadratic design.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadraticForm<T, const N: usize> {
     rows: [SVector<T, N>; N],
@@ -41,7 +41,7 @@ impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
     }
 }
 
-/// Gauss's elimination without exchange: the pivots are the squares of the Cholesky factor's diagonal.
+/// Gaussian elimination without row exchange: the pivots are the squares of the Cholesky factor's diagonal.
 fn positive_definite<const N: usize>(mut rows: [[f64; N]; N]) -> Result<(), ParameterError> {
     for i in 0..N {
         let row = rows[i];

@@ -1,4 +1,4 @@
-//! From one value to another at once.
+//! Step from one value to another.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
