@@ -1,4 +1,4 @@
-//! The catalogue of hard cases, one test for each: `lyapunov hard` prints the same. A test target of `lyapunov-lab`.
+//! Catalogue of hard cases, one test for each: `lyapunov hard` prints the same. A test target of `lyapunov-lab`.
 
 use lyapunov_lab::hard::{Catalogue, Verdicts};
 
@@ -8,7 +8,7 @@ fn passes(name: &str) {
     let case = cases.iter().find(|case| case.name == name).expect("a case of this name");
     let row = case.row().expect("a run");
     assert!(row.passed, "{row:#?}");
-    // What is judged here does not rest on `passed`.
+    // These verdicts do not rest on `passed`.
     assert!(row.measured.is_finite() && row.measured <= row.bound, "{row:#?}");
     assert!(row.largest_force_n.is_finite() && row.ledger_off <= 1.0, "{row:#?}");
     assert!(row.verdict != Verdicts::default(), "nothing ran: {row:#?}");
@@ -23,7 +23,7 @@ macro_rules! cases {
             }
         )+
 
-        /// A case that is added has a test.
+        /// Every case that is added needs a test.
         #[test]
         fn every_case_has_a_test() {
             let names: Vec<_> = Catalogue::cases().iter().map(|case| case.name).collect();

@@ -1,4 +1,4 @@
-//! The plant that any integrator moves.
+//! Plant moved by an integrator.
 
 use lyapunov::{
     Plant, Requirement, Signal,
@@ -14,7 +14,7 @@ use lyapunov::{
 use crate::{hand, moved, pair};
 
 #[test]
-fn what_cannot_be_is_refused_by_name() {
+fn invalid_parameters_are_refused_by_name() {
     let refused = |mass, damping, stiffness| {
         let error = Oscillator::new(Impedance { mass, damping, stiffness }).expect_err("no parts");
         (error.parameter, error.requirement)
