@@ -1,4 +1,4 @@
-//! Environments, bodies, exact propagation and the effects that act on a port.
+//! Environments, bodies, their exact motion, and the effects that act on a port.
 //!
 //! Environments answer a motion with an effort: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and the
 //! one-sided [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and

@@ -16,7 +16,7 @@ use lyapunov::{
 use crate::orders::{damped, slope};
 use crate::{hand, moved};
 
-/// A hand without damping, before a wall that is 40 times as stiff and 1 mm away.
+/// A hand without damping, in front of a wall that is 40 times as stiff, with its surface at 1 mm.
 const FREE: Impedance<f64> = Impedance { mass: 0.3, damping: 0.0, stiffness: 50.0 };
 const WALL: f64 = 2000.0;
 const SURFACE: f64 = 0.001;

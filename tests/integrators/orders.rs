@@ -39,7 +39,7 @@ const START: [f64; 2] = [-0.004, 0.05];
 const FORCE: f64 = 0.3;
 const PERIOD: f64 = 0.3;
 
-/// The order over one long period on the damped oscillation: errors of position and of velocity over ω together.
+/// The order over one long period on the damped oscillation, by the errors of position and of velocity divided by ω.
 fn order_of_one(integrator: impl Integrator<f64, Oscillator<f64>> + Copy, steps: [u32; 4]) -> f64 {
     let [x, v] = damped(hand(), START, FORCE, PERIOD);
     slope(steps.map(|steps| {

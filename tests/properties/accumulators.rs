@@ -136,7 +136,7 @@ fn wide_f32_does_not_stall() {
     assert!(off <= f32::unit() * exact + 70e6 * f64::unit() * 64.0, "{off:e}");
 }
 
-/// Two numbers have twice the digits: 48 bits, of which 70 million terms leave 21.
+/// Two numbers have twice the digits: 48 bits, of which the rounding of 70 million terms leaves 21.
 #[test]
 fn compensated_f32_does_not_stall() {
     let exact = 70e6 * f64::from(1e-6f32);

@@ -191,7 +191,7 @@ fn trajectories_are_rounded_once() {
     assert_eq!(at(&|tick: u64| tick as f64, 3), 3.0);
 }
 
-/// Numbers at the ends of the range give numbers.
+/// Trajectories made of numbers at the ends of the range give numbers.
 #[test]
 fn hostile_trajectories_stay_finite() {
     let (huge, small) = (f64::MAX, f64::from_bits(1));

@@ -76,13 +76,13 @@ where
         Self { at: WithState { input: SVector::zeros(), state }, ..self }
     }
 
-    /// `x`.
+    /// The state `x`.
     #[inline]
     pub fn state(&self) -> SVector<T, N> {
         self.at.state
     }
 
-    /// `V(x)`.
+    /// The value `V(x)` of the function.
     #[inline]
     pub fn value(&self) -> T {
         self.dynamics.function.value(self.at.state)

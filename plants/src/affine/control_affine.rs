@@ -30,7 +30,7 @@ pub trait ControlAffine<T: Scalar, const N: usize, const M: usize> {
     /// The columns of `g(x)`: the rate of the state per unit of each input, per s.
     fn input_fields(&self, state: SVector<T, N>) -> [SVector<T, N>; M];
 
-    /// `f(x) + g(x) u`, per s.
+    /// The rate of the state, `f(x) + g(x) u`, per s.
     #[inline]
     fn rate(&self, state: SVector<T, N>, input: SVector<T, M>) -> SVector<T, N> {
         let fields = self.input_fields(state);

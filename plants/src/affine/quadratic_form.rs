@@ -34,7 +34,7 @@ impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
         Ok(Self { rows })
     }
 
-    /// `V = ½ |x|²`.
+    /// The form `V = ½ |x|²`.
     pub fn sum_of_squares() -> Self {
         let one = |i, j| if i == j { T::of(1.0) } else { T::of(0.0) };
         Self { rows: core::array::from_fn(|i| SVector::from_fn(|j, _| one(i, j))) }

@@ -5,7 +5,7 @@ use nalgebra::SMatrix;
 
 use crate::OperatedBody;
 
-/// A tethered body whose masses move linearly on one axis: `ż = A z − e f / m`.
+/// A body on the operator's spring whose masses move linearly on one axis: `ż = A z − e f / m`.
 ///
 /// `z` lists the deflection from the rest and the velocity of each mass in turn, `S` entries in all, the device last;
 /// `e` selects the device's velocity, `m` is its mass and `f` the effort. A force that acts on the device within a

@@ -10,7 +10,7 @@ use lyapunov_core::{Dynamics, Scalar};
 /// state is. The input is a single scalar, because pieces end where a number changes its sign; each lane is in a piece
 /// of its own.
 pub trait Switching<T: Scalar>: Dynamics<T> {
-    /// A piece.
+    /// The equation of one piece.
     type Phase: Dynamics<T, State = Self::State> + Copy;
 
     /// The piece that begins at `state` under `input`.

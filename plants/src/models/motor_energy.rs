@@ -33,7 +33,7 @@ impl<T: Scalar> MotorEnergy<T> {
         Ok(Self { parts, stiffness, by_angle, by_rate })
     }
 
-    /// `i − i*`, A.
+    /// The deviation of the current, `i − i*`, A.
     #[inline]
     fn astray(&self, state: SVector<T, 3>) -> T {
         let [angle, rate, current] = state.data.0[0];

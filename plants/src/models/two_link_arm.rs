@@ -109,14 +109,14 @@ impl<T: Scalar> TwoLinkArm<T> {
         [both + turned + turned, second + turned, second]
     }
 
-    /// `½ q̇ᵀ M q̇`, J.
+    /// The kinetic energy `½ q̇ᵀ M q̇`, J.
     #[inline]
     pub(super) fn kinetic(&self, elbow: T, rates: [T; 2]) -> T {
         let [first, second] = self.momenta(elbow, rates);
         T::of(0.5) * (first * rates[0] + second * rates[1])
     }
 
-    /// `M q̇`, N·m·s.
+    /// The momenta `M q̇`, N·m·s.
     #[inline]
     pub(super) fn momenta(&self, elbow: T, rates: [T; 2]) -> [T; 2] {
         let [m11, m12, m22] = self.inertia(cos(elbow));
@@ -129,14 +129,14 @@ impl<T: Scalar> TwoLinkArm<T> {
         -(self.inertias[1] * sin(elbow)) * (rates[0] * (rates[0] + rates[1]))
     }
 
-    /// `G(q)`, N·m.
+    /// The torques of gravity `G(q)`, N·m.
     #[inline]
     pub(super) fn gravity(&self, angles: [T; 2]) -> [T; 2] {
         let lower = self.weights[1] * sin(angles[0] + angles[1]);
         [self.weights[0] * sin(angles[0]) + lower, lower]
     }
 
-    /// `q̈` under `torques` in the joints, N·m.
+    /// The accelerations `q̈` under `torques` in the joints, N·m.
     #[inline]
     pub(super) fn acceleration(&self, angles: [T; 2], rates: [T; 2], torques: [T; 2]) -> [T; 2] {
         let swing = self.inertias[1] * sin(angles[1]);
@@ -150,7 +150,7 @@ impl<T: Scalar> TwoLinkArm<T> {
         [i11 * driven[0] + i12 * driven[1], i12 * driven[0] + i22 * driven[1]]
     }
 
-    /// `M⁻¹`.
+    /// The inverse of the inertia matrix, `M⁻¹`.
     #[inline]
     pub(super) fn inverse(&self, elbow: T) -> [[T; 2]; 2] {
         let [m11, m12, m22] = self.inertia(cos(elbow));

@@ -5,7 +5,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 use super::clock::Clock;
 use crate::Trajectory;
 
-/// `from`, and `to` from the tick of an instant on.
+/// `from` before the tick of an instant, and `to` from it on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     from: f64,

@@ -342,7 +342,7 @@ fn ties_of_the_nearest_face() {
     assert_eq!(flat.nearest(Vector2::zeros()).normal, Vector2::y());
 }
 
-/// The surface itself is outside, its inner neighbour inside; a solid does not hold back what leaves fast.
+/// The surface itself is outside, its inner neighbour inside; a solid does not pull on a point that leaves fast.
 #[test]
 fn contact_is_strict_and_only_pushes() {
     let ball = Sphere::new(Vector2::zeros(), 0.5).expect("a ball");
