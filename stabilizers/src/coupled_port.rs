@@ -1,8 +1,8 @@
-//! A spring and a damper between the device and what it touches.
+//! Virtual coupling: a spring and a damper between the device and what it touches.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// What a [`CoupledPort`] port is coupled by.
+/// Spring and dampers of a [`CoupledPort`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VirtualCoupling<T> {
     /// The spring between device and proxy, N/m.

@@ -1,4 +1,4 @@
-//! Forces no larger than the device's own damper can pay for.
+//! Force bound: forces no larger than the device's own damper can pay for.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,

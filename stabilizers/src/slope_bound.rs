@@ -1,4 +1,4 @@
-//! Forces that change no faster with the displacement than a given slope.
+//! Slope bound: forces that change no faster with the displacement than a given slope.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,

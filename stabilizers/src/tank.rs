@@ -7,7 +7,7 @@ use lyapunov_core::{
 
 use crate::{LimitCredit, StabilizerExt};
 
-/// What a [`Tank`] may hold and hand out.
+/// Limits of a [`Tank`]: the energies that it may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TankLimits<T> {
     /// What is in it at the start, J.

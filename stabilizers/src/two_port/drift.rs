@@ -1,4 +1,4 @@
-//! Positions that find back.
+//! Drift compensation of an admittance port.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -6,7 +6,7 @@ use lyapunov_core::{
 
 use super::TwoPortSide;
 
-/// A stabilizer of an admittance port that makes up for the position its corrections have cost.
+/// Stabilizer of an admittance port that compensates the position drift of its corrections.
 ///
 /// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at most
 /// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
