@@ -1,4 +1,4 @@
-//! Four of the family as straight code on concrete types, without a call into the library.
+//! Four stabilizers as straight code on concrete types, without a call into the library.
 
 use super::{BOUND_DAMPING, CREDIT, MOST, STORE};
 
@@ -83,7 +83,7 @@ macro_rules! hand {
                 }
             }
 
-            /// The observer and controller over held work.
+            /// The observer/controller over held work.
             struct Controller {
                 sum: $real,
                 most: $real,

@@ -1,4 +1,4 @@
-//! What moves, exactly or by steps.
+//! Masses by hand, moved exactly or by steps.
 
 macro_rules! masses {
     ($real:ident) => {
@@ -15,7 +15,7 @@ macro_rules! masses {
 
         impl Mass {
             fn new() -> Self {
-                // The same sums and roundings that a user of the library meets.
+                // The same sums and roundings as for a user of the library.
                 let (mass, damping) = (
                     f64::from(OPERATOR_MASS as $real + DEVICE_MASS as $real),
                     f64::from(OPERATOR_DAMPING as $real + DEVICE_DAMPING as $real),
