@@ -18,7 +18,7 @@ pub struct PortSample<V: Signal> {
     pub period: V::Scalar,
     /// Position now, m.
     pub position: V,
-    /// Velocity now, m/s: the best estimate of whoever measures.
+    /// Velocity now, m/s: the best available estimate.
     pub velocity: V,
     /// Displacement since the last call, m.
     pub displacement: V,

@@ -94,7 +94,7 @@ impl<P, V: Signal> CoupledPort<P, V> {
         Ok(Self { port, coupling, deflection: V::zero(), answer: V::zero() })
     }
 
-    /// How far the device is ahead of the proxy, m.
+    /// Distance of the device ahead of the proxy, m.
     #[inline]
     pub fn deflection(&self) -> V {
         self.deflection

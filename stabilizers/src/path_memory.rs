@@ -71,7 +71,7 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         (edge(index), if index + 1 == N { T::largest() } else { edge(index + 1) })
     }
 
-    /// `A`: what a motion over `[from, to]` may give, J.
+    /// `A`: the energy that a motion over `[from, to]` may give, J.
     #[inline(always)]
     fn allowance(&self, from: T, to: T) -> T {
         let mut energy = T::of(0.0);

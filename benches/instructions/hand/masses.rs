@@ -2,7 +2,7 @@
 
 macro_rules! masses {
     ($real:ident) => {
-        /// A mass on a spring, moved exactly.
+        /// Mass on a spring, moved exactly.
         #[derive(Clone, Copy, Debug)]
         struct Mass {
             period: $real,
@@ -44,7 +44,7 @@ macro_rules! masses {
                 }
             }
 
-            /// How far it moves in a period under `effort`.
+            /// The displacement over a period under `effort`.
             #[inline(always)]
             fn advance(&mut self, effort: $real) -> $real {
                 let gain = |gain: [$real; 3], deflection: $real, velocity: $real| {
@@ -89,7 +89,7 @@ macro_rules! masses {
                 }
             }
 
-            /// How far it moves in a period under `effort`.
+            /// The displacement over a period under `effort`.
             #[inline(always)]
             fn advance(&mut self, effort: $real) -> $real {
                 let before = self.position;

@@ -11,7 +11,7 @@ macro_rules! stabilizers {
         }
 
         #[derive(Clone, Copy, Debug)]
-        #[expect(dead_code, reason = "told to whoever looks, and here nobody does")]
+        #[expect(dead_code, reason = "part of a correction, unused here")]
         struct Told {
             effort: $real,
             sum: $real,

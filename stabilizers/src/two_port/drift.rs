@@ -26,7 +26,7 @@ pub struct DriftCompensated<S, V: Signal> {
 }
 
 impl<S, V: Signal> DriftCompensated<S, V> {
-    /// `stabilizer`, finding back at `speed` m/s at most against a force that stays the same within a period.
+    /// `stabilizer` with drift compensated at most at `speed` m/s, against a force that stays the same within a period.
     ///
     /// # Errors
     /// `speed` below 0 or NaN.
@@ -45,7 +45,7 @@ impl<S, V: Signal> DriftCompensated<S, V> {
         Ok(Self { impedance, ..self })
     }
 
-    /// How far the port is from where it would be without corrections, m.
+    /// Displacement of the port from its position without corrections, m.
     pub fn drift(&self) -> V {
         self.drift
     }
