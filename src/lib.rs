@@ -34,7 +34,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`stabilizers`] | the family around POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
+//! | [`stabilizers`] | the family of POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
 //! | [`candidates`] | terms of a Lyapunov candidate, and the gates that open them |
 //! | [`environments`] | virtual walls, springs and solids |
 //! | [`bodies`] | masses on an operator's hand, with friction, elastic joints, a changing grip |
