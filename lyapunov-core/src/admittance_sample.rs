@@ -31,7 +31,7 @@ pub struct AdmittanceSample<V: Signal> {
     pub period: V::Scalar,
     /// The sum of the impulses, N·s.
     pub momentum: V,
-    /// The effort now, N: the best estimate of whoever measures.
+    /// The effort now, N: the best available estimate.
     pub effort: V,
     /// The impulse of the effort since the last call, N·s.
     pub impulse: V,

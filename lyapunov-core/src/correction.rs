@@ -13,7 +13,7 @@ pub struct Correction<V: Signal> {
     pub alpha: V::Scalar,
     /// The part of the debt that this tick's correction cannot serve, J; it stays in `L`.
     pub shortfall: V::Scalar,
-    /// Whether the sample was accepted, lane by lane; where not, a stabilizer gives a zero effort, a guard its fallback.
+    /// Whether the sample was accepted, lane by lane; if not, a stabilizer gives a zero effort, a guard its fallback.
     pub accepted: <V::Scalar as Scalar>::Mask,
 }
 

@@ -50,7 +50,7 @@ pub struct Dissipation<T, G = Always> {
 }
 
 impl<T: Scalar> Dissipation<T> {
-    /// The credit of a damper that always acts, in N·s/m.
+    /// The credit of a damper that always acts, of `damping` N·s/m.
     ///
     /// # Errors
     /// `damping` below 0, infinite or NaN.

@@ -71,7 +71,7 @@ impl DoubleDouble {
     }
 }
 
-/// The rounding error of an operation, or 0 where the result is not finite.
+/// The rounding error of an operation, or 0 where it is not finite.
 #[inline]
 fn sound(error: f64) -> f64 {
     if error.is_finite() { error } else { 0.0 }

@@ -17,7 +17,7 @@ pub struct ParameterError {
     pub parameter: &'static str,
     /// The given value; of lanes, the first that is not right.
     pub value: f64,
-    /// What the value must be.
+    /// The requirement that the value breaks.
     pub requirement: Requirement,
 }
 

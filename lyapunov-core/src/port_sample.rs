@@ -4,9 +4,9 @@ use crate::{Scalar, Signal};
 
 /// Sample at a port: what its other side did since the last call, and the effort that was really applied meanwhile.
 ///
-/// Whoever owns the motors closes the loop, and only he knows what was measured and which force was really applied,
-/// after saturation, delay or an emergency stop. A sample carries those facts to every part of the loop, so that no
-/// part has to assume what became of its output.
+/// Only the program that owns the motors and closes the loop knows what was measured and which force was really
+/// applied, after saturation, delay or an emergency stop. A sample carries those facts to every part of the loop, so
+/// that no part has to assume what became of its output.
 ///
 /// A port carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
 /// Over one period under one held effort the work is `applied · displacement` exactly, axis by axis
@@ -18,7 +18,7 @@ pub struct PortSample<V: Signal> {
     pub period: V::Scalar,
     /// Position now, m.
     pub position: V,
-    /// Velocity now, m/s: the best estimate of whoever measures.
+    /// Velocity now, m/s: the best available estimate.
     pub velocity: V,
     /// Displacement since the last call, m.
     pub displacement: V,

@@ -99,10 +99,10 @@ pub trait Scalar:
     /// The square root, correctly rounded.
     fn sqrt(self) -> Self;
 
-    /// Where `self < other`; false where either is NaN.
+    /// Whether `self < other`, lane by lane; false where either is NaN.
     fn below(self, other: Self) -> Self::Mask;
 
-    /// Where `self > other`; false where either is NaN.
+    /// Whether `self > other`, lane by lane; false where either is NaN.
     #[inline(always)]
     fn above(self, other: Self) -> Self::Mask {
         other.below(self)

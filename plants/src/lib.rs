@@ -1,12 +1,16 @@
-//! Environments, bodies, their exact motion, and the effects that act on a port.
+//! Environments, bodies, exact propagation and the effects that act on a port.
 //!
-//! Environments answer a motion with an effort: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and the
-//! one-sided [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and
-//! [`VaryingSpring`], which oscillate with time; and, on several axes, [`Contact`] with a [`Solid`]. Each is a
-//! [`ForceLaw`]. A [`Body`] is one mass and a [`TwoMassBody`] two, both moved exactly; an [`IntegratedPlant`] moves
-//! either by an integrator, such as [`RungeKuttaNystrom4`]. A [`Trajectory`] is a value that follows time: a hand's
-//! rest, a load. Effects are adaptors that own what they act on: the port, chained by [`OnePortExt`], or the body,
-//! chained by [`PlantExt`]. An effect that is not used costs nothing. A [`Channel`] carries messages between two loops.
+//! Environments respond to a motion with a force: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and
+//! the one-sided [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and
+//! [`VaryingSpring`], which oscillate in time; and, on several axes, [`Contact`] with a [`Solid`]. Each is a
+//! [`ForceLaw`].
+//!
+//! A [`Body`] is one mass on an operator's hand, a [`TwoMassBody`] two masses; both move exactly. [`IntegratedPlant`]
+//! moves either by an integrator, such as [`RungeKuttaNystrom4`]. A [`Trajectory`] gives a hand's motion or a load as a
+//! function of time.
+//!
+//! Effects are adaptors that own the port (chained by [`OnePortExt`]) or the plant (chained by [`PlantExt`]) on which
+//! they act; an effect that is absent costs nothing. A [`Channel`] carries messages between two loops.
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};

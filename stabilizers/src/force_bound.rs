@@ -1,4 +1,4 @@
-//! Forces no larger than the device's own damper can pay for.
+//! Force bound: forces no larger than the device's own damper can pay for.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
@@ -54,7 +54,7 @@ impl<T: Scalar, A: Accumulator<T>> ForceBound<T, A> {
         ForceBound { damping: self.damping, energy: B::zero() }
     }
 
-    /// The same bound with `energy` more joules on its account.
+    /// The same bound with `energy` more joules of energy.
     ///
     /// # Errors
     /// `energy` below 0, infinite or NaN.

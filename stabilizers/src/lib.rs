@@ -1,11 +1,13 @@
 //! The Lyapunov observer/controller, the passivity observer/controller, and their family.
 //!
-//! [`Lolc`] watches a candidate of one's choice, [`Popc`] is the same with the port's own energy. Start with
-//! `Popc`, or with `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes both keep one sum;
-//! [`PerAxis`] keeps one for each, [`DirectedDamping`] keeps one and burns along chosen directions. [`StabilizerExt`] adds to a stabilizer
-//! what it does not have: a bound on its credit, a gentler correction. [`ForceBound`], [`SlopeBound`], [`PathMemory`] and [`Tank`]
-//! add no damping; they make efforts smaller that cannot be paid for. A [`CoupledPort`] port is felt through a spring and a damper.
-//! Two [`TwoPortSide`]s stand at the ends of a channel, and a [`WaveTransform`] codes what goes through it.
+//! [`Lolc`] watches a candidate of your choice; [`Popc`] is the same with the port's own energy. Start with `Popc`, or
+//! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
+//! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
+//! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit or a gentler correction.
+//!
+//! [`ForceBound`], [`SlopeBound`], [`PathMemory`] and [`Tank`] add no damping; they reduce efforts whose energy is not
+//! covered. A [`CoupledPort`] couples the device to a port through a spring and a damper. Two [`TwoPortSide`]s stand at
+//! the ends of a channel, and a [`WaveTransform`] codes the signals that go through it.
 #![no_std]
 
 mod coupled_port;

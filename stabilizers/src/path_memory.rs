@@ -1,11 +1,11 @@
-//! Forces on the way out no larger than those on the way in.
+//! Path memory: forces on the way out no larger than those on the way in.
 
 use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar, Stabilizer};
 
 use crate::StabilizerExt;
 
-/// Memory-based passivation: what pressing in took is kept place by place, and letting go gives no more there. One axis, one
-/// side: the environment lies beyond a surface and pushes against `+x`, like a wall.
+/// Memory-based passivation: the energy of pressing in is stored place by place, and letting go gives no more there. One
+/// axis, one side: the environment lies beyond a surface and pushes against `+x`, like a wall.
 ///
 /// The depth beyond the surface is divided into `N` cells, each with a force `Mᵢ ≥ 0`. A motion inwards under the mean force
 /// `F = work / Δx` writes `max(0, F)` into the cells that it enters, and where it starts within a cell the smaller of that
@@ -71,7 +71,7 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         (edge(index), if index + 1 == N { T::largest() } else { edge(index + 1) })
     }
 
-    /// `A`: what a motion over `[from, to]` may give, J.
+    /// `A`: the energy that a motion over `[from, to]` may give, J.
     #[inline(always)]
     fn allowance(&self, from: T, to: T) -> T {
         let mut energy = T::of(0.0);

@@ -1,4 +1,4 @@
-//! Energy that follows a reference.
+//! Reference energy following.
 
 use lyapunov_core::{Held, Plain, PortEnergy, StorageFunction};
 

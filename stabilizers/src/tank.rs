@@ -7,16 +7,16 @@ use lyapunov_core::{
 
 use crate::{LimitCredit, StabilizerExt};
 
-/// What a [`Tank`] may hold and hand out.
+/// Limits of a [`Tank`]: the energies that it may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TankLimits<T> {
-    /// What is in it at the start, J.
+    /// Energy at the start, J.
     pub start: T,
-    /// What is never handed out, J.
+    /// Energy that is never handed out, J.
     pub floor: T,
-    /// What it holds at most, J; infinity: no limit.
+    /// Largest energy held, J; infinity: no limit.
     pub ceiling: T,
-    /// What it hands out at most, W; infinity: no limit.
+    /// Largest power handed out, W; infinity: no limit.
     pub power: T,
 }
 
@@ -51,7 +51,7 @@ pub struct Tank<T, C, A = Plain<T>> {
 }
 
 impl<T: Scalar, C> Tank<T, C> {
-    /// A tank that fills by what `candidate` loses.
+    /// A tank that fills by the decrease of `candidate`.
     ///
     /// # Errors
     /// `floor` below 0 or not finite; `start` below `floor` or not finite; `ceiling` below `start`; `power` below 0.

@@ -51,18 +51,18 @@ impl<T: Scalar> TwoPortSide<T> {
 }
 
 impl<T: Scalar, A: Accumulator<T>> TwoPortSide<T, A> {
-    /// The same side with its account summed in a `B`.
+    /// The same side with its energies summed in a `B`.
     pub fn summed_in<B: Accumulator<T>>(self) -> TwoPortSide<T, B> {
         TwoPortSide { controller: self.controller.summed_in() }
     }
 
-    /// Takes what the other side tells of its [`absorbed`](Self::absorbed) energy, J; to be called before a tick.
+    /// Receives the [`absorbed`](Self::absorbed) energy that the other side reports, J; to be called before a tick.
     #[inline]
     pub fn receive(&mut self, energy: T) {
         self.controller.candidate_mut().receive(energy);
     }
 
-    /// What this port has absorbed up to now, J: to be sent to the other side.
+    /// Energy that this port has absorbed up to now, J: to be sent to the other side.
     #[inline]
     pub fn absorbed(&self) -> T {
         self.controller.candidate().absorbed()

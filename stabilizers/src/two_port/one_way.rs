@@ -1,9 +1,9 @@
-//! The account of one side of a link.
+//! Observed energy of one side of a two-port.
 
 use lyapunov_core::{LyapunovCandidate, PortSample, Scalar, Signal};
 
-/// What this side has been told that the other absorbed, less what this side gave: the candidate of a
-/// [`TwoPortSide`](super::TwoPortSide).
+/// Candidate of a [`TwoPortSide`](super::TwoPortSide): the energy that the other side reports as absorbed, less the
+/// energy that this side gave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OneWay<T> {
     received: T,
