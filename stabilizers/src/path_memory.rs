@@ -26,7 +26,7 @@ use crate::StabilizerExt;
 ///
 /// Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014) keep the pressing path in a memory that the position
 /// addresses, and bound the releasing path by it. Derived here are the cells' energies, the look ahead of a period under a held
-/// force, and the debt. Left out are their moving objects and several axes. InContact the last cell, which reaches on without an
+/// force, and the debt. Left out are their moving objects and several axes. Beyond the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
 /// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a

@@ -11,7 +11,7 @@ use super::law::{Law, Motion};
 use crate::bounds::LinearPart;
 use crate::{Rollout, Scene, Space};
 
-/// InContact this, m and m/s, squares leave the range of the numbers before long.
+/// Beyond this, m and m/s, squares leave the range of the numbers before long.
 const FAR: f64 = 1e100;
 
 /// Ticks between two reports of progress.

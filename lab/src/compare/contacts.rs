@@ -86,7 +86,7 @@ impl Contacts {
         } else {
             self.end();
         }
-        // InContact the surface or pushed: a force that comes late or stays on too long is an error as well.
+        // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
         if let Some(law) = &self.law
             && (touch.environment != 0.0 || depth > 0.0)
         {
