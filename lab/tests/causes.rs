@@ -1,9 +1,9 @@
 //! Why loops are unstable: the energy balance closes, and what is said to help does.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov_lab::causes::{Balance, Change, Explanation};
+use lyapunov_lab::explain::{Balance, Change, Explanation};
 use lyapunov_lab::scene::{Positive, Scene};
-use lyapunov_lab::{Rollout, Row, shipped};
+use lyapunov_lab::{Rollout, Row, scenes};
 
 use crate::bounds::systems::{self, Chance, scene};
 
@@ -173,7 +173,7 @@ fn remedies_are_limits_a_little_further_fails() {
     let stiffness = number("environment.spring.stiffness");
     assert!(stiffness < most && stiffness > 0.9 * most, "{stiffness} {most}");
     let with = |text: &str| {
-        let limits = lyapunov_lab::bounds::Limits::of(&systems::scene(text));
+        let limits = lyapunov_lab::bound::Limits::of(&systems::scene(text));
         limits.spectral_radius.unwrap()
     };
     let at = |rate: f64, damping: f64| {

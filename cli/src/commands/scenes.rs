@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use clap::Args;
-use lyapunov_lab::shipped::{self, Shipped};
+use lyapunov_lab::scenes::{self, Shipped};
 
 use super::{End, standard_output};
 

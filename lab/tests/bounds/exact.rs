@@ -1,7 +1,7 @@
 //! The exact limit against the loop.
 
 use lyapunov::Plant;
-use lyapunov_lab::bounds::{Limits, LinearPart};
+use lyapunov_lab::bound::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene, Space};
 
 use crate::bounds::systems::{Chance, Kind, random, scene, stiffened};

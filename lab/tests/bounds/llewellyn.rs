@@ -1,6 +1,6 @@
 //! Llewellyn's condition against two-ports between passive ends.
 
-use lyapunov_lab::bounds::llewellyn::{TwoPort, first_violation, hold};
+use lyapunov_lab::bound::llewellyn::{TwoPort, first_violation, hold};
 use nalgebra::Complex;
 
 use crate::bounds::systems::Chance;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{OnePort, PortSample};
-use lyapunov_lab::bounds::{Limits, LinearPart};
+use lyapunov_lab::bound::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene};
 use nalgebra::DMatrix;
 

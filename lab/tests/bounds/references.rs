@@ -4,7 +4,7 @@
 #![allow(clippy::excessive_precision)]
 
 use approx::abs_diff_eq;
-use lyapunov_lab::bounds::Limits;
+use lyapunov_lab::bound::Limits;
 
 use crate::bounds::systems::scene;
 

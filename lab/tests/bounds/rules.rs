@@ -2,7 +2,7 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{OnePort, PortSample};
-use lyapunov_lab::bounds::Limits;
+use lyapunov_lab::bound::Limits;
 use lyapunov_lab::{Assembly, Scene};
 
 use crate::bounds::systems::{Chance, scene};

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov_lab::family::{Contender, Member};
+use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::Catalogue;
 
 /// Whatever its promise: every output is finite, what is bad is rejected and what follows is not, every correction is within
@@ -10,8 +10,8 @@ use lyapunov_lab::hard::Catalogue;
 #[test]
 fn every_member_keeps_what_it_is_held_to() {
     let (mut cases, mut over) = (Vec::new(), 0);
-    let nobody = Member::Plain(Contender::Nobody);
-    let family = || Member::ALL.into_iter().filter(|member| *member != nobody);
+    let nobody = StabilizerName::Plain(BasicName::Nobody);
+    let family = || StabilizerName::ALL.into_iter().filter(|member| *member != nobody);
     for member in family() {
         let catalogue = Catalogue::of(Some(member), &|| ControlFlow::Continue(())).unwrap();
         assert_eq!(catalogue.stabilizer, Some(member.name()));

@@ -1,0 +1,19 @@
+//! What is measured along a run, defined once: [docs/compare.md](../../../docs/compare.md) has the equations.
+//!
+//! Each meter is generic over the scalar, so that the runs of a map are measured lane by lane with the bits of a
+//! single run.
+
+pub mod balance;
+pub(crate) mod boundedness;
+pub(crate) mod chatter;
+pub(crate) mod energies;
+pub mod linear;
+pub mod models;
+#[cfg(test)]
+pub(crate) mod samples;
+pub(crate) mod settling;
+pub(crate) mod share;
+pub mod summary;
+pub mod teleoperation;
+pub(crate) mod timing;
+pub(crate) mod trace;

@@ -1,0 +1,42 @@
+//! The report page of a map: one file that needs nothing else.
+
+use maud::html;
+
+use super::areas;
+use super::bounds::Bounds;
+use super::picture::Drawn;
+use super::survey::Survey;
+use crate::show::html;
+
+/// The page of a map with its `figures`, as HTML; `command` made the map.
+pub fn page(survey: &Survey, bounds: Option<&Bounds>, figures: &[Drawn], command: &str) -> String {
+    let grid = survey.grid();
+    let scene = toml::to_string(&grid.scene).unwrap_or_default();
+    let body = html! {
+        p {
+            (grid.x.count) " by " (grid.y.count) " cells, computed by " (html::maker(command)) "."
+        }
+        h2 { "What is rendered stably" }
+        (areas::table(survey, bounds).to_html("short"))
+        p {
+            "The area, in " (survey.unit()) ", is the share of the rectangle of both axes; a logarithmic axis counts in \
+             decades. Of the exact bound: the stiffness below the first that is unstable, over the exact bound of the loop \
+             without a stabilizer, the middle one over the values of the other axis; >= where it holds up to the edge of \
+             the map."
+        }
+        h2 { "Heat maps" }
+        @for Drawn { name, words, figure } in figures {
+            @let caption = html! {
+                (words) ". Of cells that are not bounded only the first map tells."
+            };
+            (html::figure(Some(name), figure.to_svg(), &caption))
+        }
+        h2 { "Scene" }
+        p {
+            "Every number, with its default in place; the two axes stand at the scene's own values. All cells are in "
+            a href="map.csv" { "map.csv" } "."
+        }
+        pre { (scene) }
+    };
+    html::page(&format!("Map of {} by {}", grid.y.key, grid.x.key), &body)
+}
