@@ -1,9 +1,11 @@
 //! The library from outside, one module for each part; a single target, since each compiles the loops anew.
 
-mod bounds;
-mod causes;
+mod bound;
+
 mod claims;
+mod explain;
 mod family;
+mod floors;
 mod hard;
 mod integrators;
 mod map;

@@ -8,8 +8,8 @@ use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
-    Axis, Checkpoint, CheckpointError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard, Survey,
-    areas, document, figures, merge, page,
+    Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, MergeError, Run, RunError, Shard,
+    Survey, areas, document, figures, merge, page,
 };
 use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
@@ -117,7 +117,8 @@ impl Map {
         let mut checkpoint = match &folder {
             None => None,
             Some(folder) => {
-                let checkpoint = Checkpoint::open(folder.path(), &grid, shard, self.resume, &mut survey)?;
+                let checkpoint =
+                    Checkpoint::open(folder.path(), &grid, shard, self.resume, &mut survey)?;
                 folder.keep();
                 Some(checkpoint)
             }

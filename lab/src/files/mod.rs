@@ -1,6 +1,6 @@
 //! What files say: scenes, models of plants, teleoperators, and the scenes that ship.
 
-pub mod models;
+pub(crate) mod models;
 pub mod scene;
 pub(crate) mod shipped;
-pub mod teleoperation;
+pub(crate) mod teleoperation;

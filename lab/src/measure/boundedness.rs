@@ -150,7 +150,7 @@ mod tests {
     fn a_start_in_balance_is_measured_by_the_spring_s_deflection() {
         // 50 N/m pulling from 0 to 22 mm against 1 kN/m at 1 mm: balance at 2 mm, deflection 20 mm.
         let pressed = scene("operator.rest = 0.022\ninitial.position = 0.002\n");
-        let start = |scene: &Scene| Criterion::of(scene).start();
+        let start = |scene: &Scene| Criterion::of(scene).start;
         assert!((start(&pressed) - 0.020).abs() < 1e-12);
         assert!((start(&scene("")) - 0.004).abs() < 1e-12);
     }

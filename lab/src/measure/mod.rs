@@ -3,17 +3,17 @@
 //! Each meter is generic over the scalar, so that the runs of a map are measured lane by lane with the bits of a
 //! single run.
 
-pub mod balance;
+pub(crate) mod balance;
 pub(crate) mod boundedness;
 pub(crate) mod chatter;
 pub(crate) mod energies;
-pub mod linear;
-pub mod models;
+pub(crate) mod linear;
+pub(crate) mod models;
 #[cfg(test)]
 pub(crate) mod samples;
 pub(crate) mod settling;
 pub(crate) mod share;
-pub mod summary;
-pub mod teleoperation;
+pub(crate) mod summary;
+pub(crate) mod teleoperation;
 pub(crate) mod timing;
 pub(crate) mod trace;

@@ -32,10 +32,10 @@ pub struct Summary {
     /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J; infinite from where
     /// it leaves the range of f64.
     pub absorbed: f64,
-    /// Least value of the observer sum, J.
-    pub observer_least: f64,
-    /// Largest value of the observer sum, J.
-    pub observer_most: f64,
+    /// Least value of the observed energy, J.
+    pub observed_energy_least: f64,
+    /// Largest value of the observed energy, J.
+    pub observed_energy_most: f64,
     /// Energy that the controller set out to burn, `Σ α v² T`, J; infinite from where it leaves the range of f64.
     pub injected: f64,
     /// Largest debt that a tick could not serve, J.
@@ -62,8 +62,8 @@ impl Summary {
             environment_peak: 0.0,
             acting_peak: 0.0,
             absorbed: 0.0,
-            observer_least: 0.0,
-            observer_most: 0.0,
+            observed_energy_least: 0.0,
+            observed_energy_most: 0.0,
             injected: 0.0,
             shortfall: 0.0,
             active: 0,
@@ -91,8 +91,8 @@ impl Summary {
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
         self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
         self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));
-        self.observer_least = self.observer_least.min(row.observer);
-        self.observer_most = self.observer_most.max(row.observer);
+        self.observed_energy_least = self.observed_energy_least.min(row.observed_energy);
+        self.observed_energy_most = self.observed_energy_most.max(row.observed_energy);
         for axis in &axes {
             self.injected = sum(self.injected, axis.f_ctl, axis.v * self.scene.period());
         }

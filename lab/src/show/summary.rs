@@ -33,9 +33,9 @@ struct Document<'a> {
 /// What a stabilizer saw and did.
 #[derive(Serialize)]
 struct Observed {
-    observer_least_mj: f64,
-    observer_most_mj: f64,
-    observer_end_mj: f64,
+    observed_energy_least_mj: f64,
+    observed_energy_most_mj: f64,
+    observed_energy_end_mj: f64,
     active_percent: f64,
     energy_asked_for_mj: f64,
     shortfall_mj: f64,
@@ -69,9 +69,9 @@ impl Summary {
 
     fn stabilizer(&self) -> Observed {
         Observed {
-            observer_least_mj: MILLI * self.observer_least,
-            observer_most_mj: MILLI * self.observer_most,
-            observer_end_mj: MILLI * self.last.map_or(0.0, |row| row.observer),
+            observed_energy_least_mj: MILLI * self.observed_energy_least,
+            observed_energy_most_mj: MILLI * self.observed_energy_most,
+            observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
             active_percent: 100.0 * self.active as f64 / self.rows.max(1) as f64,
             energy_asked_for_mj: MILLI * self.injected,
             shortfall_mj: MILLI * self.shortfall,
@@ -195,12 +195,12 @@ impl Summary {
 
     fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let share = 100.0 * self.active as f64 / self.rows.max(1) as f64;
-        let last = self.last.map_or(0.0, |row| row.observer);
+        let last = self.last.map_or(0.0, |row| row.observed_energy);
         write!(
             f,
-            "\n  observer     from {} to {} mJ, at the end {} mJ",
-            found(MILLI * self.observer_least),
-            found(MILLI * self.observer_most),
+            "\n  observed     energy from {} to {} mJ, at the end {} mJ",
+            found(MILLI * self.observed_energy_least),
+            found(MILLI * self.observed_energy_most),
             found(MILLI * last)
         )?;
         write!(

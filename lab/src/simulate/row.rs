@@ -25,8 +25,8 @@ pub struct Row {
     pub f_out: f64,
     /// The force on the plant until the next tick, after delay, N.
     pub f_act: f64,
-    /// The observer sum before this tick's correction, J.
-    pub observer: f64,
+    /// The observed energy before this tick's correction, J.
+    pub observed_energy: f64,
     /// The damping injected, N·s/m.
     pub alpha: f64,
     /// The debt that this tick's correction cannot serve, J.
@@ -48,7 +48,7 @@ impl Row {
             f_ctl,
             f_out,
             f_act,
-            observer: tick.correction.observed_energy.lane(0),
+            observed_energy: tick.correction.observed_energy.lane(0),
             alpha: tick.correction.alpha.lane(0),
             shortfall: tick.correction.shortfall.lane(0),
             accepted: Mask::all(tick.correction.accepted),
@@ -66,7 +66,7 @@ impl Row {
             self.f_ctl,
             self.f_out,
             self.f_act,
-            self.observer,
+            self.observed_energy,
             self.alpha,
             self.shortfall,
         ]

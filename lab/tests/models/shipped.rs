@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use approx::abs_diff_eq;
+use lyapunov_lab::compare::Compared;
 use lyapunov_lab::models::{Comparison, Entrant, Model, schema_text};
 use lyapunov_lab::scene::Positive;
-use lyapunov_lab::compare::Compared;
 use serde_json::Value;
 
 pub(crate) const NAMES: [&str; 6] = [

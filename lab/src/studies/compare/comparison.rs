@@ -142,7 +142,7 @@ impl Comparison {
         });
     }
 
-    /// Position and observer sum of all entrants, drawn over each other.
+    /// Position and observed energy of all entrants, drawn over each other.
     pub fn figure(&self) -> Figure {
         picture::of(self)
     }

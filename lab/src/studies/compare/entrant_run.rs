@@ -32,11 +32,11 @@ pub(super) struct EntrantRun<V: Space> {
     pub(super) samples: Samples<V>,
 }
 
-/// The curves of a run: time and position in m, observer sum in J, force on the plant in N.
+/// The curves of a run: time and position in m, observed energy in J, force on the plant in N.
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
     pub(super) position: Vec<(f64, f64)>,
-    pub(super) observer: Vec<(f64, f64)>,
+    pub(super) observed_energy: Vec<(f64, f64)>,
     pub(super) force: Vec<(f64, f64)>,
 }
 
@@ -79,7 +79,7 @@ struct Meters {
     energies: Energies<f64>,
     chatter: Option<Chatter<f64>>,
     position: Trace,
-    observer: Trace,
+    observed_energy: Trace,
     force: Trace,
 }
 
@@ -95,7 +95,7 @@ impl Meters {
             energies: Energies::new(),
             chatter: Chatter::new(scene.servo_rate.get()),
             position: Trace::new(scene.ticks()),
-            observer: Trace::new(scene.ticks()),
+            observed_energy: Trace::new(scene.ticks()),
             force: Trace::new(scene.ticks()),
         }
     }
@@ -116,7 +116,7 @@ impl Meters {
             chatter.add(touch.force);
         }
         self.position.add(tick.time, touch.position);
-        self.observer.add(tick.time, tick.correction.observed_energy.lane(0));
+        self.observed_energy.add(tick.time, tick.correction.observed_energy.lane(0));
         self.force.add(tick.time, touch.force);
     }
 
@@ -147,8 +147,8 @@ impl Meters {
             step_time: None,
             state_bytes,
         };
-        let [position, observer, force] =
-            [self.position, self.observer, self.force].map(Trace::finish);
-        (score, Curves { position, observer, force })
+        let [position, observed_energy, force] =
+            [self.position, self.observed_energy, self.force].map(Trace::finish);
+        (score, Curves { position, observed_energy, force })
     }
 }

@@ -21,9 +21,9 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let position =
         Drawing { label: "position, mm", scale: 1e3, curve: |outcome| &outcome.curves.position };
     let observer = Drawing {
-        label: "observer sum, mJ",
+        label: "observed energy, mJ",
         scale: 1e3,
-        curve: |outcome| &outcome.curves.observer,
+        curve: |outcome| &outcome.curves.observed_energy,
     };
     let figure = empty(comparison);
     let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
@@ -52,7 +52,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     if observed.is_empty() {
         return figure;
     }
-    figure.with_panel(about_zero(observer.overlaid(comparison, "observer", &observed)))
+    figure.with_panel(about_zero(observer.overlaid(comparison, "observed energy", &observed)))
 }
 
 /// The forces on the plant: over each other, or of many entrants in a row each.
@@ -79,7 +79,7 @@ fn empty(comparison: &Comparison) -> Figure {
 
 /// Whether the entrant has a sum to show.
 fn observes(outcome: &Outcome) -> bool {
-    outcome.curves.observer.iter().any(|point| point.1 != 0.0)
+    outcome.curves.observed_energy.iter().any(|point| point.1 != 0.0)
 }
 
 /// What is drawn of every outcome.

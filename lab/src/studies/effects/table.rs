@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Column, Difference, Costs};
+use super::{Column, Costs, Difference};
 use crate::show::table::{Cell, Heading, Table};
 
 pub(super) fn write(prices: &Costs, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -5,7 +5,7 @@ use super::double::Double;
 /// What an correction tells of the account on one tick, J.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Told {
-    /// The observer sum `L(n)`.
+    /// The observed energy `L(n)`.
     pub(super) sum: f64,
     /// What the correction is to burn, `α v² T`.
     pub(super) dissipated: f64,

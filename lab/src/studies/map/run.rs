@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
-use crate::simulate::family::BasicName;
 use super::grid::{Grid, GridError};
 use super::kernel::{Instructions, Kernel, Lanes};
 use super::outcome::Outcome;
 use super::{single, tick};
 use crate::show::output_error::OutputError;
+use crate::simulate::family::BasicName;
 use crate::simulate::family::StabilizerName;
 
 /// How long a band of cells may take: no more than this is lost when a machine stops.

@@ -24,11 +24,11 @@ mod fields;
 mod layout;
 mod lines;
 mod log;
+mod observed_energy;
 mod report;
 mod role;
 mod scale;
 mod step;
-mod sum;
 mod tally;
 mod text;
 mod traces;
@@ -39,11 +39,11 @@ pub use candidate::Candidate;
 pub use columns::Columns;
 pub use contact::{Contact, Contacts};
 pub use error::ObserveError;
+pub use observed_energy::{Debt, ObservedEnergy};
 pub use report::{Energy, Repair, Report};
 pub use role::Role;
 pub use scale::Scale;
 pub use step::{Gap, Gaps};
-pub use sum::{Debt, Sum};
 pub use traces::Traces;
 
 use std::io::Read;
@@ -59,7 +59,7 @@ pub struct Settings {
     pub columns: Columns,
     /// Factors to SI units; those of the same column multiply.
     pub scales: Vec<Scale>,
-    /// What the observer sums.
+    /// What the observed energies.
     pub candidate: Candidate,
     /// The force above which there is contact, N; none: 1 % of the largest so far.
     pub contact: Option<f64>,
@@ -91,7 +91,7 @@ pub struct Observed {
 }
 
 impl Observed {
-    /// Force, observer sums and position over time.
+    /// Force, observed energies and position over time.
     pub fn figure(&self) -> Figure {
         self.traces.figure(&self.report)
     }

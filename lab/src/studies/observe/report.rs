@@ -5,8 +5,8 @@ use serde::Serialize;
 use super::bad::BadRows;
 use super::candidate::Candidate;
 use super::contact::Contacts;
+use super::observed_energy::ObservedEnergy;
 use super::step::Gaps;
-use super::sum::Sum;
 
 /// What a log came to, in SI units; `Display` gives it for the terminal.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -36,11 +36,11 @@ pub struct Report {
     /// Energy over the port.
     pub energy: Energy,
     /// The observer over held work.
-    pub observer: Sum,
+    pub observed_energy: ObservedEnergy,
     /// The damper that would have repaired the log.
     pub repair: Repair,
     /// The observer over sampled work, as the paper prints it.
-    pub printed: Sum,
+    pub printed: ObservedEnergy,
     /// The contacts.
     pub contacts: Contacts,
 }
@@ -48,9 +48,9 @@ pub struct Report {
 /// Energy over the port, by held work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Energy {
-    /// Sum of the positive works, J.
+    /// ObservedEnergy of the positive works, J.
     pub absorbed: f64,
-    /// Sum of the negative works, without their sign, J.
+    /// ObservedEnergy of the negative works, without their sign, J.
     pub released: f64,
     /// `released − absorbed`, J: above 0 if the port generated energy.
     pub generated: f64,

@@ -32,12 +32,12 @@ impl Tally {
         self.motion.add(other.motion.value());
     }
 
-    /// Sum of the positive works, J.
+    /// ObservedEnergy of the positive works, J.
     pub(super) fn absorbed(&self) -> f64 {
         self.into.value()
     }
 
-    /// Sum of the negative works without their sign, J.
+    /// ObservedEnergy of the negative works without their sign, J.
     pub(super) fn released(&self) -> f64 {
         self.out.value()
     }

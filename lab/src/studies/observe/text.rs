@@ -4,9 +4,9 @@ use std::fmt;
 
 use super::candidate::Candidate;
 use super::contact::{Contact, SHARE};
+use super::observed_energy::ObservedEnergy;
 use super::report::Report;
 use super::step::GAP;
-use super::sum::Sum;
 use super::traces::prefix;
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::excerpt::printable;
@@ -43,7 +43,8 @@ impl Units {
         let period = (-report.median_period.log10().floor()).clamp(0.0, 9.0) + 1.0;
         let latest = report.start.abs().max(report.end.abs()).max(1.0);
         let decimals = period.min((14.0 - latest.log10().floor()).max(0.0)) as usize;
-        let sums = [report.observer.lowest, report.observer.last, report.printed.last];
+        let sums =
+            [report.observed_energy.lowest, report.observed_energy.last, report.printed.last];
         let energies = [report.energy.absorbed, report.energy.released].into_iter().chain(sums);
         let (joule, prefix) = prefix(energies.fold(0.0, |most, energy| most.max(energy.abs())));
         Self { decimals, joule, joules: format!("{prefix}J") }
@@ -112,8 +113,12 @@ impl Report {
             let (name, credit) = (self.candidate.name(), energy(self.energy.credited));
             line(f, "credit", &format!("{credit} by the candidate {name}"))?;
         }
-        line(f, "observer", &format!("held work: {}", told(&self.observer, units)))?;
-        let blind = match (self.observer.negative_at, self.printed.negative_at) {
+        line(
+            f,
+            "observed",
+            &format!("energy of held work: {}", told(&self.observed_energy, units)),
+        )?;
+        let blind = match (self.observed_energy.negative_at, self.printed.negative_at) {
             (Some(_), None) => ": it sees no debt",
             _ => "",
         };
@@ -172,7 +177,7 @@ impl Report {
 }
 
 /// The course of a sum in words.
-fn told(sum: &Sum, units: &Units) -> String {
+fn told(sum: &ObservedEnergy, units: &Units) -> String {
     let last = units.energy(sum.last);
     let Some(first) = sum.negative_at else {
         return format!("{last} at the end; never below zero");

@@ -43,7 +43,7 @@ impl Traces {
         self.force.add(time, force);
     }
 
-    /// Force, observer sums and position over time.
+    /// Force, observed energies and position over time.
     pub(super) fn figure(&self, report: &Report) -> Figure {
         // On an axis far from zero the numbers would be too long to tell apart.
         let far = report.start.abs() > 100.0 * report.duration;
@@ -55,13 +55,13 @@ impl Traces {
         };
         let (metre, metres) = prefix(largest([&self.position]));
         let (joule, joules) = prefix(largest([&self.held, &self.sampled]));
-        let energy = Panel::new("(b) observer sum", &label, format!("energy, {joules}J"))
+        let energy = Panel::new("(b) observed energy", &label, format!("energy, {joules}J"))
             .with_series(
                 Series::line("sampled, as printed", 1, curve(&self.sampled, joule)).dashed(),
             )
             .with_series(Series::line("held", 0, curve(&self.held, joule)))
             .with_guide(Guide::horizontal(0.0, ""));
-        let energy = match report.observer.negative_at {
+        let energy = match report.observed_energy.negative_at {
             Some(time) => {
                 let width = (30.0 * report.median_period).max(0.04 * report.duration);
                 let start = (time - width / 3.0).max(report.start) - origin;

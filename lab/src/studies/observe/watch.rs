@@ -6,9 +6,9 @@ use super::bad::{Bad, BadRows, Reason, SHORTEST};
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
 use super::log::{Entry, Sample};
+use super::observed_energy::ObservedEnergy;
 use super::report::{Energy, Repair, Report};
 use super::step::{Gaps, Step, median};
-use super::sum::Sum;
 use super::tally::Tally;
 use super::traces::Traces;
 
@@ -133,7 +133,7 @@ impl Watch {
                 generated: account.port.generated(),
                 credited: account.credited.absorbed(),
             },
-            observer: account.held_course.finish(),
+            observed_energy: account.held_course.finish(),
             repair: account.repair,
             printed: account.sampled_course.finish(),
             contacts,
@@ -148,8 +148,8 @@ impl Watch {
 struct Account {
     held: Observing<Held>,
     sampled: Observing<Sampled>,
-    held_course: Sum,
-    sampled_course: Sum,
+    held_course: ObservedEnergy,
+    sampled_course: ObservedEnergy,
     port: Tally,
     credited: Tally,
     repair: Repair,
@@ -169,8 +169,8 @@ impl Account {
         Self {
             held: observing(candidate),
             sampled: observing(candidate),
-            held_course: Sum::default(),
-            sampled_course: Sum::default(),
+            held_course: ObservedEnergy::default(),
+            sampled_course: ObservedEnergy::default(),
             port: Tally::new(),
             credited: Tally::new(),
             repair: Repair::default(),
@@ -183,7 +183,7 @@ impl Account {
 
     fn start(&mut self, reading: &Sample) {
         (self.held_course, self.sampled_course) =
-            (Sum::starting(reading.t), Sum::starting(reading.t));
+            (ObservedEnergy::starting(reading.t), ObservedEnergy::starting(reading.t));
         self.traces.add(reading, 0.0, 0.0);
     }
 

@@ -63,7 +63,7 @@ fn figure_7(lolc: &[Row]) -> Figure {
         )
         .with_panel(
             Panel::new("(d) observed energy", TIME, "energy, mJ")
-                .with_series(line(|row| 1e3 * row.observer))
+                .with_series(line(|row| 1e3 * row.observed_energy))
                 .with_guide(Guide::horizontal(0.0, "")),
         )
 }
@@ -80,8 +80,8 @@ fn figure_8(popc: &[Row], lolc: &[Row]) -> Figure {
 
 fn figure_9(popc: &[Row], lolc: &[Row]) -> Figure {
     let panel = Panel::new("50 kN/m, 20 N·s/m", TIME, "observed energy, mJ")
-        .with_series(Series::line("POPC", 1, points(popc, |row| 1e3 * row.observer)))
-        .with_series(Series::line("LOLC", 0, points(lolc, |row| 1e3 * row.observer)))
+        .with_series(Series::line("POPC", 1, points(popc, |row| 1e3 * row.observed_energy)))
+        .with_series(Series::line("LOLC", 0, points(lolc, |row| 1e3 * row.observed_energy)))
         .with_guide(Guide::horizontal(0.0, ""))
         .with_x_range(0.0, 5.0)
         .with_inset(Inset::over(2.5, 4.0));

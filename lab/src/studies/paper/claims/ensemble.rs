@@ -37,7 +37,7 @@ pub struct Setting {
     pub damping: f64,
     /// What stands at the port.
     pub control: Control,
-    /// Whether the observer sums the paper's sampled work instead of held work.
+    /// Whether the observed energies the paper's sampled work instead of held work.
     pub printed: bool,
     /// The damping cap, of m / T.
     pub cap: f64,
@@ -74,8 +74,8 @@ pub struct Trace {
     pub force: Vec<f64>,
     /// The damping injected, N·s/m.
     pub alpha: Vec<f64>,
-    /// The observer sum, J.
-    pub observer: Vec<f64>,
+    /// The observed energy, J.
+    pub observed_energy: Vec<f64>,
     /// What the tick booked into the sum, J: it is told where the sum is too large to show it.
     pub booked: Vec<f64>,
 }
@@ -146,7 +146,7 @@ fn gather<C: LyapunovCandidate<Lanes>, W: Work>(
             trace.v.push(velocity.lane(lane));
             trace.force.push(force.lane(lane));
             trace.alpha.push(correction.alpha.lane(lane));
-            trace.observer.push(correction.observed_energy.lane(lane));
+            trace.observed_energy.push(correction.observed_energy.lane(lane));
             trace.booked.push(booked.lane(lane));
         }
         sample = plant.advance(correction.effort);

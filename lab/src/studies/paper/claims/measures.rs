@@ -19,9 +19,9 @@ pub struct Measures {
     pub force_peak: f64,
     /// The controller's largest force within 0.1 s after the first contact, N; negative against the wall's.
     pub reply: f64,
-    /// The largest observer sum, J.
+    /// The largest observed energy, J.
     pub energy_peak: f64,
-    /// The observer sum at the end, J.
+    /// The observed energy at the end, J.
     pub energy_end: f64,
     /// Largest `|x|` after the first contact, m.
     pub swing: f64,
@@ -52,8 +52,8 @@ impl Measures {
             settled: settled.map(|tick| tick as f64 * trace.period),
             force_peak: largest(&trace.force[contact.clone()]),
             reply: reply(trace, contact.end),
-            energy_peak: largest(&trace.observer),
-            energy_end: trace.observer.last().copied().unwrap_or(0.0),
+            energy_peak: largest(&trace.observed_energy),
+            energy_end: trace.observed_energy.last().copied().unwrap_or(0.0),
             swing: trace.x[contact.end..].iter().fold(0.0, |most, x| x.abs().max(most)),
             jitter: settled.and_then(|tick| jitter(trace, tick)),
             impulsiveness: impulsiveness(trace),

@@ -230,7 +230,7 @@ fn soft_wall(runs: &Loops) -> Vec<Claim> {
             id: "energy-peak",
             paper: "8 kN/m: energy peaks near 2e-4 J, then back to zero",
             unit: "J",
-            reading: "largest observer sum, scaled to a start of 4 mm; holds within a factor of 1.15^2 of 2e-4 J, \
+            reading: "largest observed energy, scaled to a start of 4 mm; holds within a factor of 1.15^2 of 2e-4 J, \
                       and within 5 % of the peak about zero at 30 s",
         }
         .judge(each(&runs.lolc8k, |run| {

@@ -8,7 +8,7 @@ use lyapunov_lab::bound::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene};
 use nalgebra::DMatrix;
 
-use crate::bounds::systems::{Chance, Kind, random, scene, stiffened};
+use crate::bound::systems::{Chance, Kind, random, scene, stiffened};
 
 const ONE_RATE: Kind = Kind { slowest: 1, delay: 6, link: true, exact: false, damping: true };
 const TWO_RATES: Kind = Kind { slowest: 6, ..ONE_RATE };

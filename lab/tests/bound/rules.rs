@@ -5,7 +5,7 @@ use lyapunov::{OnePort, PortSample};
 use lyapunov_lab::bound::Limits;
 use lyapunov_lab::{Assembly, Scene};
 
-use crate::bounds::systems::{Chance, scene};
+use crate::bound::systems::{Chance, scene};
 
 /// With little damping against the mass the rule is the first order of the exact limit.
 #[test]

@@ -4,7 +4,7 @@ use lyapunov::Plant;
 use lyapunov_lab::bound::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene, Space};
 
-use crate::bounds::systems::{Chance, Kind, random, scene, stiffened};
+use crate::bound::systems::{Chance, Kind, random, scene, stiffened};
 
 /// Ticks of a stretch in which the largest swing is looked for.
 const STRETCH: usize = 4096;

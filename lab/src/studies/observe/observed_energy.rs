@@ -1,11 +1,11 @@
-//! The course of an observer sum.
+//! The course of an observed energy.
 
 use serde::Serialize;
 
 /// Debts that are told one by one; the rest are counted.
 const TOLD: usize = 10;
 
-/// A stretch in which an observer sum was below zero.
+/// A stretch in which an observed energy was below zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Debt {
     /// The first row below zero, s.
@@ -16,9 +16,9 @@ pub struct Debt {
     pub lowest: f64,
 }
 
-/// The course of an observer sum, which is 0 on the first row.
+/// The course of an observed energy, which is 0 on the first row.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Sum {
+pub struct ObservedEnergy {
     /// Value on the last row, J.
     #[serde(rename = "final")]
     pub last: f64,
@@ -36,7 +36,7 @@ pub struct Sum {
     open: Option<Debt>,
 }
 
-impl Sum {
+impl ObservedEnergy {
     /// The sum on the first row, at `time`.
     pub(super) fn starting(time: f64) -> Self {
         Self { lowest_at: time, ..Self::default() }
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn debts_begin_below_zero_and_end_at_zero() {
-        let mut sum = Sum::starting(0.0);
+        let mut sum = ObservedEnergy::starting(0.0);
         for (n, value) in [0.0, 1.0, -1.0, -3.0, -2.0, 0.0, 1.0, -0.5].into_iter().enumerate() {
             sum.add(n as f64, value);
         }

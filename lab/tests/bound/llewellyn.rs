@@ -3,7 +3,7 @@
 use lyapunov_lab::bound::llewellyn::{TwoPort, first_violation, hold};
 use nalgebra::Complex;
 
-use crate::bounds::systems::Chance;
+use crate::bound::systems::Chance;
 
 fn c(re: f64, im: f64) -> Complex<f64> {
     Complex::new(re, im)

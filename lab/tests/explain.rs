@@ -5,7 +5,7 @@ use lyapunov_lab::explain::{Balance, Change, Explanation};
 use lyapunov_lab::scene::{Positive, Scene};
 use lyapunov_lab::{Rollout, Row, scenes};
 
-use crate::bounds::systems::{self, Chance, scene};
+use crate::bound::systems::{self, Chance, scene};
 
 /// The sum of the magnitudes of all that is in a balance.
 fn size(it: &Balance) -> f64 {
@@ -15,7 +15,7 @@ fn size(it: &Balance) -> f64 {
 }
 
 fn shipped_scenes() -> Vec<Scene> {
-    let texts = shipped::SCENES.iter().filter(|it| it.name != "motion-file").map(|it| it.text);
+    let texts = scenes::SCENES.iter().filter(|it| it.name != "motion-file").map(|it| it.text);
     texts.map(scene).filter(|scene| scene.dimensions() == 1).collect()
 }
 
@@ -57,7 +57,7 @@ fn what_a_scene_does_not_have_leaks_nothing() {
 /// Without a stabilizer the whole force is the environment's, also where the limit of the force has no place in `f32`.
 #[test]
 fn nothing_is_booked_to_a_controller_that_is_not_there() {
-    let text = shipped::text_of("saturation").unwrap().replace("force = 4.0", "force = 4.1");
+    let text = scenes::text_of("saturation").unwrap().replace("force = 4.0", "force = 4.1");
     let scene = scene(&text);
     assert!(scene.stabilizer.is_none());
     let told = Explanation::of::<f32>(&scene).unwrap().whole_run;

@@ -6,7 +6,7 @@
 use approx::abs_diff_eq;
 use lyapunov_lab::bound::Limits;
 
-use crate::bounds::systems::scene;
+use crate::bound::systems::scene;
 
 /// A loop without its stiffness, the largest stable one, a stiffness, and one less the radius there.
 const REFERENCES: [(&str, f64, f64, f64); 10] = [
