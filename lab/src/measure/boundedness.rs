@@ -103,6 +103,8 @@ fn start_of(quarter: u64, last: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::files::scene::Scene;
     use crate::measure::samples::scene;
@@ -151,7 +153,7 @@ mod tests {
         // 50 N/m pulling from 0 to 22 mm against 1 kN/m at 1 mm: balance at 2 mm, deflection 20 mm.
         let pressed = scene("operator.rest = 0.022\ninitial.position = 0.002\n");
         let start = |scene: &Scene| Criterion::of(scene).start;
-        assert!((start(&pressed) - 0.020).abs() < 1e-12);
-        assert!((start(&scene("")) - 0.004).abs() < 1e-12);
+        assert_abs_diff_eq!(start(&pressed), 0.020, epsilon = 1e-12);
+        assert_abs_diff_eq!(start(&scene("")), 0.004, epsilon = 1e-12);
     }
 }

@@ -138,6 +138,8 @@ impl<T: Scalar> Chatter<T> {
 
 #[cfg(test)]
 mod tests {
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+
     use super::*;
 
     fn chatter(rate: f64, count: u32, force: impl Fn(f64) -> f64) -> Option<f64> {
@@ -183,7 +185,7 @@ mod tests {
             for frequency in [7.0, 20.5, 48.0] {
                 let measured = chatter(rate, 3 * rate as u32, tone(frequency)).unwrap();
                 let expected = 3.0 / 2.0_f64.sqrt();
-                assert!((measured / expected - 1.0).abs() < 1e-3, "{rate} {frequency} {measured}");
+                assert_relative_eq!(measured, expected, epsilon = 0.0, max_relative = 1e-3);
             }
         }
     }
@@ -202,7 +204,7 @@ mod tests {
     fn at_a_hundred_hertz_the_fastest_tone_counts_once() {
         // +3, −3, +3, ... at 50 Hz: its mean square is 9, all of it at 50 Hz and the lines beside.
         let measured = chatter(100.0, 300, |t| 3.0 * (TAU * 50.0 * t).cos()).unwrap();
-        assert!((measured - 3.0).abs() < 1e-9, "{measured}");
+        assert_abs_diff_eq!(measured, 3.0, epsilon = 1e-9);
     }
 
     #[test]
@@ -213,7 +215,7 @@ mod tests {
             let mut meter = Chatter::<f64>::new(rate).unwrap();
             samples.iter().for_each(|&sample| meter.add(sample));
             let (ours, expected) = (meter.root_mean_square().unwrap(), welch(rate, &samples));
-            assert!((ours / expected - 1.0).abs() < 1e-9, "{rate}: {ours} {expected}");
+            assert_relative_eq!(ours, expected, epsilon = 0.0, max_relative = 1e-9);
         }
     }
 

@@ -54,6 +54,8 @@ impl<T: Scalar> Energies<T> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// A tick at `x`, with the wall's and the controller's force.
@@ -74,11 +76,11 @@ mod tests {
         // In over 1 mm under 2 N, out over 1 mm under 5 N: 3 mJ more than went in.
         let ticks = [tick(0.0, 2.0, 0.0), tick(0.001, 5.0, 0.0), tick(0.0, 0.0, 0.0)];
         let energies = after(&ticks);
-        assert!((energies.injected() - 0.003).abs() < 1e-15);
+        assert_abs_diff_eq!(energies.injected(), 0.003, epsilon = 1e-15);
         assert_eq!(energies.taken(), 0.0);
         // Taking it back later changes nothing.
         let back = [&ticks[..2], &[tick(0.0, 9.0, 0.0), tick(0.5, 0.0, 0.0)]].concat();
-        assert!((after(&back).injected() - 0.003).abs() < 1e-15);
+        assert_abs_diff_eq!(after(&back).injected(), 0.003, epsilon = 1e-15);
     }
 
     #[test]
@@ -93,7 +95,7 @@ mod tests {
     #[test]
     fn the_controller_takes_by_braking_and_gives_by_pushing() {
         let ticks = [tick(0.0, 0.0, 3.0), tick(0.002, 0.0, 1.0), tick(-0.001, 0.0, 8.0)];
-        assert!((after(&ticks).taken() - (0.006 - 0.003)).abs() < 1e-15);
+        assert_abs_diff_eq!(after(&ticks).taken(), 0.006 - 0.003, epsilon = 1e-15);
         assert_eq!(after(&ticks).injected(), 0.0);
         assert_eq!(after(&ticks[..1]).taken(), 0.0);
     }

@@ -97,6 +97,8 @@ impl<V: Space> Iterator for Rollout<V> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::simulate::equilibrium::{equilibrium, never_rests};
 
@@ -147,7 +149,7 @@ mod tests {
         for scene in &cases {
             let last = Rollout::<f64>::of(scene).unwrap().rows().last().unwrap();
             let told = equilibrium(scene).unwrap_or_else(|| panic!("{scene:?} has none"));
-            assert!((last.x - told).abs() < 1e-9, "{} but {told} of {scene:?}", last.x);
+            assert_abs_diff_eq!(last.x, told, epsilon = 1e-9);
         }
     }
 

@@ -4,18 +4,14 @@
 //! environment applies to it. Both are read in one way, with the same words for what is wrong.
 
 mod check;
-mod controller;
 mod keys;
 mod model;
 pub(crate) mod plant;
-mod stabilizer;
 #[cfg(test)]
 mod tests;
 
-pub use controller::Controller;
 pub(crate) use keys::BOOK;
-pub use model::{Model, schema_text};
+pub use model::{Controller, Model, Stabilizer, schema_text};
 pub use plant::{
     DcMotor, Ground, InvertedPendulum, Limb, Plant, ProstheticLeg, TwoLinkArm, VanDerPol,
 };
-pub use stabilizer::Stabilizer;

@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::controller::Controller;
 use super::plant::Plant;
-use super::stabilizer::Stabilizer;
-use crate::files::scene::{Finite, MODEL, Positive, Scalar, StepsPerTick, schema_of};
+use crate::files::scene::{
+    Cap, Coordinates, DelayTicks, Finite, HoldTicks, MODEL, NonNegative, Positive, Scalar,
+    StepsPerTick, schema_of,
+};
 
 /// A control-affine plant under its nominal controller, and what its stabilizers are set to: a model file.
 ///
@@ -58,4 +59,33 @@ impl Model {
 /// read them. The rules between values are [`Model::check`]'s.
 pub fn schema_text() -> String {
     format!("{:#}\n", schema_of::<Model>())
+}
+
+/// A proportional-derivative feedback: u = holding - proportional q - derivative q̇ for each input, computed at every
+/// `hold`-th tick, held in between, and `delay` ticks late.
+///
+/// q are the first states of the plant, as many as it has inputs, and q̇ the same number after them; holding is what
+/// keeps a posture against gravity, of a leg only. One input takes a number, two take a list.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Controller {
+    /// Gains of the places, in N.m/rad or V/rad; default 0.
+    pub proportional: Coordinates,
+    /// Gains of the rates, in N.m.s/rad or V.s/rad; default 0.
+    pub derivative: Coordinates,
+    /// Whole servo ticks from one computation to the next, 1 to 1024; default 1.
+    pub hold: HoldTicks,
+    /// Delay in whole servo ticks, 0 to 1024; default 0.
+    pub delay: DelayTicks,
+}
+
+/// What the stabilizers of a model are set to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Stabilizer {
+    /// Limit of the injected damping in units of m / T, with m the least apparent mass of the plant's port, 0 or more,
+    /// inf for no limit; default 0.5.
+    pub damping_cap: Cap,
+    /// Rate c in 1/s at which V is asked to decay by the entrant that asks for it, 0 or more; default 0.
+    pub decay: NonNegative,
 }

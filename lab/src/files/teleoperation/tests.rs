@@ -4,6 +4,7 @@ use super::Teleoperator;
 use super::keys::{BOOK, KEYS, SMALLEST};
 use crate::files::scene::schema_of;
 use crate::files::scene::tests::{assert_keys_of, merge};
+use approx::assert_abs_diff_eq;
 
 #[test]
 fn messages_know_every_key_and_no_other() {
@@ -34,5 +35,5 @@ fn every_example_in_a_message_is_right() {
 fn the_smallest_teleoperator_is_one() {
     let smallest = Teleoperator::parse(BOOK.smallest, "test.toml").unwrap();
     assert_eq!((smallest.ticks(), smallest.wave_impedance()), (5000, 5.0));
-    assert!((smallest.stored_at_start() - 5e-3).abs() < 1e-18);
+    assert_abs_diff_eq!(smallest.stored_at_start(), 5e-3, epsilon = 1e-18);
 }

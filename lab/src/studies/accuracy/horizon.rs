@@ -3,9 +3,8 @@
 use lyapunov::{Correction, OnePort, PortSample, Scalar, accumulators::DoubleDouble};
 
 use super::AccuracyError;
-use super::progress::Progress;
 use super::reference::{References, Second, exact, off};
-use super::trace::trace;
+use super::trace::{Progress, trace};
 use crate::files::scene::Scene;
 use crate::simulate::building::{Assembly, Port};
 

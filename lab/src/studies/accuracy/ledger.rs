@@ -9,8 +9,8 @@ use lyapunov::{
 };
 
 use super::AccuracyError;
-use super::progress::Progress;
 use super::timing::Time;
+use super::trace::Progress;
 use crate::measure::timing::Rounds;
 
 /// Ticks of 1 ms in all.

@@ -2,11 +2,9 @@
 
 mod document;
 mod extrapolation;
-mod front;
 mod horizon;
 mod ledger;
 mod picture;
-mod progress;
 mod reference;
 mod report;
 mod setting;

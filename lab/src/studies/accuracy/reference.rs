@@ -4,8 +4,7 @@ use lyapunov::{ParameterError, Scalar, accumulators::DoubleDouble};
 
 use super::AccuracyError;
 use super::extrapolation::Extrapolation;
-use super::progress::Progress;
-use super::trace::trace;
+use super::trace::{Progress, trace};
 use crate::files::scene::{Conflict, Draft, Integrator, Positive, Scene};
 use crate::simulate::building::Assembly;
 

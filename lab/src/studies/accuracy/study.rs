@@ -4,14 +4,12 @@ use std::ops::ControlFlow;
 
 use lyapunov::{Scalar, accumulators::DoubleDouble};
 
-use super::front::front;
 use super::horizon::{BELIEVED, Growth};
 use super::ledger::{self, LedgerRow};
-use super::progress::Progress;
 use super::reference::{References, SURE, Second, off};
 use super::setting::{Number, Setting};
 use super::timing::{self, Time};
-use super::trace::trace;
+use super::trace::{Progress, trace};
 use super::{AccuracyError, table};
 use crate::files::scene::Scene;
 use crate::simulate::building::{Assembly, Space};
@@ -205,4 +203,35 @@ fn largest(errors: &[f64], ticks: usize) -> Option<f64> {
     let within = &errors[..ticks.min(errors.len())];
     let all = within.iter().all(|error| error.is_finite());
     all.then(|| within.iter().copied().fold(0.0, f64::max))
+}
+
+/// Marks what no other beats: nobody is at once no dearer and no worse, and better in one of the two.
+pub(super) fn front(points: &[(f64, Option<f64>)]) -> Vec<bool> {
+    let worst = |error: Option<f64>| error.unwrap_or(f64::INFINITY);
+    let beats = |(cost, error): &(f64, Option<f64>), than: &(f64, Option<f64>)| {
+        let (error, other) = (worst(*error), worst(than.1));
+        *cost <= than.0 && error <= other && (*cost < than.0 || error < other)
+    };
+    let kept = |point: &(f64, Option<f64>)| {
+        point.1.is_some() && !points.iter().any(|other| beats(other, point))
+    };
+    points.iter().map(kept).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_front_is_what_nobody_beats() {
+        let points = [
+            (1.0, Some(1e-3)),
+            (2.0, Some(1e-6)),
+            (2.0, Some(1e-5)),
+            (3.0, Some(1e-6)),
+            (0.5, None),
+            (9.0, Some(0.0)),
+        ];
+        assert_eq!(front(&points), [true, true, false, false, false, true]);
+    }
 }

@@ -79,7 +79,7 @@ fn the_controlled_wall_is_chaotic() {
 #[test]
 fn ledgers_are_as_good_as_their_sums() {
     let watch = |_| ControlFlow::Continue(());
-    let rows = ledger::rows(progress::Progress::new(&watch)).unwrap();
+    let rows = ledger::rows(trace::Progress::new(&watch)).unwrap();
     let error = |scalar, ledger| {
         rows.iter().find(|row| (row.scalar, row.ledger) == (scalar, ledger)).unwrap().error
     };

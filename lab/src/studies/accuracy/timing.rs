@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use lyapunov::ParameterError;
 
 use super::AccuracyError;
-use super::progress::Progress;
 use super::setting::{Number, Setting};
+use super::trace::Progress;
 use crate::files::scene::Scene;
 use crate::measure::timing::{Rounds, count_for, runs};
 

@@ -135,6 +135,8 @@ impl Contacts {
 
 #[cfg(test)]
 mod tests {
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+
     use super::*;
     use crate::measure::samples::scene;
 
@@ -182,7 +184,7 @@ mod tests {
         let square = one * one + other * other;
         let expected = 800.0 + 0.1 * (one - other) / square;
         let felt = after(&ticks).stiffness().unwrap();
-        assert!((felt / expected - 1.0).abs() < 1e-12, "{felt} {expected}");
+        assert_relative_eq!(felt, expected, epsilon = 0.0, max_relative = 1e-12);
         assert_eq!(after(&ticks[..49]).stiffness(), None);
         assert_eq!(after(&[tick(0.001, 1.0, 0.0); 60]).stiffness(), None);
     }
@@ -196,7 +198,7 @@ mod tests {
         let free = tick(0.0, 0.0, 0.0);
         let error = after(&[right, missing, late, damped, free, free]).force_error().unwrap();
         let expected = f64::sqrt((1.0 + 0.25 + 0.0625) / 4.0);
-        assert!((error - expected).abs() < 1e-12, "{error} {expected}");
+        assert_abs_diff_eq!(error, expected, epsilon = 1e-12);
         assert_eq!(after(&[free]).force_error(), None);
     }
 
@@ -206,7 +208,7 @@ mod tests {
         let at = |position: f64, velocity: f64| Touch { velocity, ..tick(position, 0.0, 0.0) };
         assert_eq!(at(0.001, 1.0).ideal(&wall), 0.0);
         assert_eq!(at(0.0005, 1.0).ideal(&wall), 0.0);
-        assert!((at(0.003, 0.5).ideal(&wall) - 3.0).abs() < 1e-12);
+        assert_abs_diff_eq!(at(0.003, 0.5).ideal(&wall), 3.0, epsilon = 1e-12);
         assert_eq!(at(0.003, -5.0).ideal(&wall), 0.0);
     }
 }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::comparison::{CompareError, Comparison};
 use super::entrant_run::Watch;
 use super::entrants::Entrants;
-use super::setting::Setting;
+use super::table::Setting;
 use crate::measure::balance::Balance;
 use crate::show::csv::{self, Field};
 use crate::simulate::building::Space;

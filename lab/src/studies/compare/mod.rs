@@ -16,7 +16,6 @@ mod entrants;
 pub mod models;
 mod picture;
 mod score;
-mod setting;
 mod sheet;
 mod table;
 pub mod teleoperation;

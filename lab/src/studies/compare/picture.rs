@@ -2,7 +2,7 @@
 
 use super::comparison::{Comparison, Outcome};
 use super::contacts::wall;
-use super::setting::Setting;
+use super::table::Setting;
 use crate::simulate::equilibrium::{Criterion, equilibrium};
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 

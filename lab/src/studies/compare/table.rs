@@ -1,11 +1,13 @@
-//! The table in the terminal: two parts, one under the other.
+//! The scene in a line, and the table in the terminal: two parts, one under the other.
 
 use std::fmt;
 
 use super::Comparison;
 use super::column::Column;
-use super::setting::Setting;
+use crate::files::scene::Scene;
+use crate::show::described;
 use crate::show::table::{Heading, Table};
+use crate::text::numbers::given;
 
 /// How the loop behaved.
 const BEHAVIOUR: [Column; 8] = [
@@ -43,4 +45,18 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
         write!(f, "\n{}", Table::new(headings).with_rows(rows))?;
     }
     Ok(())
+}
+
+pub(super) struct Setting<'a>(pub(super) &'a Scene);
+
+impl fmt::Display for Setting<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scene = self.0;
+        let (duration, rate) = (given(scene.duration.get()), given(scene.servo_rate.get()));
+        write!(f, "{duration} s at {rate} Hz")?;
+        if scene.environment_ratio() > 1 {
+            write!(f, " over {} Hz", given(scene.environment_rate()))?;
+        }
+        write!(f, ", {} {}", scene.environment.name(), described::environment(scene))
+    }
 }

@@ -1,5 +1,6 @@
 //! Comparisons of whole scenes, against straight calculations over their rows.
 
+use approx::assert_relative_eq;
 use lyapunov::{Correction, PortSample, Stabilizer};
 
 use super::*;
@@ -31,14 +32,6 @@ fn press(more: &str) -> Scene {
         operator.stiffness = 200.0\noperator.rest = 0.01\nenvironment.wall.position = 0.002\n\
         environment.wall.stiffness = 2000.0\nenvironment.wall.damping = 1.0\n";
     Scene::parse(&format!("{text}{more}"), "press").unwrap()
-}
-
-fn close(ours: Option<f64>, expected: f64, what: &str) {
-    let ours = ours.unwrap();
-    assert!(
-        (ours - expected).abs() <= 1e-9 * expected.abs().max(1e-9),
-        "{what}: {ours} {expected}"
-    );
 }
 
 #[test]
@@ -83,7 +76,12 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
     let injected = score.energy_injected.unwrap();
     assert!(injected >= -1e3 * least - 1e-9 && injected > 0.0, "{injected} {least}");
     let taken: f64 = (0..rows.len() - 1).map(|n| (rows[n].f_act - wall[n]) * moved(n)).sum();
-    close(score.energy_taken, 1e3 * taken, "taken");
+    assert_relative_eq!(
+        score.energy_taken.unwrap(),
+        1e3 * taken,
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
 
     let mut contacts: Vec<Vec<usize>> = vec![Vec::new()];
     for (n, force) in wall.iter().enumerate() {
@@ -101,8 +99,13 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
     let long = || contacts.iter().filter(|contact| contact.len() >= 500).flatten();
     let sum = |f: &dyn Fn(&Row) -> f64| -> f64 { long().map(|n| f(&rows[*n])).sum() };
     let felt = sum(&|row| row.f_act * (row.x - 0.002)) / sum(&|row| (row.x - 0.002).powi(2));
-    close(score.stiffness_felt, felt, "stiffness");
-    close(score.stiffness_percent, felt / 20.0, "percent");
+    assert_relative_eq!(score.stiffness_felt.unwrap(), felt, epsilon = 1e-18, max_relative = 1e-9);
+    assert_relative_eq!(
+        score.stiffness_percent.unwrap(),
+        felt / 20.0,
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
 
     let touching = |n: &usize| wall[*n] != 0.0 || rows[*n].x > 0.002;
     let errors: Vec<f64> = (0..rows.len())
@@ -114,9 +117,14 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
         })
         .collect();
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-    close(score.force_error, mean.sqrt(), "force error");
-    close(score.active, 100.0, "active");
-    close(score.shortfall, 0.0, "shortfall");
+    assert_relative_eq!(
+        score.force_error.unwrap(),
+        mean.sqrt(),
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(score.active.unwrap(), 100.0, epsilon = 1e-18, max_relative = 1e-9);
+    assert_relative_eq!(score.shortfall.unwrap(), 0.0, epsilon = 1e-18, max_relative = 1e-9);
     assert_eq!(score.stable, Some(true));
     assert_eq!(score.state_bytes, 8);
 }
@@ -142,7 +150,12 @@ fn settings_are_the_scene_s_or_the_defaults() {
     let active =
         Rollout::<f64>::of(&own).unwrap().filter(|tick| tick.correction.alpha > 0.0).count();
     assert!(active > 0);
-    close(standard(&own)[1].active, 100.0 * active as f64 / 101.0, "active");
+    assert_relative_eq!(
+        standard(&own)[1].active.unwrap(),
+        100.0 * active as f64 / 101.0,
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
 }
 
 #[test]

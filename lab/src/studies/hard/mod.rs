@@ -7,7 +7,6 @@
 mod balance;
 mod case;
 mod cases;
-mod double;
 mod looped;
 mod naive;
 mod pledge;

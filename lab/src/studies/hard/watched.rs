@@ -6,8 +6,7 @@ use std::rc::Rc;
 use lyapunov::laws::Law;
 use lyapunov::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};
 
-use super::balance::{Balance, Told};
-use super::double::Double;
+use super::balance::{Balance, Double, Told};
 use super::pledge::{Account, Credit, Manner, Pledge};
 use super::tally::{Tally, larger};
 

@@ -148,4 +148,16 @@ impl Grid {
         let cell = format!("`{}` = {x:?} with `{}` = {y:?}", self.x.key, self.y.key);
         GridError::Cell { cell, reason }
     }
+
+    /// The rows of the run of a cell, `round(duration servo_rate) + 1`.
+    pub(super) fn rows(&self, cell: u64) -> u64 {
+        let values = self.values(cell);
+        let number = |key: &str, own: f64| {
+            let axes = [&self.x.key, &self.y.key];
+            axes.iter().position(|axis| *axis == key).map_or(own, |which| values[which])
+        };
+        let duration = number("duration", self.scene.duration.get());
+        let rate = number("servo_rate", self.scene.servo_rate.get());
+        (duration * rate).round() as u64 + 1
+    }
 }

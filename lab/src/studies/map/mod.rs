@@ -1,6 +1,5 @@
 //! Stability maps: any two numbers of a scene on a grid, under several stabilizers.
 
-mod areas;
 mod axis;
 mod bounds;
 mod checkpoint;
@@ -16,11 +15,9 @@ mod shard;
 mod single;
 mod survey;
 mod table;
-mod tick;
 mod vary;
 
 pub use crate::simulate::family::BasicName;
-pub use areas::areas;
 pub use axis::{Axis, NoAxis, Spacing};
 pub use bounds::{Bounds, OverExact};
 pub use checkpoint::{Checkpoint, CheckpointError};
@@ -30,7 +27,7 @@ pub use kernel::{Instructions, Kernel, Lanes};
 pub use merge::{MergeError, merge};
 pub use outcome::{Measure, Measures, Outcome};
 pub use picture::{Drawn, figures};
-pub use report::page;
+pub use report::{areas, page};
 pub use run::{Effort, Method, Put, Run, RunError};
 pub use shard::{NoShard, Shard};
 pub use survey::{Area, Reach, Survey};

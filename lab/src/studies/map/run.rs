@@ -9,10 +9,9 @@ use rayon::prelude::*;
 use super::grid::{Grid, GridError};
 use super::kernel::{Instructions, Kernel, Lanes};
 use super::outcome::Outcome;
-use super::{single, tick};
+use super::single;
 use crate::show::output_error::OutputError;
-use crate::simulate::family::BasicName;
-use crate::simulate::family::StabilizerName;
+use crate::simulate::family::{BasicName, StabilizerName};
 
 /// How long a band of cells may take: no more than this is lost when a machine stops.
 const BAND: Duration = Duration::from_millis(500);
@@ -158,7 +157,7 @@ impl<'a> Run<'a> {
                 Method::Single => self.by_itself(&band, go_on, &mut effort)?,
             };
             let done = &band[..outcomes.len()];
-            let steps: u64 = done.iter().map(|cell| tick::rows(self.grid, *cell)).sum();
+            let steps: u64 = done.iter().map(|cell| self.grid.rows(*cell)).sum();
             effort.cells += done.len() as u64;
             effort.rollout_steps += steps * self.grid.members.len() as u64;
             put(first, &outcomes)?;
@@ -174,7 +173,7 @@ impl<'a> Run<'a> {
 
     /// So many cells that a band is short whatever a cell takes.
     fn first_band(&self) -> usize {
-        let rows = tick::rows(self.grid, 0).max(tick::rows(self.grid, self.grid.cells() - 1));
+        let rows = self.grid.rows(0).max(self.grid.rows(self.grid.cells() - 1));
         let fast = matches!(self.method, Method::Lanes(_))
             && self.grid.members.iter().all(|member| member.basic_name().is_some());
         let steps: u64 = if fast { 20_000_000 } else { 1_000_000 };

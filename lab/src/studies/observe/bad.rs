@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use super::role::Role;
+use super::columns::Role;
 use crate::text::excerpt::shorten;
 
 /// Bad rows that are named one by one; the rest are counted.

@@ -5,7 +5,6 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use super::error::ObserveError;
-use super::role::Role;
 
 /// The columns of time, position, force and, maybe, velocity, in this order: by name, or by number from 1.
 ///
@@ -65,5 +64,38 @@ impl FromStr for Columns {
             }
         }
         Ok(Self(names))
+    }
+}
+
+/// What a column of a log holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// Time, s.
+    T,
+    /// Position, m.
+    X,
+    /// The environment's force on the device from this row until the next, N.
+    F,
+    /// Velocity, m/s.
+    V,
+}
+
+impl Role {
+    /// All of them, in the order in which columns are given.
+    pub const ALL: [Self; 4] = [Self::T, Self::X, Self::F, Self::V];
+
+    /// The letter by which a command line names it.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::T => "t",
+            Self::X => "x",
+            Self::F => "f",
+            Self::V => "v",
+        }
+    }
+
+    pub(super) fn index(self) -> usize {
+        self as usize
     }
 }

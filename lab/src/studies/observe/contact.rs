@@ -163,6 +163,8 @@ impl Open {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn find(given: Option<f64>, forces: &[f64]) -> Contacts {
@@ -195,7 +197,8 @@ mod tests {
     fn noise_before_the_first_contact_is_none_of_it() {
         let found = find(None, &[0.01, 0.01, 0.01, 5.0, 6.0, 0.01, 0.01, 0.01, 0.01]);
         assert_eq!((found.count, found.worst[0].start, found.worst[0].end), (1, 3.0, 5.0));
-        assert!((found.threshold - 0.06).abs() < 1e-12 && found.threshold_follows);
+        assert_abs_diff_eq!(found.threshold, 0.06, epsilon = 1e-12);
+        assert!(found.threshold_follows);
     }
 
     #[test]

@@ -1,10 +1,9 @@
 //! Where in a row the columns asked for are.
 
 use super::bad::Reason;
-use super::columns::{Columns, position};
+use super::columns::{Columns, Role, position};
 use super::error::ObserveError;
 use super::fields::{Fields, bare, delimiter, number};
-use super::role::Role;
 use crate::text::excerpt::shorten;
 use crate::text::suggest::nearest;
 

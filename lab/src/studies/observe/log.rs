@@ -3,12 +3,11 @@
 use std::io::{self, Read};
 
 use super::bad::{Bad, LARGEST, Reason};
-use super::columns::Columns;
+use super::columns::{Columns, Role};
 use super::error::ObserveError;
 use super::fields::number;
 use super::layout::Layout;
 use super::lines::{Lines, Next};
-use super::role::Role;
 use super::scale::Scale;
 
 /// A good row, in SI units.

@@ -2,8 +2,8 @@
 
 use std::str::FromStr;
 
+use super::columns::Role;
 use super::error::ObserveError;
-use super::role::Role;
 use crate::text::suggest::nearest;
 
 /// The factor of one column: what its numbers are multiplied with to give SI units.

@@ -13,9 +13,8 @@ use lyapunov::{
 
 use crate::simulate::building::Space;
 use crate::simulate::family::{Basis, StabilizerName};
-use crate::studies::hard::balance::{Balance, Told};
+use crate::studies::hard::balance::{Balance, Double, Told};
 use crate::studies::hard::case::{Case, Quantity};
-use crate::studies::hard::double::Double;
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::{Tally, larger};
