@@ -55,7 +55,7 @@ pub use simulate::building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;
 pub use simulate::row::{Row, further_columns, further_numbers};
-pub use simulate::tick::{Apart, Tick};
+pub use simulate::tick::{OperatorMotion, Tick};
 
 // Measures, and how they are shown.
 pub use measure::summary::Summary;

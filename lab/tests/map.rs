@@ -151,7 +151,7 @@ fn any_number_of_a_scene_makes_an_axis() {
 fn a_scene_without_a_spring_is_not_judged_but_measured() {
     let more = "operator = { mass = 0.1 }\ninitial = { position = -0.004, velocity = 0.1 }\nduration = 1.1\n";
     let x = format!("{STIFFNESS}=100..1000:3");
-    let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[BasicName::Nobody]);
+    let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[BasicName::NoStabilizer]);
     for outcomes in outcomes(&grid, false, 1) {
         assert_eq!(outcomes[0].stable, None);
         assert!(outcomes[0].measures.peak_force.unwrap() > 0.0);

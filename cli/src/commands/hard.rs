@@ -44,7 +44,7 @@ pub(crate) struct Hard {
 impl Hard {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
-        if self.stabilizer == Some(StabilizerName::Plain(BasicName::Nobody)) {
+        if self.stabilizer == Some(StabilizerName::Basic(BasicName::NoStabilizer)) {
             return Err(End::input(
                 "`none` is no stabilizer to be tried\n  = --out writes a page that tells of every loop without one",
             ));

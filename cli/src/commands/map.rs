@@ -144,7 +144,7 @@ impl Map {
         shard: Shard,
         checkpoint: &mut Option<Checkpoint>,
         survey: &mut Survey,
-    ) -> Result<lyapunov_lab::map::Effort, End> {
+    ) -> Result<lyapunov_lab::map::Workload, End> {
         let cells = shard.cells(grid.cells());
         let first = checkpoint.as_ref().map_or(cells.start, Checkpoint::next);
         let bar = if self.quiet {
@@ -217,7 +217,7 @@ impl Map {
         }
         said += &areas(survey, bounds);
         let how = match computation.instructions {
-            Some(set) if survey.grid().members.iter().all(|it| it.basic_name().is_some()) => {
+            Some(set) if survey.grid().stabilizers.iter().all(|it| it.basic_name().is_some()) => {
                 format!("{} cells at once ({set})", computation.lanes)
             }
             Some(set) => format!(

@@ -23,12 +23,12 @@ pub struct Tick<V: Signal> {
     /// The effort that acts on the plant until the next tick, after delay, N.
     pub applied: V,
     /// The operator's motion, where a link sets it apart from the device's.
-    pub operator: Option<Apart<V>>,
+    pub operator: Option<OperatorMotion<V>>,
 }
 
 /// The motion of an operator that a link sets apart from the device.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Apart<V> {
+pub struct OperatorMotion<V> {
     /// Position, m.
     pub position: V,
     /// Velocity, m/s.

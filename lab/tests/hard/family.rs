@@ -10,7 +10,7 @@ use lyapunov_lab::hard::Catalogue;
 #[test]
 fn every_member_keeps_what_it_is_held_to() {
     let (mut cases, mut over) = (Vec::new(), 0);
-    let nobody = StabilizerName::Plain(BasicName::Nobody);
+    let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
     let family = || StabilizerName::ALL.into_iter().filter(|member| *member != nobody);
     for member in family() {
         let catalogue = Catalogue::of(Some(member), &|| ControlFlow::Continue(())).unwrap();

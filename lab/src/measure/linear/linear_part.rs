@@ -32,7 +32,7 @@ pub struct LinearPart {
     /// Servo ticks from an answer to its correction.
     pub delay: u64,
     /// Where the velocity comes from.
-    pub velocity: Estimate,
+    pub velocity: VelocitySource,
     /// What the effort acts on.
     pub device: DampedMass<f64>,
     /// The hand.
@@ -45,7 +45,7 @@ pub struct LinearPart {
 
 /// Where a velocity comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Estimate {
+pub enum VelocitySource {
     /// The plant's own.
     Exact,
     /// `v̂(n) = v̂(n−1) + share (Δx(n) / T − v̂(n−1))`; a share of 1 is the backward difference.
@@ -95,14 +95,14 @@ impl LinearPart {
         let period = scene.period();
         let moves = environment.damping != 0.0 || environment.mass != 0.0;
         let velocity = match (scene.velocity, scene.effects.filter) {
-            (Velocity::Exact, _) => Estimate::Exact,
-            (_, None) => Estimate::Difference { share: 1.0 },
+            (Velocity::Exact, _) => VelocitySource::Exact,
+            (_, None) => VelocitySource::Difference { share: 1.0 },
             (_, Some(Filter::Cutoff(cutoff))) => {
                 let turn = TAU * cutoff.get() * period;
-                Estimate::Difference { share: turn / (1.0 + turn) }
+                VelocitySource::Difference { share: turn / (1.0 + turn) }
             }
             (_, Some(Filter::Window(_))) if moves => return Err(NotLinear::Window),
-            (_, Some(Filter::Window(_))) => Estimate::Difference { share: 1.0 },
+            (_, Some(Filter::Window(_))) => VelocitySource::Difference { share: 1.0 },
         };
         let operator = &scene.operator;
         Ok(Self {

@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix, DVector, RowDVector};
 use num_traits::Zero;
 
 use super::LinearPart;
-use super::linear_part::Estimate;
+use super::linear_part::VelocitySource;
 use super::pair::Pair;
 use super::polynomial::Polynomial;
 use super::roots::{circle, settle};
@@ -209,7 +209,7 @@ impl States {
     fn of(part: &LinearPart) -> Self {
         let masses = if part.link.is_some() { 2 } else { 1 };
         let share = match part.velocity {
-            Estimate::Difference { share } if part.needs_velocity() => Some(share),
+            VelocitySource::Difference { share } if part.needs_velocity() => Some(share),
             _ => None,
         };
         Self { masses, share }

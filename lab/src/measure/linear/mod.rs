@@ -12,4 +12,4 @@ mod roots;
 mod rules;
 
 pub use limits::Limits;
-pub use linear_part::{Estimate, LinearPart, NotLinear};
+pub use linear_part::{LinearPart, NotLinear, VelocitySource};

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Complex;
 
 use super::LinearPart;
-use super::linear_part::Estimate;
+use super::linear_part::VelocitySource;
 
 /// Angles between two neighbouring waves of the fastest term.
 const FINE: u64 = 16;
@@ -70,7 +70,7 @@ impl LinearPart {
     /// A sample of the plant's own velocity may take any value at no cost of energy, because it lasts no time: a world that
     /// uses it is passive with no device.
     pub fn passive_damping(&self) -> f64 {
-        if self.needs_velocity() && self.velocity == Estimate::Exact {
+        if self.needs_velocity() && self.velocity == VelocitySource::Exact {
             return f64::INFINITY;
         }
         self.needed(self.environment.stiffness)
@@ -81,7 +81,7 @@ impl LinearPart {
     ///
     /// What is needed is a convex function of the stiffness, so that what passes is one range.
     pub fn passive_max_stiffness(&self) -> f64 {
-        if self.needs_velocity() && self.velocity == Estimate::Exact {
+        if self.needs_velocity() && self.velocity == VelocitySource::Exact {
             return 0.0;
         }
         let damping = self.device.damping;
@@ -195,8 +195,8 @@ struct World {
 impl World {
     fn of(part: &LinearPart, stiffness: f64) -> Self {
         let share = match part.velocity {
-            Estimate::Exact => 1.0,
-            Estimate::Difference { share } => share,
+            VelocitySource::Exact => 1.0,
+            VelocitySource::Difference { share } => share,
         };
         let (ratio, ticks) = (part.ratio as f64, (part.delay % part.ratio) as f64);
         let kept = [ratio, ratio - ticks, ticks, 2.0 * ratio].map(|power| match power {

@@ -10,7 +10,7 @@ use lyapunov::{
 
 use super::AnyPlant;
 use super::seen::Operator;
-use crate::simulate::tick::Apart;
+use crate::simulate::tick::OperatorMotion;
 
 /// Any tethered body made of parts `P`, boxed.
 pub(super) struct AnyBody<V: Signal, P>(Box<dyn OperatedBody<V, Parts = P>>);
@@ -63,13 +63,13 @@ impl<V: Signal, P: Copy + 'static> OperatedBody<V> for AnyBody<V, P> {
 /// A body whose operator moves apart from its device.
 pub(super) trait Operated<V> {
     /// The motion of the operator.
-    fn operator(&self) -> Apart<V>;
+    fn operator(&self) -> OperatorMotion<V>;
 }
 
 impl<V: Signal> Operated<V> for TwoMassBody<V> {
-    fn operator(&self) -> Apart<V> {
+    fn operator(&self) -> OperatorMotion<V> {
         let (position, velocity) = TwoMassBody::operator(self);
-        Apart { position, velocity }
+        OperatorMotion { position, velocity }
     }
 }
 
@@ -78,9 +78,9 @@ where
     V: Signal,
     I: Integrator<V, CoupledOscillators<V::Scalar>>,
 {
-    fn operator(&self) -> Apart<V> {
+    fn operator(&self) -> OperatorMotion<V> {
         let State { position, velocity } = self.state();
-        Apart {
+        OperatorMotion {
             position: position.device + position.stretch,
             velocity: velocity.device + velocity.stretch,
         }
@@ -88,7 +88,7 @@ where
 }
 
 impl<T: Scalar> Operated<T> for Friction<TwoMassBody<T>, T, 4> {
-    fn operator(&self) -> Apart<T> {
+    fn operator(&self) -> OperatorMotion<T> {
         Operated::operator(self.body())
     }
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use lyapunov::{Correction, OnePort, PortSample, Scalar, Signal, Stabilizer};
 
-use crate::simulate::tick::{Apart, Tick};
+use crate::simulate::tick::{OperatorMotion, Tick};
 
 /// Where the parts of a loop write down what the tick of a rollout cannot tell from outside.
 #[derive(Debug)]
@@ -16,7 +16,7 @@ pub(crate) struct Seen<V: Signal> {
 }
 
 /// Where a body writes down the motion of its operator.
-pub(crate) type Operator<V> = Rc<Cell<Option<Apart<V>>>>;
+pub(crate) type Operator<V> = Rc<Cell<Option<OperatorMotion<V>>>>;
 
 /// What a stabilizer was told, and what it did.
 #[derive(Clone, Copy, Debug)]

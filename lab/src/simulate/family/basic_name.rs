@@ -12,7 +12,7 @@ use crate::simulate::building::{AnyStabilizer, Space};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BasicName {
     /// No stabilizer: `none`.
-    Nobody,
+    NoStabilizer,
     /// The passivity observer/controller: `popc`.
     Popc,
     /// LOLC with the scene's own candidate, or the paper's if the scene names no LOLC: `lolc`.
@@ -28,7 +28,7 @@ pub enum BasicName {
 impl BasicName {
     /// All of them.
     pub const ALL: [Self; 6] = [
-        Self::Nobody,
+        Self::NoStabilizer,
         Self::Popc,
         Self::Lolc,
         Self::LolcSpring,
@@ -39,7 +39,7 @@ impl BasicName {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Nobody => "none",
+            Self::NoStabilizer => "none",
             Self::Popc => "popc",
             Self::Lolc => "lolc",
             Self::LolcSpring => "lolc-spring",
@@ -54,7 +54,7 @@ impl BasicName {
         let lolc =
             |candidate| Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap }));
         match self {
-            Self::Nobody => None,
+            Self::NoStabilizer => None,
             Self::Popc => Some(Stabilizer::Popc(Popc { work, ledger, damping_cap })),
             Self::Lolc => match scene.stabilizer {
                 Some(Stabilizer::Lolc(own)) => lolc(own.candidate),

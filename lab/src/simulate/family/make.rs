@@ -27,7 +27,7 @@ impl StabilizerName {
     /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
     pub fn on<T: Scalar + Space>(self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
         match self {
-            Self::Plain(basic_name) => basic_name.made(scene),
+            Self::Basic(basic_name) => basic_name.made(scene),
             _ => self.set_by(&Basis::of(scene)),
         }
     }
@@ -43,9 +43,9 @@ impl StabilizerName {
         let popc = Popc::new(PortEnergy, limit);
         let (energy, ticks) = (of(basis.energy), basis.ticks());
         Ok(match self {
-            Self::Plain(BasicName::Nobody) => AnyStabilizer::called(NoStabilizer),
-            Self::Plain(BasicName::Popc | BasicName::LolcSpring) => AnyStabilizer::called(popc),
-            Self::Plain(_) => {
+            Self::Basic(BasicName::NoStabilizer) => AnyStabilizer::called(NoStabilizer),
+            Self::Basic(BasicName::Popc | BasicName::LolcSpring) => AnyStabilizer::called(popc),
+            Self::Basic(_) => {
                 let damper = Dissipation::of(of(basis.damping))?;
                 AnyStabilizer::called(Lolc::new((PortEnergy, damper), limit))
             }

@@ -13,7 +13,7 @@ use crate::text::suggest::nearest;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StabilizerName {
     /// One that a scene file can name, or none.
-    Plain(BasicName),
+    Basic(BasicName),
     /// POPC with what the environment stores at the start on its account: `popc-budgeted`.
     Budgeted,
     /// POPC that keeps a bounded credit: `popc-bounded`.
@@ -41,12 +41,12 @@ pub enum StabilizerName {
 impl StabilizerName {
     /// All of them.
     pub const ALL: [Self; 17] = [
-        Self::Plain(BasicName::Nobody),
-        Self::Plain(BasicName::Popc),
-        Self::Plain(BasicName::Lolc),
-        Self::Plain(BasicName::LolcSpring),
-        Self::Plain(BasicName::LolcDeviceDamping),
-        Self::Plain(BasicName::LolcMassSpringDamper),
+        Self::Basic(BasicName::NoStabilizer),
+        Self::Basic(BasicName::Popc),
+        Self::Basic(BasicName::Lolc),
+        Self::Basic(BasicName::LolcSpring),
+        Self::Basic(BasicName::LolcDeviceDamping),
+        Self::Basic(BasicName::LolcMassSpringDamper),
         Self::Budgeted,
         Self::Bounded,
         Self::Windowed,
@@ -63,7 +63,7 @@ impl StabilizerName {
     /// Its name, on the command line and in every table and file.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Plain(basic_name) => basic_name.name(),
+            Self::Basic(basic_name) => basic_name.name(),
             Self::Budgeted => "popc-budgeted",
             Self::Bounded => "popc-bounded",
             Self::Windowed => "popc-windowed",
@@ -81,7 +81,7 @@ impl StabilizerName {
     /// One of those that a scene file can name, if it is one.
     pub fn basic_name(self) -> Option<BasicName> {
         match self {
-            Self::Plain(basic_name) => Some(basic_name),
+            Self::Basic(basic_name) => Some(basic_name),
             _ => None,
         }
     }
@@ -89,7 +89,7 @@ impl StabilizerName {
 
 impl From<BasicName> for StabilizerName {
     fn from(basic_name: BasicName) -> Self {
-        Self::Plain(basic_name)
+        Self::Basic(basic_name)
     }
 }
 

@@ -14,7 +14,7 @@ impl StabilizerNames {
     /// No stabilizer, POPC, and LOLC with each of its candidates.
     pub fn standard() -> Self {
         let named = [
-            BasicName::Nobody,
+            BasicName::NoStabilizer,
             BasicName::Popc,
             BasicName::LolcSpring,
             BasicName::LolcDeviceDamping,
@@ -34,7 +34,7 @@ impl StabilizerNames {
         let twice = members.iter().enumerate().find(|(at, it)| members[..*at].contains(it));
         match twice {
             Some((_, twice)) => Err(StabilizerNamesError::Twice(*twice)),
-            None if members.is_empty() => Err(StabilizerNamesError::Nobody),
+            None if members.is_empty() => Err(StabilizerNamesError::Empty),
             None => Ok(Self(members)),
         }
     }
@@ -74,7 +74,7 @@ pub enum StabilizerNamesError {
     /// A name that is there before.
     Twice(StabilizerName),
     /// Nobody.
-    Nobody,
+    Empty,
 }
 
 impl fmt::Display for StabilizerNamesError {
@@ -87,7 +87,7 @@ impl fmt::Display for StabilizerNamesError {
             Self::Twice(member) => {
                 write!(f, "`{member}` is named twice\n  = name each stabilizer once")
             }
-            Self::Nobody => f.write_str("no stabilizer is named\n  = name one at least"),
+            Self::Empty => f.write_str("no stabilizer is named\n  = name one at least"),
         }
     }
 }

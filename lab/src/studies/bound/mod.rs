@@ -18,4 +18,4 @@
 mod document;
 mod table;
 
-pub use crate::measure::linear::{Estimate, Limits, LinearPart, NotLinear, llewellyn};
+pub use crate::measure::linear::{Limits, LinearPart, NotLinear, VelocitySource, llewellyn};

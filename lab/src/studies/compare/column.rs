@@ -169,11 +169,11 @@ impl fmt::Display for Column {
 
 /// A name that no column has.
 #[derive(Clone, Debug, PartialEq)]
-pub struct NoColumn {
+pub struct UnknownColumn {
     given: String,
 }
 
-impl fmt::Display for NoColumn {
+impl fmt::Display for UnknownColumn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no column has that name")?;
         match nearest(&self.given, &Column::ALL.map(Column::key)) {
@@ -187,13 +187,13 @@ impl fmt::Display for NoColumn {
     }
 }
 
-impl std::error::Error for NoColumn {}
+impl std::error::Error for UnknownColumn {}
 
 impl FromStr for Column {
-    type Err = NoColumn;
+    type Err = UnknownColumn;
 
-    fn from_str(given: &str) -> Result<Self, NoColumn> {
+    fn from_str(given: &str) -> Result<Self, UnknownColumn> {
         let found = Self::ALL.into_iter().find(|column| column.key() == given);
-        found.ok_or_else(|| NoColumn { given: given.to_owned() })
+        found.ok_or_else(|| UnknownColumn { given: given.to_owned() })
     }
 }

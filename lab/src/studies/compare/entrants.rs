@@ -44,7 +44,7 @@ pub(super) struct Entrant<V: Space> {
 
 impl<V: Space> Entrants<V> {
     /// Nobody yet.
-    pub fn nobody() -> Self {
+    pub fn empty() -> Self {
         Self { entries: Vec::new() }
     }
 
@@ -85,7 +85,7 @@ impl<T: Scalar + Space> Entrants<T> {
 
     /// These members of the family, set as the scene says.
     pub fn of(members: impl IntoIterator<Item = StabilizerName>) -> Self {
-        members.into_iter().fold(Self::nobody(), |others, member| {
+        members.into_iter().fold(Self::empty(), |others, member| {
             others.entered(member.name().to_owned(), move |scene| member.on(scene))
         })
     }

@@ -25,7 +25,7 @@ mod trade_off;
 
 pub use crate::simulate::family::Settings;
 pub use crate::simulate::load::Subject;
-pub use column::{Column, NoColumn};
+pub use column::{Column, UnknownColumn};
 pub use compared::{Compared, RunError, Watch};
 pub use comparison::{CompareError, Comparison};
 pub use document::document;

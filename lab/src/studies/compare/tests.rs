@@ -60,7 +60,7 @@ fn the_paper_s_scenes_come_out_as_known() {
 
 /// Every column that comes from rows, from all rows at once.
 fn check_against_rows(scene: &Scene, damper: Damper) {
-    let entrants = Entrants::<f64>::nobody().with("damper", move |_| Ok(damper));
+    let entrants = Entrants::<f64>::empty().with("damper", move |_| Ok(damper));
     let comparison = Comparison::of("press", scene, &entrants).unwrap();
     let score = comparison.scores().next().unwrap();
     let rows: Vec<Row> = Rollout::stabilized_by(scene, damper).unwrap().rows().collect();
@@ -141,7 +141,7 @@ fn the_columns_follow_from_the_rows() {
 fn settings_are_the_scene_s_or_the_defaults() {
     let named = scene("stabilizer.lolc.work = \"sampled\"\nstabilizer.lolc.damping_cap = 0.25\n");
     let text = |scene: &Scene| {
-        Comparison::of("s", scene, &Entrants::<f64>::nobody()).unwrap().settings.to_string()
+        Comparison::of("s", scene, &Entrants::<f64>::empty()).unwrap().settings.to_string()
     };
     assert_eq!(text(&named), "sampled work, cap 0.25 (as the scene says)");
     assert_eq!(text(&scene("")), "held work, cap 0.5 (the defaults)");
@@ -237,7 +237,7 @@ fn pictures_end_an_unstable_curve_where_it_leaves() {
     assert!(panels.len() == 34 && panels.iter().all(|panel| panel.series.len() == 1));
     assert!(panels.iter().step_by(2).all(|panel| panel.y_range == panels[0].y_range));
 
-    let alone = Entrants::<f64>::nobody().with("pump", |_| Ok(Damper(-40.0)));
+    let alone = Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));
     let alone = Comparison::of("alone", &Case::Plain8k.scene().unwrap(), &alone).unwrap();
     let range = alone.figure().panels[0].y_range.unwrap();
     assert!(range.1 - range.0 < 60.0, "{range:?}");

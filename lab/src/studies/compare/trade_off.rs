@@ -96,7 +96,7 @@ impl TradeOff {
     fn told(title: String, names: Vec<String>, errors: &[Vec<Option<f64>>]) -> Self {
         let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
         let held: Vec<usize> = (0..names.len()).map(stable).collect();
-        let is_nobody = |index: usize| names[index] == BasicName::Nobody.name();
+        let is_nobody = |index: usize| names[index] == BasicName::NoStabilizer.name();
         let counts = |index: usize| held[index] > 0 && !is_nobody(index);
         // Where nothing has to be done, no stabilizer tells what it costs.
         let agrees = |wall: &[Option<f64>], index: usize| match wall[index] {

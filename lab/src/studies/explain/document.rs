@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::hint::broken;
-use super::{Change, Explanation, Groups, Remedy};
+use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::balance::Balance;
 
 #[derive(Serialize)]
@@ -12,7 +12,7 @@ struct Document<'a> {
     scene: &'a str,
     bounded: bool,
     spectral_radius: Option<f64>,
-    groups: Groups,
+    groups: DimensionlessGroups,
     broken: Vec<Broken>,
     first_contact: Option<Balance>,
     whole_run: Balance,

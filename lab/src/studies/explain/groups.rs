@@ -7,7 +7,7 @@ use crate::files::scene::Scene;
 /// The dimensionless groups of a scene. `T` is the period at which the environment answers, `b` the device's damping, `m`
 /// the mass that moves at the port, `K` and `B` the environment's stiffness and damping.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Groups {
+pub struct DimensionlessGroups {
     /// `K T / b`: 2 is the most that a device with a plain spring can be passive with; none without damping.
     pub kt_over_b: Option<f64>,
     /// `K T² / m`: the square of the turn, in radians, of a free swing in one period.
@@ -18,7 +18,7 @@ pub struct Groups {
     pub delay_ticks: u16,
 }
 
-impl Groups {
+impl DimensionlessGroups {
     /// The groups of `scene`.
     pub fn of(scene: &Scene) -> Self {
         let period = scene.period() * scene.environment_ratio() as f64;

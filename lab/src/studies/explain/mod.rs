@@ -16,7 +16,7 @@ use crate::simulate::building::Space;
 
 pub use crate::measure::balance::Balance;
 use crate::measure::balance::Trial;
-pub use groups::Groups;
+pub use groups::DimensionlessGroups;
 pub use hint::Hint;
 pub use remedy::{Change, Remedy};
 
@@ -30,7 +30,7 @@ pub struct Explanation {
     /// How stiff it may be, by formula.
     pub limits: Limits,
     /// The numbers it depends on.
-    pub groups: Groups,
+    pub groups: DimensionlessGroups,
     /// The energies of the first contact, if there is one.
     pub first_contact: Option<Balance>,
     /// The energies of the whole run, or of as much of it as is in the range of the numbers.
@@ -80,7 +80,7 @@ impl Explanation {
             scene: scene.clone(),
             is_bounded: trial.is_bounded,
             limits,
-            groups: Groups::of(scene),
+            groups: DimensionlessGroups::of(scene),
             first_contact: trial.first,
             whole_run: trial.whole,
             remedies,

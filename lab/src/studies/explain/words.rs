@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::hint::broken;
-use super::{Change, Explanation, Groups, Remedy};
+use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::balance::Balance;
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::numbers::{found, given};
@@ -58,7 +58,7 @@ impl Explanation {
     }
 
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Groups { kt_over_b, kt2_over_m, bt_over_m, delay_ticks } = self.groups;
+        let DimensionlessGroups { kt_over_b, kt2_over_m, bt_over_m, delay_ticks } = self.groups;
         let told = |value: Option<f64>| value.map_or("-".to_owned(), |it| found(it).to_string());
         writeln!(
             f,

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 
 use super::naive::Naive;
 use super::tally::{Tally, larger};
-use super::trial::{HardError, Own, Runs, Trial};
+use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use crate::simulate::building::AnyStabilizer;
 use crate::simulate::family::StabilizerName;
 
@@ -180,7 +180,7 @@ impl Case {
     ///
     /// # Errors
     /// A case that is not written right.
-    pub fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    pub fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         self.trial.with(own)
     }
 

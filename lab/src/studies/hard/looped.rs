@@ -6,7 +6,7 @@ use lyapunov::{ParameterError, Scalar};
 use super::naive::Naive;
 use super::pledge::{Pledge, promises};
 use super::tally::Tally;
-use super::trial::{HardError, Own, Runs, Trial};
+use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use super::watched::{Meters, Terms};
 use crate::files::scene::{Candidate, Finite, Lolc, Scene, Stabilizer};
 use crate::simulate::building::{AnyStabilizer, Space};
@@ -132,7 +132,7 @@ impl Trial for Looped {
         Ok(Some(runs))
     }
 
-    fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         let scene = self.scene(SHARES[0])?;
         Ok(looped(&scene, self.rest, named_in::<f64>(&scene), own())?.pop())
     }

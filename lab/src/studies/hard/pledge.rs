@@ -67,12 +67,14 @@ impl Pledge {
         // The credit is what the scalar makes of the number.
         let of = |number: f64| T::of(number).lane(0);
         match member {
-            StabilizerName::Plain(BasicName::Nobody | BasicName::Popc | BasicName::LolcSpring)
+            StabilizerName::Basic(
+                BasicName::NoStabilizer | BasicName::Popc | BasicName::LolcSpring,
+            )
             | StabilizerName::Threshold
             | StabilizerName::Spread
             | StabilizerName::RateLimited
             | StabilizerName::Rising => Self::POPC,
-            StabilizerName::Plain(_) => Self::damper(of(basis.damping)),
+            StabilizerName::Basic(_) => Self::damper(of(basis.damping)),
             StabilizerName::Budgeted => Self { budget: of(basis.stored()), ..Self::POPC },
             StabilizerName::Bounded | StabilizerName::Windowed | StabilizerName::ContactReset => {
                 Self { account: Account::Forgetful, ..Self::POPC }
@@ -126,7 +128,7 @@ impl Pledge {
 /// may not have burnt.
 pub(super) fn promises(member: StabilizerName) -> bool {
     match member {
-        StabilizerName::Plain(basic_name) => {
+        StabilizerName::Basic(basic_name) => {
             matches!(
                 basic_name,
                 BasicName::Popc | BasicName::LolcSpring | BasicName::LolcDeviceDamping

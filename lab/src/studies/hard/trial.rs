@@ -128,7 +128,7 @@ impl Runs {
 }
 
 /// A stabilizer of somebody's own, made anew for every run, on a mass (kg) and a period (s).
-pub type Own<'a> = &'a dyn Fn() -> AnyStabilizer<f64>;
+pub type OwnStabilizer<'a> = &'a dyn Fn() -> AnyStabilizer<f64>;
 
 /// What a case does.
 pub(super) trait Trial: Send + Sync {
@@ -144,7 +144,7 @@ pub(super) trait Trial: Send + Sync {
     }
 
     /// With a stabilizer of somebody's own, in `f64`; none where it is about something else.
-    fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError>;
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError>;
 
     /// With the naive one.
     fn naive(&self) -> Result<Option<Tally>, HardError> {
@@ -257,7 +257,7 @@ impl<P: Play> Trial for Played<P> {
         Runs::of_scalars(double, single).map(Some)
     }
 
-    fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         let pledge = Pledge::damper(self.0.basis().damping);
         Ok(self.run::<f64, _>(0, pledge, || Ok(own()))?.pop())
     }

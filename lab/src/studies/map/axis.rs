@@ -69,21 +69,21 @@ impl Axis {
 
 /// An axis that cannot be read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct NoAxis(String);
+pub struct AxisError(String);
 
-impl fmt::Display for NoAxis {
+impl fmt::Display for AxisError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}\n  = give {FORM}", self.0)
     }
 }
 
-impl std::error::Error for NoAxis {}
+impl std::error::Error for AxisError {}
 
 impl FromStr for Axis {
-    type Err = NoAxis;
+    type Err = AxisError;
 
-    fn from_str(text: &str) -> Result<Self, NoAxis> {
-        let no = |problem: String| Err(NoAxis(problem));
+    fn from_str(text: &str) -> Result<Self, AxisError> {
+        let no = |problem: String| Err(AxisError(problem));
         let Some((key, range)) = text.split_once('=') else {
             return no("an axis is a key, `=` and a range".to_owned());
         };
@@ -94,7 +94,7 @@ impl FromStr for Axis {
         };
         let number = |text: &str| match text.trim().parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(NoAxis(format!("`{text}` is not a finite number"))),
+            _ => Err(AxisError(format!("`{text}` is not a finite number"))),
         };
         let (from, to) = (number(from)?, number(to)?);
         if from >= to {

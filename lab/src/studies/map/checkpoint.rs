@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::outcome::Outcome;
 use super::shard::Shard;
 use super::survey::Survey;
-use super::table::{self, Head, Rows, TableError};
+use super::table::{self, Rows, TableError, TableHeader};
 use crate::show::csv::Records;
 use crate::show::output_error::OutputError;
 
@@ -93,7 +93,7 @@ impl Checkpoint {
         let path = folder.join(name(shard));
         let part = path.with_extension("part.csv");
         let cells = shard.cells(grid.cells());
-        let head = Head::of(grid, shard);
+        let head = TableHeader::of(grid, shard);
         let refuse = |error| OutputError::new(&part, error);
         if part.exists() {
             if !resume {
@@ -152,14 +152,14 @@ impl Checkpoint {
 pub(super) fn read(
     path: &Path,
     grid: &Grid,
-    head: &Head,
+    head: &TableHeader,
     cells: &Range<u64>,
     survey: &mut Survey,
 ) -> Result<(u64, u64), CheckpointError> {
     let wrong = |error: TableError| CheckpointError::Table(path.to_owned(), error);
     let unreadable = |error: io::Error| wrong(TableError::Unreadable(error));
     let mut lines = BufReader::new(File::open(path).map_err(unreadable)?);
-    let found = Head::read(&mut lines).map_err(wrong)?;
+    let found = TableHeader::read(&mut lines).map_err(wrong)?;
     if found != *head {
         return Err(CheckpointError::Another(path.to_owned()));
     }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
-use super::run::{Effort, Method, Run};
+use super::run::{Method, Run, Workload};
 use super::survey::Survey;
 use crate::simulate::family::StabilizerName;
 
@@ -31,12 +31,12 @@ pub struct Computation {
 
 impl Computation {
     /// What `run` did.
-    pub fn of(run: &Run<'_>, effort: Effort) -> Self {
+    pub fn of(run: &Run<'_>, effort: Workload) -> Self {
         let (lanes, method, instructions) = match run.method() {
             Method::Lanes(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
             Method::Single => (1, "single", None),
         };
-        let Effort { cells, rollout_steps, kernel_seconds, measures_seconds } = effort;
+        let Workload { cells, rollout_steps, kernel_seconds, measures_seconds } = effort;
         let threads = run.threads();
         Self {
             cells,
@@ -127,7 +127,7 @@ pub fn document(
         x: along(&grid.x),
         y: along(&grid.y),
         computation,
-        areas: grid.members.iter().enumerate().map(line).collect(),
+        areas: grid.stabilizers.iter().enumerate().map(line).collect(),
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

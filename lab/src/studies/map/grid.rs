@@ -21,7 +21,7 @@ pub struct Grid {
     /// The axis upwards.
     pub y: Axis,
     /// Who runs in each cell.
-    pub members: StabilizerNames,
+    pub stabilizers: StabilizerNames,
     tree: Value,
     numbers: [Vary; 2],
 }
@@ -96,7 +96,7 @@ impl Grid {
         let tree =
             Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
         let numbers = [Vary::of(&x, &tree)?, Vary::of(&y, &tree)?];
-        Ok(Self { scene, x, y, members, tree, numbers })
+        Ok(Self { scene, x, y, stabilizers: members, tree, numbers })
     }
 
     /// How many cells there are.

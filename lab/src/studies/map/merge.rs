@@ -9,7 +9,7 @@ use super::checkpoint::CheckpointError;
 use super::grid::Grid;
 use super::shard::Shard;
 use super::survey::Survey;
-use super::table::{self, Head, Rows, TableError};
+use super::table::{self, Rows, TableError, TableHeader};
 use crate::show::csv::Records;
 use crate::show::output_error::OutputError;
 
@@ -82,7 +82,7 @@ pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Su
         }
     }
     let mut survey = Survey::of(grid);
-    let whole = Head::of(grid, Shard::WHOLE);
+    let whole = TableHeader::of(grid, Shard::WHOLE);
     let count = shard.count;
     out.write_all(whole.text().as_bytes()).map_err(|error| OutputError::new(place, error))?;
     let mut rows = Records::new(&mut *out);
@@ -124,10 +124,10 @@ fn append(
     Ok(())
 }
 
-fn open(path: &Path) -> Result<(BufReader<File>, Head), CheckpointError> {
+fn open(path: &Path) -> Result<(BufReader<File>, TableHeader), CheckpointError> {
     let wrong = |error: TableError| CheckpointError::Table(path.to_owned(), error);
     let file = File::open(path).map_err(|error| wrong(TableError::Unreadable(error)))?;
     let mut lines = BufReader::new(file);
-    let head = Head::read(&mut lines).map_err(wrong)?;
+    let head = TableHeader::read(&mut lines).map_err(wrong)?;
     Ok((lines, head))
 }

@@ -14,7 +14,7 @@ const HEIGHT: f64 = 330.0;
 
 /// A heat map, the name of its files, and what it shows.
 #[derive(Debug)]
-pub struct Drawn {
+pub struct NamedFigure {
     /// The name of its files, without an ending.
     pub name: &'static str,
     /// What it shows.
@@ -24,19 +24,19 @@ pub struct Drawn {
 }
 
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
-pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<Drawn> {
+pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
     let curves = bounds.map_or_else(Vec::new, Bounds::curves);
     let stable =
         figure(survey, "stable: dark, unstable: light, not judged: empty", &curves, |index| {
             Some((survey.stable(index), Some((0.0, 1.0))))
         });
-    let mut drawn = vec![Drawn { name: "stable", words: STABLE, figure: stable }];
+    let mut drawn = vec![NamedFigure { name: "stable", words: STABLE, figure: stable }];
     for (number, measure) in Measure::ALL.iter().enumerate() {
         let range = range(survey, number);
         let of = |index| Some((survey.mean(index, number), range));
         let name = measure.key.rsplit_once('_').map_or(measure.key, |(name, _unit)| name);
         let figure = figure(survey, measure.words, &curves, of);
-        drawn.push(Drawn { name, words: measure.words, figure });
+        drawn.push(NamedFigure { name, words: measure.words, figure });
     }
     drawn
 }
@@ -46,7 +46,7 @@ const STABLE: &str =
 
 /// What a measure covers under all stabilizers, so that one colour means the same in every panel.
 fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
-    let all = (0..survey.grid().members.len()).flat_map(|index| survey.mean(index, measure));
+    let all = (0..survey.grid().stabilizers.len()).flat_map(|index| survey.mean(index, measure));
     let finite = all.filter(|value| value.is_finite());
     finite.fold(None, |range, value| match range {
         None => Some((value, value)),
@@ -63,12 +63,12 @@ fn figure(
     of: impl Fn(usize) -> Option<Field>,
 ) -> Figure {
     let grid = survey.grid();
-    let columns = if grid.members.len() > 1 { 2 } else { 1 };
+    let columns = if grid.stabilizers.len() > 1 { 2 } else { 1 };
     let mut figure = Figure::new(words)
         .with_width(WIDTH * columns as f64)
         .with_columns(columns)
         .with_panel_height(HEIGHT);
-    for (index, member) in grid.members.iter().enumerate() {
+    for (index, member) in grid.stabilizers.iter().enumerate() {
         let Some((values, colours)) = of(index) else { continue };
         let (x, y) = (Shown::of(&grid.x), Shown::of(&grid.y));
         let heat = HeatMap { range: colours, ..HeatMap::new(survey.size().0, values) };

@@ -3,13 +3,18 @@
 use maud::html;
 
 use super::bounds::Bounds;
-use super::picture::Drawn;
+use super::picture::NamedFigure;
 use super::survey::Survey;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 
 /// The page of a map with its `figures`, as HTML; `command` made the map.
-pub fn page(survey: &Survey, bounds: Option<&Bounds>, figures: &[Drawn], command: &str) -> String {
+pub fn page(
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    figures: &[NamedFigure],
+    command: &str,
+) -> String {
     let grid = survey.grid();
     let scene = toml::to_string(&grid.scene).unwrap_or_default();
     let body = html! {
@@ -25,7 +30,7 @@ pub fn page(survey: &Survey, bounds: Option<&Bounds>, figures: &[Drawn], command
              the map."
         }
         h2 { "Heat maps" }
-        @for Drawn { name, words, figure } in figures {
+        @for NamedFigure { name, words, figure } in figures {
             @let caption = html! {
                 (words) ". Of cells that are not bounded only the first map tells."
             };
@@ -57,7 +62,7 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
         Heading::number("area"),
         Heading::number("of the\nexact bound"),
     ];
-    Table::new(headings).with_rows(survey.grid().members.iter().enumerate().map(
+    Table::new(headings).with_rows(survey.grid().stabilizers.iter().enumerate().map(
         |(index, member)| {
             let area = survey.area(index);
             let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));

@@ -34,7 +34,7 @@ pub enum Method {
 
 /// What the computation took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effort {
+pub struct Workload {
     /// Cells.
     pub cells: u64,
     /// Ticks of all rollouts, each to the end of its run, also of those that were stopped before.
@@ -84,7 +84,7 @@ impl From<OutputError> for RunError {
 }
 
 /// Is handed the first cell of a band, and what each of its cells came to under each stabilizer.
-pub type Put<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
+pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
 
 /// The computation of a map.
 #[derive(Debug)]
@@ -143,9 +143,9 @@ impl<'a> Run<'a> {
         &self,
         cells: std::ops::Range<u64>,
         go_on: &(dyn Fn() -> bool + Sync),
-        put: &mut Put<'_>,
-    ) -> Result<Effort, RunError> {
-        let mut effort = Effort::default();
+        put: &mut TakeOutcomes<'_>,
+    ) -> Result<Workload, RunError> {
+        let mut effort = Workload::default();
         let mut size = self.first_band();
         let mut first = cells.start;
         while first < cells.end {
@@ -159,7 +159,7 @@ impl<'a> Run<'a> {
             let done = &band[..outcomes.len()];
             let steps: u64 = done.iter().map(|cell| self.grid.rows(*cell)).sum();
             effort.cells += done.len() as u64;
-            effort.rollout_steps += steps * self.grid.members.len() as u64;
+            effort.rollout_steps += steps * self.grid.stabilizers.len() as u64;
             put(first, &outcomes)?;
             if done.len() < band.len() || !go_on() {
                 return Err(RunError::Stopped);
@@ -175,7 +175,7 @@ impl<'a> Run<'a> {
     fn first_band(&self) -> usize {
         let rows = self.grid.rows(0).max(self.grid.rows(self.grid.cells() - 1));
         let fast = matches!(self.method, Method::Lanes(_))
-            && self.grid.members.iter().all(|member| member.basic_name().is_some());
+            && self.grid.stabilizers.iter().all(|member| member.basic_name().is_some());
         let steps: u64 = if fast { 20_000_000 } else { 1_000_000 };
         ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
     }
@@ -185,9 +185,9 @@ impl<'a> Run<'a> {
         kernel: &Kernel,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-        effort: &mut Effort,
+        effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
-        let members = &self.grid.members;
+        let members = &self.grid.stabilizers;
         let mut outcomes = vec![vec![Outcome::default(); members.len()]; band.len()];
         for (index, member) in members.iter().enumerate() {
             let found = match member.basic_name() {
@@ -207,7 +207,7 @@ impl<'a> Run<'a> {
         basic_name: BasicName,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-        effort: &mut Effort,
+        effort: &mut Workload,
     ) -> Result<Vec<Outcome>, RunError> {
         let began = Instant::now();
         let verdicts = self.shared(band, |cells| kernel.verdicts(basic_name, cells, go_on))?;
@@ -232,7 +232,7 @@ impl<'a> Run<'a> {
         member: StabilizerName,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-        effort: &mut Effort,
+        effort: &mut Workload,
     ) -> Result<Vec<Outcome>, RunError> {
         let began = Instant::now();
         let one = |cell: &u64| match self.outcome(*cell, member, go_on) {
@@ -293,11 +293,11 @@ impl<'a> Run<'a> {
         &self,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-        effort: &mut Effort,
+        effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let began = Instant::now();
         let one = |cell: &u64| -> Result<Option<Vec<Outcome>>, GridError> {
-            let members = self.grid.members.iter();
+            let members = self.grid.stabilizers.iter();
             members.map(|member| self.outcome(*cell, *member, go_on)).collect()
         };
         let cells: Vec<_> = self.pool.install(|| band.par_iter().map(one).collect());

@@ -33,28 +33,30 @@ impl fmt::Display for Shard {
 
 /// A share that cannot be.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NoShard(String);
+pub struct ShardError(String);
 
-impl fmt::Display for NoShard {
+impl fmt::Display for ShardError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}\n  = give i/n with i from 0 to n - 1, for example 0/4 to 3/4", self.0)
     }
 }
 
-impl std::error::Error for NoShard {}
+impl std::error::Error for ShardError {}
 
 impl FromStr for Shard {
-    type Err = NoShard;
+    type Err = ShardError;
 
-    fn from_str(text: &str) -> Result<Self, NoShard> {
+    fn from_str(text: &str) -> Result<Self, ShardError> {
         let parts = text.split_once('/');
         let numbers = parts.and_then(|(index, count)| {
             Some((index.trim().parse().ok()?, count.trim().parse::<u64>().ok()?))
         });
         match numbers {
             Some((index, count)) if index < count => Ok(Self { index, count }),
-            Some((index, count)) => Err(NoShard(format!("there is no shard {index} of {count}"))),
-            None => Err(NoShard(format!("`{text}` is not a shard"))),
+            Some((index, count)) => {
+                Err(ShardError(format!("there is no shard {index} of {count}")))
+            }
+            None => Err(ShardError(format!("`{text}` is not a shard"))),
         }
     }
 }

@@ -75,7 +75,7 @@ impl Survey {
             held: vec![0; columns * rows],
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
-        let layers = vec![layer; grid.members.len()];
+        let layers = vec![layer; grid.stabilizers.len()];
         Self { grid: grid.clone(), columns, rows, layers }
     }
 

@@ -17,16 +17,16 @@ const TITLE: &str = concat!("# lyapunov map ", env!("CARGO_PKG_VERSION"));
 
 /// What stands in a table in front of its rows.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Head {
+pub struct TableHeader {
     /// The text, up to the names of the columns.
     text: String,
 }
 
-impl Head {
+impl TableHeader {
     /// The head of the table of `shard` of `grid`.
     pub fn of(grid: &Grid, shard: Shard) -> Self {
         let mut text = format!("{TITLE}\n# x {}\n# y {}\n", grid.x, grid.y);
-        text += &format!("# stabilizers {}\n# shard {shard}\n", grid.members);
+        text += &format!("# stabilizers {}\n# shard {shard}\n", grid.stabilizers);
         // A scene that was read can be written.
         let scene = toml::to_string(&grid.scene).unwrap_or_default();
         scene.lines().for_each(|line| text += &format!("#| {line}\n"));
@@ -47,10 +47,12 @@ impl Head {
             lines.read_line(&mut text)?;
             let line = &text[before..];
             if before == 0 && line.trim_end() != TITLE {
-                return Err(TableError::Head("it does not begin like one of this version".into()));
+                return Err(TableError::TableHeader(
+                    "it does not begin like one of this version".into(),
+                ));
             }
             if !line.ends_with('\n') {
-                return Err(TableError::Head("its head is cut off".into()));
+                return Err(TableError::TableHeader("its head is cut off".into()));
             }
             if !line.starts_with('#') {
                 return Ok(Self { text });
@@ -63,7 +65,7 @@ impl Head {
     /// # Errors
     /// A head that is not as this program writes it.
     pub fn parse(&self) -> Result<(Grid, Shard), TableError> {
-        let wrong = |what: &str| TableError::Head(format!("its head has no right `{what}`"));
+        let wrong = |what: &str| TableError::TableHeader(format!("its head has no right `{what}`"));
         let after = |key: &str| {
             let start = format!("# {key} ");
             let found = self.text.lines().find_map(|line| line.strip_prefix(&start));
@@ -80,9 +82,9 @@ impl Head {
             .map(|line| format!("{line}\n"))
             .collect();
         let scene = Scene::parse(&scene, "the scene of the table")
-            .map_err(|error| TableError::Head(error.to_string()))?;
+            .map_err(|error| TableError::TableHeader(error.to_string()))?;
         let grid = Grid::new(scene, axis("x")?, axis("y")?, members)
-            .map_err(|error| TableError::Head(error.to_string()))?;
+            .map_err(|error| TableError::TableHeader(error.to_string()))?;
         Ok((grid, shard))
     }
 
@@ -105,7 +107,7 @@ impl Head {
 #[derive(Debug)]
 pub enum TableError {
     /// It is not the head of a map of this version.
-    Head(String),
+    TableHeader(String),
     /// A row that no map has.
     Row {
         /// Its number among the rows, from 1.
@@ -126,7 +128,7 @@ impl From<io::Error> for TableError {
 impl fmt::Display for TableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Head(problem) => write!(f, "this is not the table of a map: {problem}"),
+            Self::TableHeader(problem) => write!(f, "this is not the table of a map: {problem}"),
             Self::Row { row, text } => {
                 write!(
                     f,
@@ -152,7 +154,7 @@ pub(super) fn write(
     outcomes: &[Outcome],
 ) -> io::Result<()> {
     let [x, y] = grid.values(cell);
-    for (member, outcome) in grid.members.iter().zip(outcomes) {
+    for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
         let stable = outcome.stable.map_or(Field::Nothing, |it| Field::Count(it.into()));
         let names = [Field::Number(x), Field::Number(y), Field::Text(member.name()), stable];
         let measures = Measure::ALL.map(|measure| measure.of(&outcome.measures).into());
@@ -189,13 +191,13 @@ impl<R: BufRead> Rows<R> {
     pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
         let (mut outcomes, mut bytes) = (Vec::new(), 0);
         let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
-        for index in 0..self.grid.members.len() {
+        for index in 0..self.grid.stabilizers.len() {
             self.line.clear();
             self.lines.read_line(&mut self.line)?;
             let Some(line) = self.line.strip_suffix('\n') else { return Ok(None) };
-            let start = format!("{x},{y},{},", self.grid.members[index]);
+            let start = format!("{x},{y},{},", self.grid.stabilizers[index]);
             let outcome = line.strip_prefix(&start).and_then(outcome).ok_or_else(|| {
-                let cells = self.cell * self.grid.members.len() as u64;
+                let cells = self.cell * self.grid.stabilizers.len() as u64;
                 TableError::Row { row: cells + index as u64 + 1, text: line.to_owned() }
             })?;
             outcomes.push(outcome);

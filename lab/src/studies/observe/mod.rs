@@ -40,7 +40,7 @@ pub use columns::Role;
 pub use contact::{Contact, Contacts};
 pub use error::ObserveError;
 pub use observed_energy::{Debt, ObservedEnergy};
-pub use report::{Energy, Repair, Report};
+pub use report::{ConstantDamper, Energy, Report};
 pub use scale::Scale;
 pub use step::{Gap, Gaps};
 pub use traces::Traces;

@@ -38,7 +38,7 @@ pub struct Report {
     /// The observer over held work.
     pub observed_energy: ObservedEnergy,
     /// The damper that would have repaired the log.
-    pub repair: Repair,
+    pub repair: ConstantDamper,
     /// The observer over sampled work, as the paper prints it.
     pub printed: ObservedEnergy,
     /// The contacts.
@@ -61,20 +61,20 @@ pub struct Energy {
 /// The smallest constant damper that, on from the first row, would have burnt every debt by the time it was
 /// there: the largest of `−L(n) / Σ v² T` up to row `n`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Repair {
+pub struct ConstantDamper {
     /// The damping, N·s/m; none if a debt came before any motion.
     pub damping: Option<f64>,
     /// The row that needs it, s; none if there was no debt.
     pub at: Option<f64>,
 }
 
-impl Default for Repair {
+impl Default for ConstantDamper {
     fn default() -> Self {
         Self { damping: Some(0.0), at: None }
     }
 }
 
-impl Repair {
+impl ConstantDamper {
     pub(super) fn add(&mut self, time: f64, needed: Option<f64>) {
         let Some(known) = self.damping else { return };
         if needed.is_none_or(|needed| needed > known) {

@@ -7,7 +7,7 @@ use super::candidate::Credited;
 use super::contact::{Finder, Push};
 use super::log::{Entry, Sample};
 use super::observed_energy::ObservedEnergy;
-use super::report::{Energy, Repair, Report};
+use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step, median};
 use super::tally::Tally;
 use super::traces::Traces;
@@ -152,7 +152,7 @@ struct Account {
     sampled_course: ObservedEnergy,
     port: Tally,
     credited: Tally,
-    repair: Repair,
+    repair: ConstantDamper,
     gaps: Gaps,
     contacts: Finder,
     traces: Traces,
@@ -173,7 +173,7 @@ impl Account {
             sampled_course: ObservedEnergy::default(),
             port: Tally::new(),
             credited: Tally::new(),
-            repair: Repair::default(),
+            repair: ConstantDamper::default(),
             gaps: Gaps::default(),
             contacts: Finder::new(contact),
             traces: Traces::new(),

@@ -5,13 +5,13 @@ use crate::simulate::row::Row;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// The name of a figure's files without an ending, the figure, and the cases it is drawn from.
-pub type Drawn = (&'static str, Figure, &'static [Case]);
+pub type NamedFigure = (&'static str, Figure, &'static [Case]);
 
 /// The paper's figures 6 to 9.
 ///
 /// # Errors
 /// None as long as the scene files that ship are right.
-pub fn figures() -> Result<[Drawn; 4], PaperError> {
+pub fn figures() -> Result<[NamedFigure; 4], PaperError> {
     let plain8k = Case::Plain8k.rows()?;
     let lolc8k = Case::Lolc8k.rows()?;
     let (popc50k, lolc50k) = (Case::Popc50k.rows()?, Case::Lolc50k.rows()?);

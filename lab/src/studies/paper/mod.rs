@@ -9,7 +9,7 @@ mod figures;
 mod report;
 mod study;
 
-pub use figures::{Drawn, figures};
+pub use figures::{NamedFigure, figures};
 pub use study::{Stage, Study};
 
 use lyapunov::ParameterError;

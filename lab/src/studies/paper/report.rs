@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::Case;
 use super::claims::{Verdict, number};
-use super::figures::Drawn;
+use super::figures::NamedFigure;
 use super::study::Study;
 use crate::show::html;
 use crate::show::table::{Cell, Heading, Table};
@@ -12,7 +12,7 @@ use crate::show::table::{Cell, Heading, Table};
 /// What the page is made of.
 pub(super) struct Report<'a> {
     pub(super) study: &'a Study,
-    pub(super) figures: &'a [Drawn],
+    pub(super) figures: &'a [NamedFigure],
     /// The command that made the page.
     pub(super) command: &'a str,
 }
@@ -69,7 +69,7 @@ impl Report<'_> {
         }))
     }
 
-    fn figure(&self, (name, figure, cases): &Drawn) -> Markup {
+    fn figure(&self, (name, figure, cases): &NamedFigure) -> Markup {
         let caption = html! {
             "Drawn by " (html::maker(self.command)) ", from"
             @for (index, case) in cases.iter().map(|case| case.name()).enumerate() {

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::PaperError;
 use super::claims::{
-    Balance, Claim, Control, Grid, Moved, Reading, Setting, claims, sensitivity, starts,
+    Balance, Claim, Control, Grid, MovedClaim, Reading, Setting, claims, sensitivity, starts,
 };
-use super::figures::Drawn;
+use super::figures::NamedFigure;
 use super::report::Report;
 
 /// How many starts the verdicts rest on.
@@ -50,7 +50,7 @@ pub struct Study {
     /// How the ensembles move with what the paper leaves open.
     pub readings: Vec<Reading>,
     /// How the verdicts on the two walls move with it.
-    pub moved: Vec<Moved>,
+    pub moved: Vec<MovedClaim>,
     /// Where the energy of the paper's runs went, by name.
     pub balances: Vec<(&'static str, Balance)>,
 }
@@ -99,7 +99,7 @@ impl Study {
     }
 
     /// The report with these `figures`, in HTML; `command` stands in it as what made it.
-    pub fn to_html(&self, figures: &[Drawn], command: &str) -> String {
+    pub fn to_html(&self, figures: &[NamedFigure], command: &str) -> String {
         Report { study: self, figures, command }.to_html()
     }
 }

@@ -13,7 +13,7 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::Tally;
-use crate::studies::hard::trial::{EveryScalar, HardError, Own, Runs, Trial};
+use crate::studies::hard::trial::{EveryScalar, HardError, OwnStabilizer, Runs, Trial};
 use crate::studies::hard::watched::{Record, Terms, Watched};
 
 const PERIOD: f64 = 1e-3;
@@ -130,7 +130,7 @@ impl Trial for Masking {
         Runs::of_scalars(double, single).map(Some)
     }
 
-    fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, _own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Self::alone(NoStabilizer)
     }
 

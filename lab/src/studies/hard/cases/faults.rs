@@ -11,7 +11,7 @@ use crate::simulate::family::{Basis, StabilizerName};
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::Tally;
-use crate::studies::hard::trial::{HardError, Own, Play, Played, Runs, Trial};
+use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::Terms;
 
 pub(super) const PERIOD: f64 = 1e-3;
@@ -165,7 +165,7 @@ impl Trial for Guarded {
         Ok(Some(runs))
     }
 
-    fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(Some(self.runs_in::<f64, _>(0, Pledge::POPC, || Ok(own()))?))
     }
 }

@@ -18,7 +18,7 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::{Tally, larger};
-use crate::studies::hard::trial::{HardError, Own, Play, Played, Runs, Trial};
+use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
 
 /// A stabilizer whose sum is kept in an `A`.
@@ -78,7 +78,7 @@ impl Trial for Counted {
         Ok(None)
     }
 
-    fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, _own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(None)
     }
 
@@ -154,7 +154,7 @@ impl Trial for Hour {
         Ok(None)
     }
 
-    fn with(&self, _own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, _own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(Some(Self::run::<f32>(NoStabilizer)?))
     }
 
@@ -268,7 +268,7 @@ impl Trial for Stamped {
         Ok(Some(runs))
     }
 
-    fn with(&self, own: Own<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         self.0.with(own)
     }
 

@@ -18,4 +18,4 @@ pub use ensemble::{Control, DURATION, START, Setting, Trace, run, starts};
 pub use measures::{Measures, median};
 pub(super) use rows::number;
 pub use rows::{Claim, Verdict, claims};
-pub use sensitivity::{Moved, Reading, sensitivity};
+pub use sensitivity::{MovedClaim, Reading, sensitivity};

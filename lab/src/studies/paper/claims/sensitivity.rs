@@ -27,7 +27,7 @@ pub struct Reading {
 
 /// The claims about the two walls under one reading.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moved {
+pub struct MovedClaim {
     /// The reading in words.
     pub name: String,
     /// The claims, in the order of [`claims`](super::claims).
@@ -39,7 +39,7 @@ pub struct Moved {
 ///
 /// # Errors
 /// A number that no part takes.
-pub fn sensitivity(starts: &[f64]) -> Result<(Vec<Reading>, Vec<Moved>), ParameterError> {
+pub fn sensitivity(starts: &[f64]) -> Result<(Vec<Reading>, Vec<MovedClaim>), ParameterError> {
     let (mut readings, mut moved) = (Vec::new(), Vec::new());
     for (name, change) in changes() {
         let loops = Loops::of(starts, &change)?;
@@ -50,7 +50,7 @@ pub fn sensitivity(starts: &[f64]) -> Result<(Vec<Reading>, Vec<Moved>), Paramet
         readings.push(read(&name, soft(Control::Lolc), &loops.lolc8k));
         readings.push(read(&name, stiff(Control::Popc), &loops.popc50k));
         readings.push(read(&name, stiff(Control::Lolc), &loops.lolc50k));
-        moved.push(Moved { name, claims: loops.claims() });
+        moved.push(MovedClaim { name, claims: loops.claims() });
     }
     // One wall and one stabilizer after the other.
     readings.sort_by(|one, other| {
