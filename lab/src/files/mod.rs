@@ -4,3 +4,5 @@ pub(crate) mod models;
 pub mod scene;
 pub(crate) mod shipped;
 pub(crate) mod teleoperation;
+
+pub(crate) use scene::Scene;

@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use crate::text::excerpt::shorten;
-use crate::text::suggest::nearest;
+use crate::text::{nearest, shorten};
 
 /// A scene file that ships.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,8 @@
 
 use lyapunov::Scalar;
 
-use crate::simulate::equilibrium::{BAND, Criterion};
+use crate::simulate::Criterion;
+use crate::simulate::equilibrium::BAND;
 
 /// How much larger the last quarter's swing may be than the second's: what sampling the peaks of an undamped
 /// swing may come to, and no more.
@@ -106,7 +107,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     use super::*;
-    use crate::files::scene::Scene;
+    use crate::files::Scene;
     use crate::measure::samples::scene;
 
     /// The verdict on a run of 101 rows at `x(t)`, equilibrium 0, starting swing 4 mm.

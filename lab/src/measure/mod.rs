@@ -17,3 +17,13 @@ pub(crate) mod summary;
 pub(crate) mod teleoperation;
 pub(crate) mod timing;
 pub(crate) mod trace;
+
+pub use balance::Balance;
+pub(crate) use boundedness::Boundedness;
+pub(crate) use chatter::Chatter;
+pub(crate) use energies::Energies;
+pub use linear::{Limits, LinearPart};
+pub(crate) use settling::Settling;
+pub(crate) use share::Share;
+pub(crate) use summary::Summary;
+pub(crate) use trace::Trace;

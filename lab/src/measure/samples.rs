@@ -1,6 +1,6 @@
 //! Hand-made scenes for the tests of the meters.
 
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// A second at 100 Hz before a wall of 1 kN/m and 2 N·s/m at 1 mm, starting 4 mm off a spring at rest at 0;
 /// with more keys, or other values of these.

@@ -4,9 +4,8 @@ use std::collections::VecDeque;
 
 use lyapunov::Scalar;
 
-use crate::files::scene::Scene;
-use crate::simulate::building::Space;
-use crate::simulate::tick::Tick;
+use crate::files::Scene;
+use crate::simulate::{Space, Tick};
 
 /// The force that acts on the plant, split by whose it is, along the first axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,11 +1,9 @@
 //! What a run came to.
 
 use super::settling::Settling;
-use crate::files::scene::Scene;
-use crate::simulate::building::Space;
+use crate::files::Scene;
 use crate::simulate::equilibrium::{BAND, equilibrium, swing};
-use crate::simulate::row::Row;
-use crate::simulate::tick::Tick;
+use crate::simulate::{Row, Space, Tick};
 
 /// Lengths and energies are told in thousandths of their units.
 pub(crate) const MILLI: f64 = 1e3;

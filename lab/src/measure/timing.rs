@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use lyapunov::{ParameterError, Plant};
 
-use crate::files::scene::Scene;
-use crate::simulate::building::{Assembly, Space};
+use crate::files::Scene;
+use crate::simulate::{Assembly, Space};
 
 /// How long each of several things takes, ns, by rounds.
 #[derive(Debug)]

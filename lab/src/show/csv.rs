@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use crate::simulate::row::Row;
+use crate::simulate::Row;
 
 /// The names of the columns.
 pub const COLUMNS: &str =

@@ -1,8 +1,7 @@
 //! Parts of a scene in words.
 
 use crate::files::scene::{Effects, Filter, Integrator, Link, Motion, Operator, Policy, Scene};
-use crate::text::excerpt::shorten;
-use crate::text::numbers::given;
+use crate::text::{given, shorten};
 
 /// The environment in a line, without its name.
 pub(crate) fn environment(scene: &Scene) -> String {

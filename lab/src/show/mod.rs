@@ -6,3 +6,5 @@ pub(crate) mod html;
 pub(crate) mod output_error;
 mod summary;
 pub(crate) mod table;
+
+pub(crate) use output_error::OutputError;

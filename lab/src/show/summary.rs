@@ -7,10 +7,10 @@ use serde::Serialize;
 use super::described;
 use crate::files::scene::{Candidate, Cap, Ledger, Lolc, Popc, Scalar, Stabilizer, Velocity, Work};
 use crate::simulate::equilibrium::never_rests;
-use crate::text::numbers::{found, given};
-use crate::text::words::listed;
+use crate::text::{found, given, listed};
 
-use crate::measure::summary::{MILLI, Summary};
+use crate::measure::Summary;
+use crate::measure::summary::MILLI;
 
 /// Settled in the last tenth of a run is not yet settled.
 const LATE: f64 = 0.9;

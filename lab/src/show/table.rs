@@ -6,8 +6,7 @@ use maud::{Markup, html};
 use textwrap::core::display_width;
 
 use super::html::verdict;
-use crate::text::excerpt::printable;
-use crate::text::numbers::found;
+use crate::text::{found, printable};
 
 /// The widest line in the terminal.
 const WIDEST: usize = 100;

@@ -9,3 +9,10 @@ pub(crate) mod rollout;
 pub(crate) mod row;
 pub(crate) mod teleoperation;
 pub(crate) mod tick;
+
+pub(crate) use building::{AnyStabilizer, Assembly, Port, Space};
+pub(crate) use equilibrium::Criterion;
+pub use load::Subject;
+pub(crate) use rollout::Rollout;
+pub(crate) use row::Row;
+pub(crate) use tick::Tick;

@@ -6,7 +6,7 @@ use super::building::{AnyStabilizer, Assembly, Seen, Space};
 use super::family::StabilizerName;
 use super::row::Row;
 use super::tick::Tick;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// The ticks of a scene, from tick 0 to the last, computed as they are asked for.
 ///

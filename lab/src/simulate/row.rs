@@ -4,7 +4,7 @@ use lyapunov::{Mask, Scalar};
 
 use super::building::Space;
 use super::tick::Tick;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// One servo tick, in SI units: the columns of `lyapunov run --csv`, along the first axis where there are several.
 #[derive(Clone, Copy, Debug, PartialEq)]

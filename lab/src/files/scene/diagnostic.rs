@@ -3,8 +3,8 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::text::excerpt::{Excerpt, printable};
-use crate::text::words::folded;
+use crate::text::excerpt::Excerpt;
+use crate::text::{folded, printable};
 
 /// Why a scene cannot be read: what is wrong, where, and what would be right.
 ///

@@ -11,7 +11,7 @@ use super::diagnostic::Diagnostic;
 use super::fault::Place;
 use super::reader::Reader;
 use super::{explain, syntax};
-use crate::text::excerpt::shorten;
+use crate::text::shorten;
 
 /// What the keys of `text`, which is to be as `book` says, come to once they are `checked`; `name` stands for the text
 /// in messages.

@@ -3,8 +3,7 @@
 use super::book::{Book, Key};
 use super::diagnostic::Diagnostic;
 use super::fault::{Fault, Found, Place, Problem};
-use crate::text::excerpt::shorten;
-use crate::text::suggest::nearest;
+use crate::text::{nearest, shorten};
 
 /// The most places named where a key is at home.
 const MOST_HOMES: usize = 3;

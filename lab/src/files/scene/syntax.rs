@@ -5,7 +5,8 @@ use std::ops::Range;
 use super::book::Book;
 use super::diagnostic::Diagnostic;
 use super::explain::{shorten_path, with_example};
-use crate::text::excerpt::{boundary, shorten};
+use crate::text::excerpt::boundary;
+use crate::text::shorten;
 
 const NUMBERS: &str =
     "a number is written as 0.5, -4e-3, 100 or inf, without a unit, spaces or a comma";

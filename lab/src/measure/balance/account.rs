@@ -6,8 +6,7 @@ use super::body::{Body, Masses, Passed};
 use super::law::{Law, Motion};
 use crate::files::scene::{Scene, Velocity};
 use crate::measure::share::{Share, Split};
-use crate::simulate::building::Space;
-use crate::simulate::tick::Tick;
+use crate::simulate::{Space, Tick};
 
 /// The energies of a stretch of a run by cause, J; docs/explain.md has the equations.
 ///

@@ -7,8 +7,7 @@ use lyapunov::{
 use nalgebra::{DMatrix, DVector};
 
 use crate::files::scene::{Motion, Scene};
-use crate::simulate::building::Space;
-use crate::simulate::tick::Tick;
+use crate::simulate::{Space, Tick};
 
 /// Terms of a series in a matrix whose rows sum to no more than a half.
 const TERMS: u32 = 24;

@@ -1,10 +1,8 @@
 //! What becomes of a run.
 
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::measure::boundedness::Boundedness;
-use crate::simulate::building::Space;
-use crate::simulate::equilibrium::Criterion;
-use crate::simulate::tick::Tick;
+use crate::simulate::{Criterion, Space, Tick};
 
 /// How much faster the last quarter may be than the second: as the swings of a [`Boundedness`].
 const GROWTH: f64 = 1.05;

@@ -2,7 +2,7 @@
 
 use lyapunov::environments::{ForceLaw, Kinematics, Time};
 
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// Where the plant is and how it moves, at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

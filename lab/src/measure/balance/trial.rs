@@ -8,10 +8,9 @@ use super::account::{Account, Balance};
 use super::body::{Body, Masses};
 use super::fate::Fate;
 use super::law::{Law, Motion};
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::measure::linear::LinearPart;
-use crate::simulate::building::Space;
-use crate::simulate::rollout::Rollout;
+use crate::simulate::{Rollout, Space};
 
 /// InContact this, m and m/s, squares leave the range of the numbers before long.
 const FAR: f64 = 1e100;

@@ -1,7 +1,7 @@
 //! The rules of a line: Gil's, and Abbott and Okamura's for a device that rubs and counts.
 
 use super::linear_part::delay;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// The largest stiffness by the linear rule `K < (b + B) / (T / 2 + t_d)`, N/m; none where the environment has no stiffness.
 ///

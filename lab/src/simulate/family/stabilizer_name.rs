@@ -4,8 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::BasicName;
-use crate::text::excerpt::shorten;
-use crate::text::suggest::nearest;
+use crate::text::{nearest, shorten};
 
 /// A stabilizer by its name.
 ///

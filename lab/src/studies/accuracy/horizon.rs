@@ -5,8 +5,8 @@ use lyapunov::{Correction, OnePort, PortSample, Scalar, accumulators::DoubleDoub
 use super::AccuracyError;
 use super::reference::{References, Second, exact, off};
 use super::trace::{Progress, trace};
-use crate::files::scene::Scene;
-use crate::simulate::building::{Assembly, Port};
+use crate::files::Scene;
+use crate::simulate::{Assembly, Port};
 
 /// A deviation that has grown so many times is no longer the method's but the scene's.
 pub(super) const GROWN: f64 = 1e5;

@@ -6,7 +6,7 @@ use super::AccuracyError;
 use super::extrapolation::Extrapolation;
 use super::trace::{Progress, trace};
 use crate::files::scene::{Conflict, Draft, Integrator, Positive, Scene};
-use crate::simulate::building::Assembly;
+use crate::simulate::Assembly;
 
 /// How many times as far as the two references are apart an error must be to be known.
 pub(super) const SURE: f64 = 100.0;

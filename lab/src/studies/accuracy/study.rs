@@ -11,8 +11,8 @@ use super::setting::{Number, Setting};
 use super::timing::{self, Time};
 use super::trace::{Progress, trace};
 use super::{AccuracyError, table};
-use crate::files::scene::Scene;
-use crate::simulate::building::{Assembly, Space};
+use crate::files::Scene;
+use crate::simulate::{Assembly, Space};
 
 /// Ticks of a scene that are looked at.
 const MOST_TICKS: u64 = 100_000;

@@ -9,8 +9,7 @@ use super::study::Row;
 use super::{Study, timing};
 use crate::show::html::verdict;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::numbers::found;
-use crate::text::words::folded;
+use crate::text::{folded, found};
 
 pub(super) fn write(study: &Study, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: what accuracy costs\n", study.name)?;

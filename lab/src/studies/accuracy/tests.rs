@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 fn study(text: &str) -> Study {
     let scene = Scene::parse(text, "scene.toml").unwrap();

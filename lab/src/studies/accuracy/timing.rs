@@ -7,7 +7,7 @@ use lyapunov::ParameterError;
 use super::AccuracyError;
 use super::setting::{Number, Setting};
 use super::trace::Progress;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::measure::timing::{Rounds, count_for, runs};
 
 /// Rounds over all loops, at most and at least.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use lyapunov::{Plant, Scalar};
 
 use super::AccuracyError;
-use crate::simulate::building::{Assembly, Space};
+use crate::simulate::{Assembly, Space};
 
 /// Ticks from one look at the watch to the next.
 const BREATH: usize = 4096;

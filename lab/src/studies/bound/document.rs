@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::measure::linear::Limits;
+use crate::measure::Limits;
 
 #[derive(Serialize)]
 struct Document<'a> {

@@ -18,4 +18,5 @@
 mod document;
 mod table;
 
-pub use crate::measure::linear::{Limits, LinearPart, NotLinear, VelocitySource, llewellyn};
+pub use crate::measure::linear::{NotLinear, VelocitySource, llewellyn};
+pub use crate::measure::{Limits, LinearPart};

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::measure::linear::Limits;
+use crate::measure::Limits;
 use crate::show::table::{Heading, Table};
-use crate::text::numbers::{found, given};
+use crate::text::{found, given};
 
 impl fmt::Display for Limits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

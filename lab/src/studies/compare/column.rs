@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use super::score::Score;
 use crate::show::table::Cell;
-use crate::text::suggest::nearest;
+use crate::text::nearest;
 
 /// A column of the table; its name is its key in `compare.json`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,8 +13,8 @@ use super::entrant_run::{Curves, EntrantRun, Watch};
 use super::entrants::Entrants;
 use super::score::Score;
 use super::{cost, picture, table};
-use crate::files::scene::Scene;
-use crate::simulate::building::Space;
+use crate::files::Scene;
+use crate::simulate::Space;
 use crate::simulate::family::Settings;
 use lyapunov_figures::Figure;
 

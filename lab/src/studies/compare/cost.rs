@@ -7,9 +7,9 @@ use lyapunov::{Correction, ParameterError, PortSample};
 
 use super::entrants::Entrant;
 use super::score::StepTime;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::measure::timing::Rounds;
-use crate::simulate::building::Space;
+use crate::simulate::Space;
 
 /// How many ticks of a run are kept to be replayed: few enough to stay in the processor's cache.
 pub(super) const KEPT: usize = 4096;

@@ -9,10 +9,9 @@ use super::comparison::{CompareError, Comparison};
 use super::entrant_run::Watch;
 use super::entrants::Entrants;
 use super::table::Setting;
-use crate::measure::balance::Balance;
+use crate::measure::Balance;
 use crate::show::csv::{self, Field};
-use crate::simulate::building::Space;
-use crate::simulate::rollout::Rollout;
+use crate::simulate::{Rollout, Space};
 use lyapunov_figures::{Figure, Panel, Series};
 
 /// Height of an entrant's pair of bars, in pixels of the drawing.

@@ -9,17 +9,9 @@ use super::contacts::{Contacts, Touch, wall};
 use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
-use crate::files::scene::Scene;
-use crate::measure::boundedness::Boundedness;
-use crate::measure::chatter::Chatter;
-use crate::measure::energies::Energies;
-use crate::measure::share::Share;
-use crate::measure::summary::Summary;
-use crate::measure::trace::Trace;
-use crate::simulate::building::Space;
-use crate::simulate::equilibrium::Criterion;
-use crate::simulate::rollout::Rollout;
-use crate::simulate::tick::Tick;
+use crate::files::Scene;
+use crate::measure::{Boundedness, Chatter, Energies, Share, Summary, Trace};
+use crate::simulate::{Criterion, Rollout, Space, Tick};
 
 /// Is told how many more ticks are done; says whether to go on.
 pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;

@@ -4,9 +4,9 @@ use std::fmt;
 
 use lyapunov::{ParameterError, Scalar, Stabilizer};
 
-use crate::files::scene::Scene;
-use crate::simulate::building::{AnyStabilizer, Space};
+use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
+use crate::simulate::{AnyStabilizer, Space};
 
 /// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
 ///

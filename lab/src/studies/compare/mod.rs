@@ -23,8 +23,8 @@ pub mod teleoperation;
 mod tests;
 mod trade_off;
 
+pub use crate::simulate::Subject;
 pub use crate::simulate::family::Settings;
-pub use crate::simulate::load::Subject;
 pub use column::{Column, UnknownColumn};
 pub use compared::{Compared, RunError, Watch};
 pub use comparison::{CompareError, Comparison};

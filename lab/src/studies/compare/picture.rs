@@ -3,7 +3,8 @@
 use super::comparison::{Comparison, Outcome};
 use super::contacts::wall;
 use super::table::Setting;
-use crate::simulate::equilibrium::{Criterion, equilibrium};
+use crate::simulate::Criterion;
+use crate::simulate::equilibrium::equilibrium;
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
 /// Height of the panels that have one curve each, in pixels of the drawing.
@@ -20,7 +21,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
         everyone.iter().copied().filter(|outcome| observes(outcome)).collect();
     let position =
         Drawing { label: "position, mm", scale: 1e3, curve: |outcome| &outcome.curves.position };
-    let observer = Drawing {
+    let energy = Drawing {
         label: "observed energy, mJ",
         scale: 1e3,
         curve: |outcome| &outcome.curves.observed_energy,
@@ -35,14 +36,14 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     // More curves than colours are not told apart: each then has a row of its own, on common scales.
     if everyone.len() > PALETTE.len() {
         let (reach, sums) =
-            (position.range(comparison, &everyone), observer.range(comparison, &observed));
+            (position.range(comparison, &everyone), energy.range(comparison, &observed));
         return everyone.iter().fold(
             figure.with_columns(2).with_panel_height(ALONE),
             |figure, outcome| {
                 let name = &outcome.score.stabilizer;
                 let moved = position.panel(comparison, name, &[outcome], reach);
                 let figure = figure.with_panel(on_surface(moved));
-                let summed = observer.panel(comparison, name, &[outcome], sums);
+                let summed = energy.panel(comparison, name, &[outcome], sums);
                 figure.with_panel(about_zero(summed))
             },
         );
@@ -52,7 +53,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     if observed.is_empty() {
         return figure;
     }
-    figure.with_panel(about_zero(observer.overlaid(comparison, "observed energy", &observed)))
+    figure.with_panel(about_zero(energy.overlaid(comparison, "observed energy", &observed)))
 }
 
 /// The forces on the plant: over each other, or of many entrants in a row each.

@@ -4,10 +4,10 @@ use std::fmt;
 
 use super::Comparison;
 use super::column::Column;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::show::described;
 use crate::show::table::{Heading, Table};
-use crate::text::numbers::given;
+use crate::text::given;
 
 /// How the loop behaved.
 const BEHAVIOUR: [Column; 8] = [

@@ -4,10 +4,9 @@ use approx::assert_relative_eq;
 use lyapunov::{Correction, PortSample, Stabilizer};
 
 use super::*;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::measure::samples::scene;
-use crate::simulate::rollout::Rollout;
-use crate::simulate::row::Row;
+use crate::simulate::{Rollout, Row};
 use crate::studies::paper::Case;
 
 /// A damper that is always there, N·s/m.
@@ -223,12 +222,12 @@ fn pictures_end_an_unstable_curve_where_it_leaves() {
     let entrants = Entrants::<f64>::standard();
     let comparison = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &entrants).unwrap();
     let figure = comparison.figure();
-    let [position, observer] = &figure.panels[..] else { panic!() };
+    let [position, energy] = &figure.panels[..] else { panic!() };
     let (low, high) = position.y_range.unwrap();
     assert!((-13.0..-10.0).contains(&low) && (0.0..2.0).contains(&high), "{low} {high}");
     assert!(position.series[0].points.len() < 50 && position.series[1].points.len() == 1001);
     assert!(position.series[2].dashed && !position.series[1].dashed);
-    assert_eq!((position.series.len(), observer.series.len()), (5, 4));
+    assert_eq!((position.series.len(), energy.series.len()), (5, 4));
 
     // The whole family has more curves than there are colours.
     let family = Entrants::<f64>::of(crate::simulate::family::StabilizerName::ALL);
@@ -244,7 +243,7 @@ fn pictures_end_an_unstable_curve_where_it_leaves() {
 }
 
 #[test]
-fn errors_name_contestant_and_scene() {
+fn errors_name_entrant_and_scene() {
     let tiny = scene("").period();
     let entrants = Entrants::<f64>::standard()
         .with("odd", move |_| lyapunov::DampingLimit::at(-tiny).map(|_| Damper(1.0)));

@@ -11,9 +11,9 @@ use super::entrants::Entrants;
 use crate::files::scene::{Environment, NonNegative, Positive, Scene};
 use crate::measure::timing::quartiles;
 use crate::show::csv::{self, Field};
-use crate::simulate::building::Space;
+use crate::simulate::Space;
 use crate::simulate::family::BasicName;
-use crate::text::numbers::{found, given};
+use crate::text::{found, given};
 use lyapunov_figures::{Figure, Panel, Series};
 
 /// Values of the wall's stiffness, and of its damping.

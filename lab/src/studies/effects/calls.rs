@@ -1,7 +1,7 @@
 //! The scenes that call for the effects, one by one and together.
 
 use super::CostsError;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// A hand that runs into a wall at 0.1 m/s, 1 kHz over 100 Hz, under POPC.
 const LOOP: &str = "duration = 1.0

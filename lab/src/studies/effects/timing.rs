@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::CostsError;
 use super::calls::Call;
 use crate::measure::timing::{Rounds, count_for, runs};
-use crate::simulate::building::Space;
+use crate::simulate::Space;
 
 /// Rounds over all loops.
 pub(super) const ROUNDS: usize = 41;

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::balance::Balance;
+use crate::measure::Balance;
 
 #[derive(Serialize)]
 struct Document<'a> {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::files::scene::Scene;
+use crate::files::Scene;
 
 /// The dimensionless groups of a scene. `T` is the period at which the environment answers, `b` the device's damping, `m`
 /// the mass that moves at the port, `K` and `B` the environment's stiffness and damping.

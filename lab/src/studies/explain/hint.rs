@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::measure::balance::Fate;
-use crate::measure::linear::{Limits, LinearPart};
-use crate::simulate::building::Space;
-use crate::simulate::tick::Tick;
-use crate::text::numbers::found;
+use crate::measure::{Limits, LinearPart};
+use crate::simulate::{Space, Tick};
+use crate::text::found;
 
 /// Watches a run; shown after one that diverges, it is the why in two lines, else nothing.
 #[derive(Clone, Debug)]

@@ -10,11 +10,11 @@ use std::fmt;
 
 use lyapunov::ParameterError;
 
-use crate::files::scene::Scene;
-use crate::measure::linear::Limits;
-use crate::simulate::building::Space;
+use crate::files::Scene;
+use crate::measure::Limits;
+use crate::simulate::Space;
 
-pub use crate::measure::balance::Balance;
+pub use crate::measure::Balance;
 use crate::measure::balance::Trial;
 pub use groups::DimensionlessGroups;
 pub use hint::Hint;

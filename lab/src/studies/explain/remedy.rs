@@ -3,9 +3,9 @@
 use crate::files::scene::{
     Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
 };
+use crate::measure::LinearPart;
 use crate::measure::balance::{Feel, Trial};
-use crate::measure::linear::LinearPart;
-use crate::simulate::building::Space;
+use crate::simulate::Space;
 
 /// How far inside of a limit a remedy stays.
 const MARGIN: f64 = 0.95;

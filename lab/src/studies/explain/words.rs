@@ -4,9 +4,9 @@ use std::fmt;
 
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::balance::Balance;
+use crate::measure::Balance;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::numbers::{found, given};
+use crate::text::{found, given};
 
 /// Energies are told in thousandths of a joule.
 const MILLI: f64 = 1e3;

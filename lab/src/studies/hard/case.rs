@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 use super::naive::Naive;
 use super::tally::{Tally, larger};
 use super::trial::{HardError, OwnStabilizer, Runs, Trial};
-use crate::simulate::building::AnyStabilizer;
+use crate::simulate::AnyStabilizer;
 use crate::simulate::family::StabilizerName;
 
 /// One hard case: what makes it hard, what is measured, and the bound that is promised.

@@ -9,10 +9,8 @@ use super::tally::Tally;
 use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use super::watched::{Meters, Terms};
 use crate::files::scene::{Candidate, Finite, Lolc, Scene, Stabilizer};
-use crate::simulate::building::{AnyStabilizer, Space};
 use crate::simulate::family::{Settings, StabilizerName};
-use crate::simulate::rollout::Rollout;
-use crate::simulate::tick::Tick;
+use crate::simulate::{AnyStabilizer, Rollout, Space, Tick};
 
 /// A loop closed as a scene says.
 pub(super) struct Looped {

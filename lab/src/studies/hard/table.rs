@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Catalogue, Outcome};
 use crate::show::table::{Heading, Table};
-use crate::text::words::folded;
+use crate::text::folded;
 
 pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if let Some(name) = catalogue.stabilizer {

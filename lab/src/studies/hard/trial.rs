@@ -10,8 +10,8 @@ use super::pledge::{Pledge, promises};
 use super::tally::{Tally, larger};
 use super::watched::{Terms, Watched};
 use crate::files::scene::Diagnostic;
-use crate::simulate::building::{AnyStabilizer, Space};
 use crate::simulate::family::{Basis, StabilizerName};
+use crate::simulate::{AnyStabilizer, Space};
 
 /// Why a case cannot run: it is not written right.
 #[derive(Debug)]

@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use super::axis::Axis;
 use super::grid::Grid;
 use super::survey::{Reach, Survey};
-use crate::files::scene::Scene;
-use crate::measure::linear::Limits;
-use crate::text::numbers::found;
+use crate::files::Scene;
+use crate::measure::Limits;
+use crate::text::found;
 
 /// The most values of the other axis at which the formulas are evaluated.
 const SAMPLES: u64 = 97;

@@ -11,8 +11,8 @@ use super::outcome::Outcome;
 use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Rows, TableError, TableHeader};
+use crate::show::OutputError;
 use crate::show::csv::Records;
-use crate::show::output_error::OutputError;
 
 /// A table that grows by whole cells under a name of its own, and takes its name when it is finished.
 #[derive(Debug)]

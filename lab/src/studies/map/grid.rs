@@ -6,7 +6,7 @@ use toml::Value;
 
 use super::axis::Axis;
 use super::vary::{self, Vary, VaryError};
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
 
 /// A scene with two of its numbers varied, under some stabilizers.

@@ -10,8 +10,8 @@ use super::grid::Grid;
 use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Rows, TableError, TableHeader};
+use crate::show::OutputError;
 use crate::show::csv::Records;
-use crate::show::output_error::OutputError;
 
 /// Why shards do not make a map.
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use super::grid::{Grid, GridError};
 use super::kernel::{Instructions, Kernel, Lanes};
 use super::outcome::Outcome;
 use super::single;
-use crate::show::output_error::OutputError;
+use crate::show::OutputError;
 use crate::simulate::family::{BasicName, StabilizerName};
 
 /// How long a band of cells may take: no more than this is lost when a machine stops.

@@ -4,16 +4,9 @@ use lyapunov::{ParameterError, Scalar};
 
 use super::outcome::{Measures, Outcome};
 use crate::files::scene::{Scalar as Width, Scene};
-use crate::measure::boundedness::Boundedness;
-use crate::measure::chatter::Chatter;
-use crate::measure::energies::Energies;
-use crate::measure::settling::Settling;
-use crate::measure::share::Share;
-use crate::simulate::building::Space;
-use crate::simulate::equilibrium::Criterion;
+use crate::measure::{Boundedness, Chatter, Energies, Settling, Share};
 use crate::simulate::family::StabilizerName;
-use crate::simulate::rollout::Rollout;
-use crate::simulate::tick::Tick;
+use crate::simulate::{Criterion, Rollout, Space, Tick};
 
 /// Ticks between two looks at what is decided.
 const STRETCH: u64 = 64;

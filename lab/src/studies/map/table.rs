@@ -9,7 +9,7 @@ use super::axis::Axis;
 use super::grid::Grid;
 use super::outcome::{Measure, Measures, Outcome};
 use super::shard::Shard;
-use crate::files::scene::Scene;
+use crate::files::Scene;
 use crate::show::csv::{self, Field, Records};
 use crate::simulate::family::StabilizerNames;
 

@@ -6,7 +6,7 @@ use toml::Value;
 
 use super::axis::Axis;
 use crate::files::scene::{Draft, Motion, Scene, number_keys};
-use crate::text::suggest::nearest;
+use crate::text::nearest;
 
 /// A number of a scene, found by its dotted key.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::columns::Role;
-use crate::text::excerpt::shorten;
+use crate::text::shorten;
 
 /// Bad rows that are named one by one; the rest are counted.
 const NAMED: usize = 10;

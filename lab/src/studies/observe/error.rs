@@ -4,8 +4,7 @@ use std::fmt;
 use std::io;
 
 use super::bad::BadRows;
-use crate::text::excerpt::printable;
-use crate::text::words::folded;
+use crate::text::{folded, printable};
 
 /// Why a log cannot be observed: what is wrong, and what would be right.
 #[derive(Debug)]

@@ -4,8 +4,7 @@ use super::bad::Reason;
 use super::columns::{Columns, Role, position};
 use super::error::ObserveError;
 use super::fields::{Fields, bare, delimiter, number};
-use crate::text::excerpt::shorten;
-use crate::text::suggest::nearest;
+use crate::text::{nearest, shorten};
 
 /// The most names that a message lists.
 const LISTED: usize = 12;

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use super::columns::Role;
 use super::error::ObserveError;
-use crate::text::suggest::nearest;
+use crate::text::nearest;
 
 /// The factor of one column: what its numbers are multiplied with to give SI units.
 ///

@@ -9,9 +9,7 @@ use super::report::Report;
 use super::step::GAP;
 use super::traces::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::excerpt::printable;
-use crate::text::numbers::found;
-use crate::text::words::folded;
+use crate::text::{folded, found, printable};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,7 +1,7 @@
 //! The paper's figures 6 to 9.
 
 use super::{Case, PaperError};
-use crate::simulate::row::Row;
+use crate::simulate::Row;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// The name of a figure's files without an ending, the figure, and the cases it is drawn from.

@@ -15,8 +15,7 @@ pub use study::{Stage, Study};
 use lyapunov::ParameterError;
 
 use crate::files::scene::{Diagnostic, Scene};
-use crate::simulate::rollout::Rollout;
-use crate::simulate::row::Row;
+use crate::simulate::{Rollout, Row};
 
 /// A scene of the paper's section IV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

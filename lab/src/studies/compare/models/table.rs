@@ -3,7 +3,7 @@
 use super::comparison::Comparison;
 use crate::measure::models::{BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::numbers::{found, given};
+use crate::text::{found, given};
 
 pub(super) fn of(comparison: &Comparison) -> Table {
     let plant = &comparison.model.plant;

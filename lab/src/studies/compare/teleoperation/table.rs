@@ -4,7 +4,7 @@ use super::comparison::Comparison;
 use crate::files::teleoperation::Teleoperator;
 use crate::measure::teleoperation::{BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::numbers::{found, given};
+use crate::text::{found, given};
 
 /// The teleoperator in one line.
 pub(super) fn setting(file: &Teleoperator) -> String {

@@ -7,7 +7,7 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
-use crate::simulate::building::Space;
+use crate::simulate::Space;
 use crate::simulate::family::{Basis, StabilizerName};
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::naive::Naive;

@@ -6,8 +6,8 @@ use lyapunov::{
     environments::Wall,
 };
 
-use crate::simulate::building::{AnyStabilizer, Space};
 use crate::simulate::family::{Basis, StabilizerName};
+use crate::simulate::{AnyStabilizer, Space};
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::pledge::Pledge;

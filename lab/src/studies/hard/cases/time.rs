@@ -11,7 +11,7 @@ use lyapunov::{
     trajectories::{Sine, Trajectory},
 };
 
-use crate::simulate::building::Space;
+use crate::simulate::Space;
 use crate::simulate::family::{Basis, StabilizerName};
 use crate::studies::hard::balance::{Balance, Double, Told};
 use crate::studies::hard::case::{Case, Quantity};

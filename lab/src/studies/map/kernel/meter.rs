@@ -5,11 +5,8 @@ use lyapunov::{Mask, OnePort, PortSample, Scalar, Stabilizer};
 use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
 use crate::files::scene::Draft;
-use crate::measure::boundedness::Boundedness;
-use crate::measure::chatter::Chatter;
-use crate::measure::energies::Energies;
-use crate::measure::settling::Settling;
-use crate::simulate::equilibrium::Criterion;
+use crate::measure::{Boundedness, Chatter, Energies, Settling};
+use crate::simulate::Criterion;
 use crate::studies::map::outcome::Measures;
 
 /// What is looked at along a rollout: no more than what is asked for, by type.
