@@ -83,7 +83,7 @@ impl Meter {
 pub struct Score {
     /// The entrant.
     pub stabilizer: &'static str,
-    /// Whether the run stayed within the range of the scalar and V within [`BOUND`](super::BOUND) times its start.
+    /// Whether the run stayed within the range of the scalar and V within [`BOUND`] times its start.
     pub bounded: bool,
     /// The largest V.
     #[serde(rename = "v_largest")]

@@ -115,7 +115,7 @@ impl<'a> Meter<'a> {
 pub struct Score {
     /// The entrant.
     pub stabilizer: &'static str,
-    /// Whether the run stayed within the range of the scalar and its energy within [`BOUND`](super::BOUND) times the start's.
+    /// Whether the run stayed within the range of the scalar and its energy within [`BOUND`] times the start's.
     pub bounded: bool,
     /// The largest energy of devices, hand and wall.
     #[serde(rename = "energy_largest_mj")]
