@@ -9,7 +9,7 @@ use super::written::Keys;
 
 /// A JSON Schema (draft 7, which editors of TOML know) of scene files, made from the types that read them.
 ///
-/// It holds the keys, their types and the range of each value; the rules between values are [`Scene::check`](super::Scene::check)'s.
+/// It holds the keys, their types and the range of each value; the rules between values are [`Draft::check`](super::Draft::check)'s.
 pub fn schema() -> Value {
     schema_of::<Keys>()
 }
