@@ -1,5 +1,8 @@
 //! Scene files, simulation, studies and their figures: what the command `lyapunov` is made of.
 //!
+//! The crate is a house of floors, and each knows only those below it: text, files, simulation, measures, how they are
+//! shown, and on top the studies, a room for each command.
+//!
 //! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with anybody
 //! else's:
 //!
@@ -21,47 +24,49 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod accuracy;
-pub mod bounds;
-mod building;
-pub mod causes;
-pub mod compare;
-mod csv;
-mod described;
-mod equilibrium;
-pub mod family;
-pub mod hard;
-mod html;
-pub mod map;
-mod meters;
-pub mod models;
-pub mod observe;
-mod output_error;
-pub mod paper;
-mod prices;
-mod quartiles;
-mod rollout;
-mod row;
-pub mod scene;
-pub mod shipped;
-pub mod subjects;
-mod summary;
-mod table;
-pub mod teleoperation;
-mod tick;
-mod timing;
-mod words;
+mod files;
+mod measure;
+mod show;
+mod simulate;
+mod studies;
+mod text;
 
-pub use self::csv::{COLUMNS, Csv};
-pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
+// Files.
+pub use files::scene::{self, Render, Scene};
+
+/// Models of plants that are affine in their input, and the stabilizers of their ports side by side.
+pub mod models {
+    pub use crate::files::models::*;
+    pub use crate::measure::models::{BOUND, Score};
+    pub use crate::simulate::models::Entrant;
+    pub use crate::studies::compare::models::Comparison;
+}
+
+/// Teleoperators, and what stabilizes them side by side.
+pub mod teleoperation {
+    pub use crate::files::teleoperation::*;
+    pub use crate::measure::teleoperation::{BOUND, Curves, Score};
+    pub use crate::simulate::teleoperation::Entrant;
+    pub use crate::studies::compare::teleoperation::Comparison;
+}
+
+// Simulation.
+pub use simulate::building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
+pub use simulate::family;
+pub use simulate::rollout::Rollout;
+pub use simulate::row::{Row, further_columns, further_numbers};
+pub use simulate::tick::{OperatorMotion, Tick};
+
+// Measures, and how they are shown.
+pub use measure::summary::Summary;
+pub use show::csv::{COLUMNS, Csv};
+pub use show::output_error::OutputError;
+
+// Studies, one for each command.
+pub use studies::{accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes};
+
+// What other crates give to the names above.
 #[doc(no_inline)]
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]
 pub use nalgebra::SVector;
-pub use output_error::OutputError;
-pub use prices::{Prices, PricesError};
-pub use rollout::Rollout;
-pub use row::{Row, further_columns, further_numbers};
-pub use scene::{Render, Scene};
-pub use summary::Summary;
-pub use tick::{Apart, Tick};

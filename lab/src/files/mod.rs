@@ -1,0 +1,8 @@
+//! What files say: scenes, models of plants, teleoperators, and the scenes that ship.
+
+pub(crate) mod models;
+pub mod scene;
+pub(crate) mod shipped;
+pub(crate) mod teleoperation;
+
+pub(crate) use scene::Scene;

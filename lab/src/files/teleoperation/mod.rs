@@ -1,0 +1,15 @@
+//! Files of teleoperators: a master in a hand and a slave before a wall, joined by a channel.
+//!
+//! A [`Teleoperator`] is a document of its own beside the [`Scene`](crate::Scene): it has two devices, a channel between
+//! them and a port at each end. docs/teleoperation.md has its equations.
+
+mod check;
+mod keys;
+mod parts;
+mod teleoperator;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use keys::BOOK;
+pub use parts::{Channel, Coordination, Master, Slave, Stabilizer, Wall};
+pub use teleoperator::{Teleoperator, schema_text};
