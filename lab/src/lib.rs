@@ -1,10 +1,9 @@
-//! Scene files, simulation, studies and their figures: what the command `lyapunov` is made of.
+//! Scene files, simulation, studies and their figures: the library behind the command `lyapunov`.
 //!
-//! The crate is a house of floors, and each knows only those below it: text, files, simulation, measures, how they are
-//! shown, and on top the studies, a room for each command.
+//! The crate has six floors, and each uses only those below it: text, files, simulation, measures, their presentation,
+//! and on top the studies, one for each command.
 //!
-//! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with anybody
-//! else's:
+//! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with any other:
 //!
 //! ```
 //! use lyapunov::{Correction, PortSample, Stabilizer};
@@ -34,7 +33,7 @@ mod text;
 // Files.
 pub use files::scene::{self, Render, Scene};
 
-/// Models of plants that are affine in their input, and the stabilizers of their ports side by side.
+/// Control-affine plants, and the comparison of stabilizers at their ports.
 pub mod models {
     pub use crate::files::models::*;
     pub use crate::measure::models::{BOUND, Score};
@@ -42,7 +41,7 @@ pub mod models {
     pub use crate::studies::compare::models::Comparison;
 }
 
-/// Teleoperators, and what stabilizes them side by side.
+/// Teleoperators, and the comparison of their stabilizers.
 pub mod teleoperation {
     pub use crate::files::teleoperation::*;
     pub use crate::measure::teleoperation::{BOUND, Curves, Score};
@@ -57,7 +56,7 @@ pub use simulate::rollout::Rollout;
 pub use simulate::row::{Row, further_columns, further_numbers};
 pub use simulate::tick::{OperatorMotion, Tick};
 
-// Measures, and how they are shown.
+// Measures and their presentation.
 pub use measure::summary::Summary;
 pub use show::csv::{COLUMNS, Csv};
 pub use show::output_error::OutputError;
@@ -65,7 +64,7 @@ pub use show::output_error::OutputError;
 // Studies, one for each command.
 pub use studies::{accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes};
 
-// What other crates give to the names above.
+// Names of other crates that the interface above uses.
 #[doc(no_inline)]
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]

@@ -1,4 +1,4 @@
-//! What files say: scenes, models of plants, teleoperators, and the scenes that ship.
+//! Files: scenes, models of plants, teleoperators, and the shipped scenes.
 
 pub(crate) mod models;
 pub mod scene;

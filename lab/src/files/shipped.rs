@@ -1,15 +1,15 @@
-//! The scenes that ship, within the program, so that they are at hand wherever it runs.
+//! The shipped scenes, embedded in the program so that they are available wherever it runs.
 
 use std::fmt;
 
 use crate::text::{nearest, shorten};
 
-/// A scene file that ships.
+/// A shipped scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shipped {
-    /// Its name, which is that of its file in `scenes/` without the ending.
+    /// Its name: that of its file in `scenes/`, without the ending.
     pub name: &'static str,
-    /// The file.
+    /// The content of the file.
     pub text: &'static str,
 }
 
@@ -22,7 +22,7 @@ macro_rules! shipped {
     };
 }
 
-/// Every scene: the tour, one per effect from the port outwards to the hand, the environments, and the paper's.
+/// All shipped scenes: the tour, one per effect from the port outwards to the hand, the environments, and the paper's.
 pub const SCENES: &[Shipped] = shipped![
     "tour",
     "hold",
@@ -62,19 +62,19 @@ pub const SCENES: &[Shipped] = shipped![
     "paper-50k-lolc",
 ];
 
-/// What a scene reads beside itself, by the name of its file in `scenes/`.
+/// Files that shipped scenes read, by their names in `scenes/`.
 const COMPANIONS: &[(&str, &str)] =
     &[("motion-file.csv", include_str!("../../../scenes/motion-file.csv"))];
 
 impl Shipped {
-    /// The two lines of comment at its top: what it is, and what to look at.
+    /// The two comment lines at its top: the subject of the scene, and what to look at.
     pub fn comment(&self) -> [&'static str; 2] {
         let mut lines = self.text.lines().filter_map(|line| line.strip_prefix("# "));
         [(); 2].map(|()| lines.next().unwrap_or_default())
     }
 }
 
-/// A name under which nothing ships.
+/// A name that no shipped file has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unknown(String);
 
@@ -92,10 +92,10 @@ impl fmt::Display for Unknown {
 
 impl std::error::Error for Unknown {}
 
-/// The file that ships under `name`: a scene, with or without its ending, or a file that a scene reads.
+/// The shipped file `name`: a scene, with or without its ending, or a file that a scene reads.
 ///
 /// # Errors
-/// A name that is none of these.
+/// Any other name.
 pub fn text_of(name: &str) -> Result<&'static str, Unknown> {
     let scene = name.strip_suffix(".toml").unwrap_or(name);
     let scene = SCENES.iter().find(|shipped| shipped.name == scene).map(|shipped| shipped.text);

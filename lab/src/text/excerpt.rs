@@ -1,11 +1,11 @@
-//! A place in a text, as line, column and a marked line for the terminal.
+//! A place in a text: line, column and a marked line for the terminal.
 
 use std::ops::Range;
 
 /// The widest source text shown; with the margin it fits in 100 columns.
 const WIDTH: usize = 88;
 
-/// The most characters of a name or value shown within a sentence.
+/// The longest name or value shown within a sentence, in characters.
 const SHORT: usize = 40;
 
 /// A line of a text with a part of it marked.
@@ -20,7 +20,7 @@ pub(crate) struct Excerpt {
 }
 
 impl Excerpt {
-    /// The line in which the span begins; a span beyond the text marks its end.
+    /// The excerpt of the line in which the span begins; a span beyond the text marks the end of the text.
     pub(crate) fn new(text: &str, span: Range<usize>) -> Self {
         let start = boundary(text, span.start);
         let end = boundary(text, span.end).max(start);
@@ -41,7 +41,7 @@ impl Excerpt {
     }
 }
 
-/// What is shown of a line: all of it, or where it is too long a part around the mark.
+/// The shown part of a line and the mark below it: the whole line, or a part around the mark if the line is too long.
 fn window(line: &str, before: usize, marked: usize) -> (String, String) {
     let length = line.chars().count();
     if length <= WIDTH {
@@ -62,7 +62,7 @@ fn window(line: &str, before: usize, marked: usize) -> (String, String) {
     (shown, " ".repeat(indent) + &"^".repeat(marked))
 }
 
-/// The text as part of a sentence: one line, without control characters, cut where it is long.
+/// The text as part of a sentence: one line, without control characters, cut if it is long.
 pub(crate) fn shorten(text: &str) -> String {
     let mut short: String = text.chars().take(SHORT).map(printable).collect();
     if text.chars().nth(SHORT).is_some() {
@@ -71,7 +71,7 @@ pub(crate) fn shorten(text: &str) -> String {
     short
 }
 
-/// A character that takes one column and cannot command the terminal or turn the text around.
+/// The character, or a substitute if it could control the terminal, reverse the text or take other than one column.
 pub(crate) fn printable(character: char) -> char {
     match character {
         '\t' => ' ',
@@ -81,7 +81,7 @@ pub(crate) fn printable(character: char) -> char {
     }
 }
 
-/// The start of the character that holds this byte, or the end of the text.
+/// The start of the character that contains this byte, or the end of the text.
 pub(crate) fn boundary(text: &str, offset: usize) -> usize {
     let mut offset = offset.min(text.len());
     while !text.is_char_boundary(offset) {

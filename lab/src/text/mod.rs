@@ -1,4 +1,4 @@
-//! The ground floor: text that any other floor shows, of which nothing knows what it is about.
+//! The ground floor: text helpers for every other floor, independent of the subject of the text.
 
 pub(crate) mod excerpt;
 pub(crate) mod numbers;

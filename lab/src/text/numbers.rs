@@ -1,18 +1,18 @@
-//! Numbers as people read them.
+//! Numbers formatted for readers.
 
 use std::fmt;
 
-/// A number that was computed: four digits tell all that matters.
+/// A computed number, to the four digits that matter.
 pub(crate) fn found(value: f64) -> Number {
     Number { value, digits: 4 }
 }
 
-/// A number from the scene, or a time: close to what was written there, and still short.
+/// A number from the scene, or a time: close to the written value, and still short.
 pub(crate) fn given(value: f64) -> Number {
     Number { value, digits: 9 }
 }
 
-/// A number rounded to some significant digits, whole parts to no fewer than they have, without final zeros.
+/// A number rounded to some significant digits, but never before the decimal point, and without trailing zeros.
 pub(crate) struct Number {
     value: f64,
     digits: usize,
@@ -37,7 +37,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// Without the zeros at the end of a fraction.
+/// The number without the trailing zeros of its fraction.
 fn trimmed(number: &str) -> &str {
     if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
 }

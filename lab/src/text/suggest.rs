@@ -1,11 +1,11 @@
-//! The nearest of the known words.
+//! Suggestion of the nearest known word.
 
-/// How alike two words must be, from 0 to 1, before one is offered for the other.
+/// The least likeness, from 0 to 1, at which one word is suggested for another.
 const ALIKE: f64 = 0.5;
 
-/// The known word most like this one, if any is.
+/// The known word most like this one, if any is like enough.
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
-    // A word of a million letters is no misspelling, and comparing it would take a while.
+    // A word of a million letters is no misspelling, and comparing it takes long.
     if word.len() > 80 {
         return None;
     }
@@ -18,7 +18,7 @@ pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
         .map(|(_, candidate)| candidate)
 }
 
-/// Without what people mix up: case, and the sign between the parts of a word.
+/// The word without the differences that people mix up: case, and the separator between the parts of a word.
 fn plain(word: &str) -> String {
     word.to_lowercase().replace(['-', ' '], "_")
 }

@@ -1,12 +1,12 @@
-//! Sentences folded between words, so that they fit a terminal.
+//! Sentences folded between words to fit a terminal.
 
 use textwrap::core::display_width;
 use textwrap::{Options, WordSplitter};
 
-/// The widest line.
+/// The widest line, in columns.
 const WIDTH: usize = 98;
 
-/// `text` in lines between words: the first one behind `label`, the others behind as many blanks.
+/// `text` folded between words: the first line behind `label`, the others behind as many blanks.
 pub(crate) fn folded(label: &str, text: &str) -> String {
     let blanks = " ".repeat(display_width(label));
     let options = Options::new(WIDTH)
@@ -17,9 +17,9 @@ pub(crate) fn folded(label: &str, text: &str) -> String {
     textwrap::fill(text, options)
 }
 
-/// Things behind their `label`, with commas between them, after which lines may end.
+/// `things` behind `label`, separated by commas, with line breaks only after a comma.
 pub(crate) fn listed(label: &str, things: &[String]) -> String {
-    // A blank that is not one keeps a thing together.
+    // A no-break space keeps a thing on one line.
     let things: Vec<String> = things.iter().map(|thing| thing.replace(' ', "\u{a0}")).collect();
     folded(label, &things.join(", ")).replace('\u{a0}', " ")
 }

@@ -7,10 +7,10 @@ use super::plant::Plant;
 use crate::files::scene::{Conflict, Scalar, check_single, check_ticks};
 
 impl Model {
-    /// Checks the rules between values but for those of the blocks of the loop, which take the loop to be built.
+    /// Checks the rules between values, except those of the loop's blocks, which are checked when the loop is built.
     ///
     /// # Errors
-    /// The first rule that is broken, and its key.
+    /// The first broken rule, with its key.
     pub(crate) fn check_rules(&self) -> Result<(), Conflict> {
         check_ticks(self.duration, self.servo_rate)?;
         self.check_initial()?;
@@ -55,7 +55,7 @@ impl Model {
         Ok(())
     }
 
-    /// The conflict that the loop was refused for.
+    /// The conflict at `key` for a parameter that a block of the loop rejected.
     pub(crate) fn refusal(&self, (key, error): (&'static str, ParameterError)) -> Conflict {
         let scalar = if self.scalar == Scalar::F32 { "f32" } else { "f64" };
         if key == "controller.proportional" {

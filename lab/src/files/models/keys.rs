@@ -1,18 +1,18 @@
-//! What messages say about each key of a model file: its unit, and a line that would be right.
+//! The keys of model files for messages: the unit and a correct example line of each.
 
 use crate::files::scene::{Book, Key, key};
 
 /// The keys of model files.
 pub(crate) const BOOK: Book = Book { noun: "model", keys: KEYS, smallest: SMALLEST };
 
-/// A file that holds what is required and nothing else.
+/// The smallest valid file: the required keys only.
 pub(crate) const SMALLEST: &str = "duration = 10.0  # s
 servo_rate = 100.0  # Hz
 initial = [0.5, 0.0]
 [plant.van-der-pol]
 mu = 1.0";
 
-/// Every key and table; a test holds it against the types.
+/// Every key and table; a test compares them with the types.
 pub(crate) const KEYS: &[Key] = &[
     key("duration", "s", "duration = 10.0  # s"),
     key("servo_rate", "Hz", "servo_rate = 1000.0  # Hz"),

@@ -1,7 +1,7 @@
-//! Files of models of plants that are affine in their input.
+//! Model files: control-affine plants.
 //!
-//! A [`Model`] is a document of its own beside the [`Scene`](crate::Scene): nothing of an operator, a device or an
-//! environment applies to it. Both are read in one way, with the same words for what is wrong.
+//! A [`Model`] is a separate kind of file from a [`Scene`](crate::Scene): it has no operator, no device and no
+//! environment. The same reader reads both, with the same messages.
 
 mod check;
 mod keys;

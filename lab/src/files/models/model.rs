@@ -9,10 +9,10 @@ use crate::files::scene::{
     StepsPerTick, schema_of,
 };
 
-/// A control-affine plant under its nominal controller, and what its stabilizers are set to: a model file.
+/// A model file: a control-affine plant under its nominal controller, and the settings of its stabilizers.
 ///
-/// [`Model::parse`] and [`Model::load`] give only models that pass [`Model::check`]. Whoever changes a field afterwards
-/// calls it again.
+/// [`Model::parse`] and [`Model::load`] return only models that pass [`Model::check`]. Call it again after changing a
+/// field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -44,7 +44,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// Whether `text` is meant as a model rather than a scene: it has one of the tables that only models have.
+    /// Whether `text` is meant as a model rather than a scene: it has a table that only models have.
     pub fn is_in(text: &str) -> bool {
         MODEL.is_in(text)
     }
@@ -55,8 +55,8 @@ impl Model {
     }
 }
 
-/// A JSON Schema (draft 7, which editors of TOML know) of model files as the text of a file, made from the types that
-/// read them. The rules between values are [`Model::check`]'s.
+/// The JSON Schema (draft 7, which TOML editors know) of model files as the text of a file, generated from the types
+/// that read them. It lacks the rules between values, which [`Model::check`] checks.
 pub fn schema_text() -> String {
     format!("{:#}\n", schema_of::<Model>())
 }

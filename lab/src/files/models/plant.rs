@@ -1,4 +1,4 @@
-//! The plants that a model file can name.
+//! The plants of model files.
 
 use lyapunov as library;
 use schemars::JsonSchema;
@@ -131,7 +131,7 @@ pub struct Ground {
 }
 
 impl Plant {
-    /// Its name in a model file.
+    /// The name in a model file.
     pub fn name(&self) -> &'static str {
         match self {
             Self::VanDerPol(_) => "van-der-pol",
@@ -159,7 +159,7 @@ impl Plant {
         }
     }
 
-    /// How many inputs it has, each with a gain of its own.
+    /// The number of inputs, each with its own gain.
     pub fn inputs(&self) -> usize {
         match self {
             Self::VanDerPol(_)
@@ -170,12 +170,12 @@ impl Plant {
         }
     }
 
-    /// The unit of its V; empty where it has none.
+    /// The unit of V; empty if V has none.
     pub fn unit_of_value(&self) -> &'static str {
         if let Self::VanDerPol(_) = self { "" } else { "J" }
     }
 
-    /// The unit of its inputs; empty where they have none.
+    /// The unit of the inputs; empty if they have none.
     pub fn unit_of_input(&self) -> &'static str {
         match self {
             Self::VanDerPol(_) => "",
@@ -187,7 +187,7 @@ impl Plant {
 }
 
 impl Limb {
-    /// The limb in the scalar of a loop.
+    /// The library's link for this limb, in the scalar of a loop.
     pub(crate) fn limb<T: library::Scalar>(&self) -> library::models::RigidLink<T> {
         let rod = library::models::RigidLink::rod(T::of(self.mass.get()), T::of(self.length.get()));
         library::models::RigidLink {

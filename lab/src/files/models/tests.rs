@@ -1,11 +1,11 @@
-//! What messages say of model files, held against the types that read them.
+//! The keys of model files in messages, compared with the types that read them.
 
 use super::keys::{BOOK, KEYS, SMALLEST};
 use super::{Model, Plant};
 use crate::files::scene::schema_of;
 use crate::files::scene::tests::{assert_keys_of, merge};
 
-/// A model of `plant` that says what it cannot be without.
+/// The smallest model of `plant`: the required keys only.
 fn smallest(plant: &str) -> toml::Table {
     let mut document: toml::Table = SMALLEST.parse().unwrap();
     let table = KEYS.iter().find(|key| key.path == format!("plant.{plant}")).unwrap();
@@ -47,7 +47,7 @@ fn every_example_in_a_message_is_right() {
 }
 
 #[test]
-fn the_smallest_model_is_one() {
+fn the_smallest_model_is_valid() {
     let model = Model::parse(BOOK.smallest, "test.toml").unwrap();
     assert!(matches!(model.plant, Plant::VanDerPol(_)));
     assert_eq!(model.ticks(), 1000);

@@ -1,24 +1,24 @@
-//! What is known of the keys of one kind of file.
+//! The keys of one kind of file, for its messages.
 
-/// What messages about one kind of file are made of.
+/// The noun, keys and smallest example of one kind of file, for its messages.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Book {
-    /// What such a file holds, in one word.
+    /// One word for the content of such a file.
     pub(crate) noun: &'static str,
     /// Every key and table.
     pub(crate) keys: &'static [Key],
-    /// A file that holds what is required and nothing else.
+    /// The smallest valid file: the required keys only.
     pub(crate) smallest: &'static str,
 }
 
-/// What messages say about a key: its unit, and a line that would be right.
+/// A key with its unit and a correct example line, for messages.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key {
     /// Its name with its table path.
     pub(crate) path: &'static str,
-    /// Its unit; empty where it has none.
+    /// Its unit; empty if it has none.
     pub(crate) unit: &'static str,
-    /// Lines that are right, from within its table; for a table, with its header.
+    /// Correct lines, as written within its table; for a table, with its header.
     pub(crate) example: &'static str,
 }
 
@@ -27,7 +27,7 @@ pub(crate) const fn key(path: &'static str, unit: &'static str, example: &'stati
     Key { path, unit, example }
 }
 
-/// How many keys these tables have together.
+/// The number of keys in all these tables.
 pub(super) const fn count(tables: &[&[Key]]) -> usize {
     let (mut keys, mut table) = (0, 0);
     while table < tables.len() {
@@ -37,7 +37,7 @@ pub(super) const fn count(tables: &[&[Key]]) -> usize {
     keys
 }
 
-/// The keys of these tables, one table after the other, `N` together.
+/// The `N` keys of these tables, one table after the other.
 pub(super) const fn joined<const N: usize>(tables: &[&[Key]]) -> [Key; N] {
     let mut keys = [key("", "", ""); N];
     let (mut next, mut table) = (0, 0);
@@ -55,14 +55,14 @@ pub(super) const fn joined<const N: usize>(tables: &[&[Key]]) -> [Key; N] {
 impl Book {
     /// The entry of a key with this table path.
     pub(super) fn find(&self, path: &str) -> Option<&'static Key> {
-        // What is said of a list is said of each number in it.
+        // The entry of a list also serves each number in it.
         let path = path.split_once('[').map_or(path, |(list, _)| list);
         self.keys.iter().find(|key| key.path == path)
     }
 }
 
 impl Key {
-    /// Whether it is a table, or one that chooses among tables, rather than a value.
+    /// Whether it is a table, or a choice among tables, rather than a value.
     pub(crate) fn is_table(&self) -> bool {
         self.example.starts_with('[')
     }

@@ -7,13 +7,13 @@ use serde::Serialize;
 
 use super::{Draft, Integrator, Motion, Positive, Scalar, Scene};
 
-/// The most ticks that one run may have.
+/// The most ticks of one run.
 const MOST_TICKS: f64 = 1e9;
 
-/// How far servo_rate / environment_rate may lie from a whole number.
+/// The largest allowed distance of servo_rate / environment_rate from a whole number.
 const RATIO_TOLERANCE: f64 = 1e-9;
 
-/// Values of a scene that are each allowed but do not go together.
+/// A conflict between values of a scene that are each allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Conflict {
     key: String,
@@ -31,27 +31,27 @@ impl Conflict {
         Self { key: key.into(), problem: problem.into(), remedy: remedy.into(), asker: None }
     }
 
-    /// The same, because the key `asker` asks for it: its place counts where the key at fault has none.
+    /// The same conflict, caused by the key `asker`, whose place is shown if the key at fault is absent.
     pub(super) fn asked_by(self, asker: &'static str) -> Self {
         Self { asker: Some(asker), ..self }
     }
 
-    /// See [`Conflict::asked_by`].
+    /// The key that causes the conflict; see [`Conflict::asked_by`].
     pub(super) fn asker(&self) -> Option<&'static str> {
         self.asker
     }
 
-    /// The key whose value is to be changed, with its table path.
+    /// The key to change, with its table path.
     pub fn key(&self) -> &str {
         &self.key
     }
 
-    /// What is wrong.
+    /// The problem in words.
     pub fn problem(&self) -> &str {
         &self.problem
     }
 
-    /// What would be right.
+    /// The remedy in words.
     pub fn remedy(&self) -> &str {
         &self.remedy
     }
@@ -66,11 +66,10 @@ impl fmt::Display for Conflict {
 impl std::error::Error for Conflict {}
 
 impl Draft {
-    /// The scene that it is, if it keeps the rules between values but for those of the blocks of its loop, which take the
-    /// loop to be built.
+    /// The scene, if it keeps the rules between values; those of the loop's blocks are checked when the loop is built.
     ///
     /// # Errors
-    /// The first rule that is broken, and its key.
+    /// The first broken rule, with its key.
     pub(crate) fn by_rules(self) -> Result<Scene, Conflict> {
         check_ticks(self.duration, self.servo_rate)?;
         self.check_environment_rate()?;
@@ -118,7 +117,7 @@ impl Draft {
         self.lost_rest().map_or(Ok(()), |(key, value)| Err(lost(key, value)))
     }
 
-    /// The conflict that the loop was refused for.
+    /// The conflict for a parameter that a block of the loop rejected.
     pub(crate) fn out_of_range(&self, error: &ParameterError, scalar: &str) -> Conflict {
         let (operator, device) = (&self.operator, &self.device);
         let mass = ("device.mass", device.mass.get());
@@ -179,7 +178,7 @@ impl Draft {
         Conflict::new(key, problem, remedy)
     }
 
-    /// What else joins in the motion within one period.
+    /// The values of link and grip that also enter the motion within one period.
     fn further_parts(&self) -> Vec<(&'static str, f64)> {
         let link = self.link.iter().flat_map(|link| {
             [("link.stiffness", link.stiffness.get()), ("link.damping", link.damping.get())]
@@ -191,7 +190,7 @@ impl Draft {
         link.chain(grip).collect()
     }
 
-    /// The key that holds what a block refused, and the value there.
+    /// The key of the value that a block rejected, and the value there.
     fn holder(&self, error: &ParameterError) -> Option<(String, f64)> {
         let name = error.parameter.rsplit([' ', '.']).next().unwrap_or(error.parameter);
         let single = self.scalar == Scalar::F32;
@@ -202,7 +201,7 @@ impl Draft {
         })
     }
 
-    /// The first place of a recorded motion that single precision cannot hold.
+    /// The first position of a recorded motion that single precision cannot hold.
     fn lost_rest(&self) -> Option<(String, f64)> {
         let Some(Motion::File { samples, .. }) = &self.operator.motion else {
             return None;
@@ -212,7 +211,7 @@ impl Draft {
     }
 }
 
-/// Checks that there are no more ticks than a run may have, and that there is time between them.
+/// Checks that a run has no more ticks than allowed and that its period is finite.
 pub(crate) fn check_ticks(duration: Positive, servo_rate: Positive) -> Result<(), Conflict> {
     let (duration, rate) = (duration.get(), servo_rate.get());
     if !rate.recip().is_finite() {
@@ -237,7 +236,7 @@ pub(crate) fn check_ticks(duration: Positive, servo_rate: Positive) -> Result<()
 
 /// Checks that single precision can hold every number of `file`.
 pub(crate) fn check_single(file: &impl Serialize) -> Result<(), Conflict> {
-    // Walking the serialized form covers every number, also of tables that are added later.
+    // Walking the serialized form covers every number, including those of tables added later.
     let found = toml::Value::try_from(file).ok().and_then(|file| {
         find(&file, "", &|_, number| {
             let single = number as f32;
@@ -256,13 +255,13 @@ fn lost(key: String, value: f64) -> Conflict {
     )
 }
 
-/// The one of the most unusual size, of values any of which may be wrong.
+/// The value of the most unusual size, where any of the values may be wrong.
 fn standing_out(keys: Vec<(&str, f64)>) -> Option<(&str, f64)> {
     let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
     keys.into_iter().max_by(|one, other| odd(one.1).total_cmp(&odd(other.1)))
 }
 
-/// The first number of a serialized scene that `is` the one looked for, given its key, with its table path.
+/// The first number of a serialized scene for which `is` holds, given its key; with its table path.
 fn find(value: &toml::Value, path: &str, is: &dyn Fn(&str, f64) -> bool) -> Option<(String, f64)> {
     match value {
         toml::Value::Float(number) => is(path, *number).then(|| (path.to_owned(), *number)),

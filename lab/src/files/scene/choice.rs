@@ -1,4 +1,4 @@
-//! One of several: a word in quotes, or the one table that is there.
+//! A choice of one from several: a word in quotes, or the only table given.
 
 use serde::de::value::StrDeserializer;
 use serde::de::{
@@ -10,7 +10,7 @@ use toml::de::{DeTable, DeValue};
 use super::fault::{Fault, Found, Place, Problem};
 use super::reader::{Reader, found, in_order};
 
-/// One of several words, or one of several tables with its content.
+/// One word from several, or one table from several with its content.
 pub(super) struct Choice<'tree, 'text> {
     word: &'tree str,
     place: Place,
@@ -18,12 +18,12 @@ pub(super) struct Choice<'tree, 'text> {
 }
 
 impl<'tree, 'text> Choice<'tree, 'text> {
-    /// A word that was written as the value itself.
+    /// A word written as the value itself.
     pub(super) fn word(word: &'tree str, place: &Place) -> Self {
         Self { word, place: place.clone(), content: None }
     }
 
-    /// The one entry of a table that chooses among several things.
+    /// The only entry of a table that chooses among several things.
     pub(super) fn only_entry(
         table: &'tree DeTable<'text>,
         place: &Place,
@@ -38,7 +38,7 @@ impl<'tree, 'text> Choice<'tree, 'text> {
                 let problem = Problem::SeveralChosen { chosen: chosen.collect(), known };
                 Err(Fault::new(problem).at(&place.spanning(second.span())))
             }
-            // Of several unknown names the first is the fault: most likely they are keys of a table further inside.
+            // Of several unknown names the first is reported: most likely they are keys of an inner table.
             [(key, value), ..] => Ok(Self {
                 word: key.get_ref(),
                 place: place.child(key.get_ref(), key.span()),
@@ -111,7 +111,7 @@ impl<'tree> VariantAccess<'tree> for Choice<'tree, '_> {
     }
 }
 
-/// Lets a visitor read a variant's content as if it were a value of its own.
+/// A seed that lets a visitor read a variant's content as a value of its own.
 struct Visited<V>(V);
 
 impl<'tree, V: Visitor<'tree>> DeserializeSeed<'tree> for Visited<V> {

@@ -1,4 +1,4 @@
-//! A place or a direction in the space of a scene.
+//! Coordinates of a position or a direction in the space of a scene.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -12,27 +12,27 @@ use serde::ser::{Serialize, Serializer};
 
 use super::quantity::Finite;
 
-/// A number in one dimension, a list of numbers in two or three; the origin where none is given.
+/// Coordinates: a number in one dimension, a list of numbers in two or three; the origin if none is given.
 #[derive(Clone, Debug, Default)]
 pub struct Coordinates(Vec<Finite>);
 
 impl Coordinates {
-    /// Along axis `index`; 0 past the last one given.
+    /// The coordinate along axis `index`; 0 past the last one given.
     pub fn axis(&self, index: usize) -> f64 {
         self.0.get(index).map_or(0.0, |value| value.get())
     }
 
-    /// In one dimension.
+    /// The coordinate in one dimension.
     pub fn get(&self) -> f64 {
         self.axis(0)
     }
 
-    /// As a vector of the scalar of a loop.
+    /// The vector in the scalar of a loop.
     pub(crate) fn vector<T: Scalar, const N: usize>(&self) -> SVector<T, N> {
         SVector::from_fn(|index, _| T::of(self.axis(index)))
     }
 
-    /// How many numbers were given.
+    /// The number of coordinates given.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }

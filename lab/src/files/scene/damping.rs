@@ -4,19 +4,19 @@ use lyapunov::{DampingLimit, ParameterError, Scalar};
 
 use super::Draft;
 
-/// What the damping limit `cap · port_mass / T` of a loop is made of.
+/// The factors of a loop's damping limit `cap · port_mass / T`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Damping {
-    /// The share of `port_mass / T`.
+    /// The cap: the limit as a share of `port_mass / T`.
     pub(crate) cap: f64,
-    /// The mass that surely moves with the port, kg.
+    /// The mass guaranteed to move with the port, kg.
     pub(crate) port_mass: f64,
     /// The servo period T, s.
     pub(crate) period: f64,
 }
 
 impl Damping {
-    /// The limit, from numbers in the scalar of the loop.
+    /// The limit in the scalar of the loop.
     pub(crate) fn limit<T: Scalar>(self) -> Result<DampingLimit<T>, ParameterError> {
         Self::limit_of_lanes(|_| self)
     }
@@ -31,13 +31,13 @@ impl Damping {
 }
 
 impl Draft {
-    /// The mass in kg that surely moves with the port: the device's, and the operator's where no link is between them.
+    /// The mass in kg guaranteed to move with the port: the device's, plus the operator's if no link is between them.
     pub fn port_mass(&self) -> f64 {
         let operator = if self.link.is_some() { 0.0 } else { self.operator.mass.get() };
         operator + self.device.mass.get()
     }
 
-    /// What the damping limit of this loop is made of, for a stabilizer with the damping cap `cap`.
+    /// The factors of this loop's damping limit, for a stabilizer with the damping cap `cap`.
     pub(crate) fn damping(&self, cap: f64) -> Damping {
         Damping { cap, port_mass: self.port_mass(), period: self.period() }
     }

@@ -1,4 +1,4 @@
-//! What is wrong with a scene, for a person.
+//! Messages about faults of a scene.
 
 use std::fmt;
 use std::ops::Range;
@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::text::excerpt::Excerpt;
 use crate::text::{folded, printable};
 
-/// Why a scene cannot be read: what is wrong, where, and what would be right.
+/// A fault that keeps a scene from being read: the problem, its place and the remedy.
 ///
 /// `Display` gives the whole message, over several lines and without a final newline; the methods give its parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,7 +59,7 @@ impl Diagnostic {
         &self.0.name
     }
 
-    /// What is wrong, in one line, without its place.
+    /// The problem in one line, without its place.
     pub fn message(&self) -> &str {
         &self.0.message
     }
@@ -69,12 +69,12 @@ impl Diagnostic {
         self.0.key.as_deref()
     }
 
-    /// The value at fault as it stands in the text, cut where it is long.
+    /// The value at fault as it stands in the text, cut if it is long.
     pub fn value(&self) -> Option<&str> {
         self.0.value.as_deref()
     }
 
-    /// The line in the text, from 1; none where the file as a whole is at fault.
+    /// The line in the text, from 1; none if the file as a whole is at fault.
     pub fn line(&self) -> Option<usize> {
         self.0.excerpt.as_ref().map(|excerpt| excerpt.line)
     }
@@ -84,7 +84,7 @@ impl Diagnostic {
         self.0.excerpt.as_ref().map(|excerpt| excerpt.column)
     }
 
-    /// What would be right, one piece of advice each.
+    /// The remedies, one piece of advice each.
     pub fn help(&self) -> &[String] {
         &self.0.help
     }
@@ -111,7 +111,7 @@ impl fmt::Display for Diagnostic {
 
 impl std::error::Error for Diagnostic {}
 
-/// Writes one piece of advice; its first line is folded between words, lines of code below it stay as they are.
+/// Writes one piece of advice: the first line folded between words, the lines of code below it unchanged.
 fn write_advice(formatter: &mut fmt::Formatter<'_>, advice: &str, margin: usize) -> fmt::Result {
     let mut lines = advice.split('\n');
     let label = format!("{:margin$} = ", "");

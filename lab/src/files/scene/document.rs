@@ -1,4 +1,4 @@
-//! From a text in TOML to what it says, checked.
+//! TOML text read into checked values.
 
 use std::ops::Range;
 
@@ -13,8 +13,7 @@ use super::reader::Reader;
 use super::{explain, syntax};
 use crate::text::shorten;
 
-/// What the keys of `text`, which is to be as `book` says, come to once they are `checked`; `name` stands for the text
-/// in messages.
+/// The value that `checked` makes of the keys of `text`, a file of the kind in `book`; messages call the text `name`.
 pub(crate) fn read<Keys, Checked>(
     book: &Book,
     text: &str,
@@ -37,18 +36,18 @@ where
     checked(keys).map_err(|conflict| place(&conflict, &root, text, name))
 }
 
-/// Whether the text has one of these `keys` at its top level, as far as broken text tells.
+/// Whether the text has one of these `keys` at its top level, as far as a broken text can be parsed.
 pub(super) fn names_any(text: &str, keys: &[&str]) -> bool {
     let (table, _) = DeTable::parse_recoverable(without_mark(text));
     keys.iter().any(|key| table.get_ref().contains_key(*key))
 }
 
-/// Some editors write a byte order mark; left in, it would shift every column of the first line.
+/// The text without the byte order mark that some editors write, which would shift every column of the first line.
 fn without_mark(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
-/// The conflict at the place of its key.
+/// The diagnostic of a conflict, at the place of its key.
 fn place(conflict: &Conflict, root: &DeValue<'_>, text: &str, name: &str) -> Diagnostic {
     let asker = || conflict.asker().and_then(|key| span_of(root, key));
     let span = span_of(root, conflict.key()).or_else(asker).unwrap_or_default();
@@ -63,7 +62,7 @@ fn place(conflict: &Conflict, root: &DeValue<'_>, text: &str, name: &str) -> Dia
 fn span_of(root: &DeValue<'_>, path: &str) -> Option<Range<usize>> {
     let mut parts = path.split('.');
     let mut value = root.get(parts.next()?)?;
-    // A key that is not given has the place of its table.
+    // An absent key has the place of its table.
     while let Some(next) = parts.next().and_then(|part| value.get_ref().get(part)) {
         value = next;
     }

@@ -1,4 +1,4 @@
-//! What a scene says, checked or not.
+//! The values of a scene, checked or not.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,8 @@ use super::{
 /// One simulated run: two bodies that move as one, an environment at the port, at most one stabilizer, and the effects
 /// of the sampled loop.
 ///
-/// Each value keeps its own rule; those between values are kept once [`Draft::check`] has made a [`Scene`](super::Scene) of it.
+/// The type of each value holds the rule of that value; [`Draft::check`] checks the rules between values and makes a
+/// [`Scene`](super::Scene).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Keys", into = "Keys")]
 pub struct Draft {
@@ -22,25 +23,25 @@ pub struct Draft {
     /// Rate at which the environment is evaluated in Hz, the servo rate divided by a whole number; default: the servo
     /// rate.
     pub environment_rate: Option<Positive>,
-    /// How the loop obtains the velocity; default: backward difference.
+    /// Velocity source of the loop; default: backward difference.
     pub velocity: Velocity,
     /// Number type the run computes in; default: f64.
     pub scalar: Scalar,
-    /// How the plant moves between two ticks; default: exact.
+    /// Integrator of the plant between two ticks; default: exact.
     pub integrator: Integrator,
     /// The operator's hand; default: all zero.
     pub operator: Operator,
     /// The haptic device; required.
     pub device: Device,
-    /// What joins the two; default: they move as one.
+    /// Link between operator and device; default: they move as one.
     pub link: Option<Link>,
-    /// The space that the scene is in; default: a line.
+    /// Space of the scene; default: a line.
     pub space: Option<Space>,
     /// State of the plant at t = 0; default: at rest at 0.
     pub initial: Initial,
-    /// What the device touches, exactly one; required.
+    /// Environment that the device touches, exactly one; required.
     pub environment: Environment,
-    /// What keeps the loop bounded; default: none.
+    /// Stabilizer, which keeps the loop bounded; default: none.
     pub stabilizer: Option<Stabilizer>,
     /// Imperfections of the loop; default: none.
     pub effects: Effects,
@@ -49,7 +50,7 @@ pub struct Draft {
 impl Draft {
     /// Number of the last tick, N = round(duration · servo_rate), from 0 to 1e9; the run has N + 1 ticks.
     pub fn ticks(&self) -> u64 {
-        // The conversion saturates, so that a draft which was never checked cannot panic here.
+        // The conversion saturates, so that an unchecked draft cannot panic here.
         (self.duration.get() * self.servo_rate.get()).round() as u64
     }
 
@@ -73,13 +74,13 @@ impl Draft {
         self.space.map_or(1, |space| space.dimensions.get().into())
     }
 
-    /// Mass in kg that the damping limit is taken from: the device's, and the operator's where they move as one.
+    /// Mass in kg for the damping limit: the device's, plus the operator's if they move as one.
     pub fn mass(&self) -> f64 {
         let operator = if self.link.is_some() { 0.0 } else { self.operator.mass.get() };
         operator + self.device.mass.get()
     }
 
-    /// The tick from which on an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
+    /// The first tick at which an event at an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
     pub fn tick_of(&self, instant: f64) -> u64 {
         lyapunov::trajectories::tick_of(instant, self.servo_rate.get())
     }

@@ -1,4 +1,4 @@
-//! The imperfections of a loop, and what disturbs it.
+//! Imperfections and disturbances of a loop.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -124,7 +124,7 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// The force that holds the device at rest, N, with its default in place.
+    /// The force that holds the device at rest, N, or its default.
     pub fn breakaway(&self) -> f64 {
         self.breakaway.unwrap_or(self.coulomb).get()
     }

@@ -1,19 +1,19 @@
-//! Puts a fault into words: what is wrong, and what would be right.
+//! Faults in words: the problem and the remedy.
 
 use super::book::{Book, Key};
 use super::diagnostic::Diagnostic;
 use super::fault::{Fault, Found, Place, Problem};
 use crate::text::{nearest, shorten};
 
-/// The most places named where a key is at home.
+/// The most tables named for a misplaced key.
 const MOST_HOMES: usize = 3;
 
-/// A fault of the text in words.
+/// The message of a fault in the text.
 pub(super) fn explain(book: &Book, fault: Fault, text: &str, name: &str) -> Diagnostic {
     let (problem, mut place) = fault.into_parts();
     let path = place.path();
     if path.is_empty() {
-        // The text as a whole has no bytes of its own to mark; its first line that says something stands for it.
+        // A fault of the whole text has no span of its own; it marks the first line that is not blank.
         let first = text.len() - text.trim_start().len();
         place.span = first..first;
     }
@@ -82,12 +82,12 @@ fn unknown_key(
     diagnostic.with_help(format!("known keys here: {}", known.join(", ")))
 }
 
-/// Where a key that stands in the wrong table belongs.
+/// The tables to which a misplaced key belongs, in words.
 fn home(book: &Book, place: &Place) -> Option<String> {
     let path = place.path();
     let mut homes: Vec<&Key> =
         book.keys.iter().filter(|key| key.name() == place.name && key.path != path).collect();
-    // Who writes a key into a table most likely means one of the tables in it.
+    // A misplaced key most likely belongs to an inner table of the one it stands in.
     let within = format!("{}.", place.table);
     homes.sort_by_key(|key| !key.path.starts_with(&within));
     homes.truncate(MOST_HOMES);
@@ -206,7 +206,7 @@ fn several(
     diagnostic
 }
 
-/// Adds the unit of the key and a line that would be right.
+/// The diagnostic with the unit of the key and a correct example line.
 pub(super) fn with_example(book: &Book, diagnostic: Diagnostic, path: &str) -> Diagnostic {
     match book.find(path) {
         None => diagnostic,
@@ -232,7 +232,7 @@ fn headers(book: &Book, path: &str, known: &[&'static str]) -> String {
     headers.join(", ")
 }
 
-/// A text as it stands in the file without its quotes.
+/// A text of the file without its quotes.
 fn bare(given: &str) -> &str {
     given.trim_matches(['"', '\''])
 }
@@ -256,7 +256,7 @@ fn source(text: &str, place: &Place) -> String {
     shorten(text.get(place.span.clone()).unwrap_or_default())
 }
 
-/// A path whose parts are each fit for a sentence.
+/// A path with each part shortened for a sentence.
 pub(super) fn shorten_path(path: &str) -> String {
     let parts: Vec<_> = path.split('.').take(6).map(shorten).collect();
     parts.join(".")

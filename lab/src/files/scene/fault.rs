@@ -1,12 +1,12 @@
-//! What the deserializer found wrong, before it is put into words.
+//! Faults that the deserializer finds, before they are put into words.
 
 use std::fmt;
 use std::ops::Range;
 
 use serde::de;
 
-/// Where a key or value stands: the table path, the name in that table, and the bytes in the text. The name is apart
-/// from the path because a quoted name may hold a point.
+/// The place of a key or value: the table path, the name in that table, and the bytes in the text. The name is separate
+/// from the path because a quoted name may contain a point.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Place {
     pub(super) table: String,
@@ -20,7 +20,7 @@ impl Place {
         Self { table: self.path(), name: key.to_owned(), span }
     }
 
-    /// The same key at other bytes, as those of its value.
+    /// The same key with another span, such as that of its value.
     pub(super) fn spanning(&self, span: Range<usize>) -> Self {
         Self { span, ..self.clone() }
     }
@@ -35,10 +35,10 @@ impl Place {
     }
 }
 
-/// What a value is, and where it is short enough to repeat, what introduces it in a sentence.
+/// The kind of a value in words, which introduce the value if it is short enough to repeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
-    /// A value to be repeated after these words.
+    /// A value to repeat after these words.
     Value(&'static str),
     /// A list or a table.
     Structure(&'static str),
@@ -51,21 +51,21 @@ pub(super) enum Problem {
     UnknownKey { known: &'static [&'static str] },
     /// A word that is none of the allowed ones.
     UnknownWord { known: &'static [&'static str] },
-    /// A required key that is absent from the table at the fault's place.
+    /// A required key absent from the table at the fault's place.
     Missing { key: &'static str },
-    /// A value of another kind.
+    /// A value of the wrong kind.
     WrongKind { expected: &'static str, found: Found },
     /// Something other than a word where one of these words belongs.
     NotWord { known: &'static [&'static str], found: Found },
-    /// A value of the right kind that its quantity refuses; the sentence goes on after the key.
+    /// A value of the right kind that its quantity rejects; the sentence continues after the key.
     Refused { sentence: String },
-    /// A table that chooses one of several things and holds none of them.
+    /// A table that must choose one of several things and holds none of them.
     NoneChosen { known: &'static [&'static str] },
-    /// A table that chooses one of several things and holds more than one.
+    /// A table that must choose one of several things and holds more than one.
     SeveralChosen { chosen: Vec<String>, known: &'static [&'static str] },
 }
 
-/// A problem, and its place once that is known.
+/// A problem, with its place once known.
 #[derive(Clone, Debug)]
 pub(super) struct Fault(Box<(Problem, Option<Place>)>);
 
@@ -74,7 +74,7 @@ impl Fault {
         Self(Box::new((problem, None)))
     }
 
-    /// Places the fault, unless a part further inside has done so already.
+    /// The fault at this place, unless an inner part has already placed it.
     pub(super) fn at(mut self, place: &Place) -> Self {
         self.0.1.get_or_insert_with(|| place.clone());
         self

@@ -1,4 +1,4 @@
-//! How the plant of a scene moves.
+//! Integrators of a scene's plant.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use super::Scalar;
 use super::check::Conflict;
 use super::quantity::{Positive, StepsPerTick};
 
-/// How the plant moves from one tick to the next, and with what accuracy.
+/// The method that moves the plant from one tick to the next, and its accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Integrator {
     /// The exact solution under the force held over the period.
@@ -28,14 +28,16 @@ pub enum Integrator {
         /// Equal steps over each period.
         steps_per_tick: StepsPerTick,
     },
-    /// Dormand and Prince's pair of orders 5 and 4, with steps of its own choice.
+    /// Dormand and Prince's pair of orders 5 and 4, with adaptive steps.
     Dopri5 {
-        /// Most estimated error of a step: in m and m/s, and of the size of each place and velocity.
+        /// Largest estimated error of a step: absolute in m and m/s, and relative to the size of each position and
+        /// velocity.
         tolerance: Positive,
     },
-    /// Dormand and Prince's method of order 8, with steps of its own choice.
+    /// Dormand and Prince's method of order 8, with adaptive steps.
     Dop853 {
-        /// Most estimated error of a step: in m and m/s, and of the size of each place and velocity.
+        /// Largest estimated error of a step: absolute in m and m/s, and relative to the size of each position and
+        /// velocity.
         tolerance: Positive,
     },
 }
@@ -61,7 +63,7 @@ pub(super) enum Method {
 }
 
 impl Integrator {
-    /// The integrator that three keys of a scene in `scalar` name together.
+    /// The integrator given by three keys of a scene in `scalar`.
     pub(super) fn of(
         method: Method,
         steps: Option<StepsPerTick>,
@@ -92,7 +94,7 @@ impl Integrator {
         }
     }
 
-    /// The keys that name it.
+    /// The values of its three keys.
     pub(super) fn keys(self) -> (Method, Option<StepsPerTick>, Option<Positive>) {
         match self {
             Self::Exact => (Method::Exact, None, None),
@@ -108,7 +110,7 @@ impl Integrator {
         }
     }
 
-    /// That it cannot follow the motion over one period.
+    /// The conflict of an integrator that cannot follow the motion over one period.
     pub(super) fn overtaxed(self, scalar: &str) -> Conflict {
         let (limit, remedy) = match self.tolerance() {
             Some(_) => ("it takes more than 100000 steps, or ", "give a larger `tolerance`"),
@@ -131,12 +133,12 @@ impl Integrator {
         self.keys().0.word()
     }
 
-    /// Equal steps over each period, of one that takes such.
+    /// Equal steps over each period; none if it does not take such steps.
     pub fn steps_per_tick(self) -> Option<u32> {
         self.keys().1.map(StepsPerTick::get)
     }
 
-    /// The tolerance of one that chooses its steps by it.
+    /// The tolerance; none if the integrator is not adaptive.
     pub fn tolerance(self) -> Option<f64> {
         self.keys().2.map(Positive::get)
     }
@@ -159,7 +161,7 @@ impl Method {
     }
 }
 
-/// A key that says nothing to `method`.
+/// The conflict of a key that does not apply to `method`.
 fn astray(key: &str, method: Method, remedy: &str) -> Conflict {
     let steps = match method {
         Method::Exact => "takes one step of any length",
@@ -173,7 +175,7 @@ fn astray(key: &str, method: Method, remedy: &str) -> Conflict {
     )
 }
 
-/// What adaptive integrators take where a scene names no tolerance.
+/// The tolerance of an adaptive integrator for which the scene gives none.
 fn default_tolerance(scalar: Scalar) -> Positive {
     const DOUBLE: Positive = Positive::known(1e-9);
     const SINGLE: Positive = Positive::known(1e-6);

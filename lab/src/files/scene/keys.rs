@@ -1,4 +1,4 @@
-//! What messages say about each key: its unit, and a line that would be right.
+//! The keys of scene files for messages: the unit and a correct example line of each.
 
 use super::book::{Book, Key, count, joined, key};
 use super::environments;
@@ -6,7 +6,7 @@ use super::environments;
 /// The keys of scene files.
 pub(crate) const BOOK: Book = Book { noun: "scene", keys: KEYS, smallest: SMALLEST };
 
-/// A file that holds what is required and nothing else.
+/// The smallest valid file: the required keys only.
 pub(super) const SMALLEST: &str = "duration = 1.0  # s
 servo_rate = 1000.0  # Hz
 [device]
@@ -14,12 +14,12 @@ mass = 0.2  # kg
 [environment.wall]
 stiffness = 8000.0  # N/m";
 
-/// Every key and table; a test holds it against the types.
+/// Every key and table; a test compares them with the types.
 pub(super) const KEYS: &[Key] = &joined::<{ count(TABLES) }>(TABLES);
 
 const TABLES: &[&[Key]] = &[LOOP, environments::KEYS, WATCHING];
 
-/// What there is before the environments.
+/// The keys before the environments.
 const LOOP: &[Key] = &[
     key("duration", "s", "duration = 10.0  # s"),
     key("servo_rate", "Hz", "servo_rate = 1000.0  # Hz"),
@@ -64,7 +64,7 @@ const LOOP: &[Key] = &[
     key("environment", "", "[environment.wall]\nstiffness = 8000.0  # N/m"),
 ];
 
-/// From the stabilizer on.
+/// The keys from the stabilizer on.
 const WATCHING: &[Key] = &[
     key("stabilizer", "", "[stabilizer.popc]\ndamping_cap = 0.5  # m / T"),
     key("stabilizer.lolc", "", "[stabilizer.lolc]\ndamping_cap = 0.5  # m / T"),
@@ -120,12 +120,12 @@ const WATCHING: &[Key] = &[
     key("effects.pulse.force", "N", "force = 2.0  # N"),
 ];
 
-/// The keys of values that have a unit or are known to be numbers, tables and words apart.
+/// The keys of numbers: all but those of tables and words.
 pub(crate) fn number_keys() -> impl Iterator<Item = &'static str> {
     KEYS.iter().filter(|key| !key.is_table() && !key.example.contains('"')).map(|key| key.path)
 }
 
-/// The unit of a key of a scene; empty where it has none.
+/// The unit of a key of a scene; empty if it has none.
 pub(crate) fn unit(key: &str) -> &'static str {
     BOOK.find(key).map_or("", |key| key.unit)
 }

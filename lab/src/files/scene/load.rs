@@ -1,4 +1,4 @@
-//! The text of a file, and what kind of file it is.
+//! The text and the kind of a file.
 
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -11,12 +11,12 @@ use super::document::names_any;
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 20;
 
-/// A kind of file that is no scene.
+/// A kind of file other than a scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kind {
-    /// What such a file is, with its article.
+    /// The noun for such a file, with its article.
     pub(crate) noun: &'static str,
-    /// The tables that tell it, which no other kind has.
+    /// The tables that no other kind has.
     tables: &'static [&'static str],
 }
 
@@ -29,13 +29,13 @@ pub(crate) const TELEOPERATOR: Kind =
     Kind { noun: "a teleoperator", tables: &["master", "slave", "coordination", "channel"] };
 
 impl Kind {
-    /// Whether `text` is meant as such a file, as far as broken text tells.
+    /// Whether `text` is meant as such a file, as far as a broken text can be parsed.
     pub(crate) fn is_in(self, text: &str) -> bool {
         names_any(text, self.tables)
     }
 }
 
-/// The text of a file of at most 1 MiB, which is to be as `book` says.
+/// The text of a file of the kind in `book`, of at most 1 MiB.
 pub(crate) fn text_of(book: &Book, path: &Path) -> Result<String, Diagnostic> {
     let name = path.display().to_string();
     let bytes = read(book, path, &name)?;
@@ -46,7 +46,7 @@ pub(crate) fn text_of(book: &Book, path: &Path) -> Result<String, Diagnostic> {
     }
 }
 
-/// What would be right instead.
+/// The remedy: the path of the right kind of file.
 fn expected(book: &Book) -> String {
     format!("give the path of a {} file, a text in TOML", book.noun)
 }
@@ -61,7 +61,7 @@ fn read(book: &Book, path: &Path, name: &str) -> Result<Vec<u8>, Diagnostic> {
         return Err(too_large(book, name, &format!("{} bytes", metadata.len())));
     }
     let mut bytes = Vec::new();
-    // A device tells no size, and a file may grow: one byte more than allowed settles it.
+    // A device reports no size, and a file may grow: reading one byte beyond the limit detects both.
     File::open(path)
         .and_then(|file| file.take(LIMIT + 1).read_to_end(&mut bytes))
         .map_err(refuse)?;

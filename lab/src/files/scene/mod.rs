@@ -1,15 +1,15 @@
-//! Scene files: what is simulated, for how long and under which stabilizer, as TOML in SI units.
+//! Scene files: the simulated loop, its duration and its stabilizer, as TOML in SI units.
 //!
-//! [`Scene::load`] reads a file and [`Scene::parse`] a text; both give either a scene in which every rule holds, or one
-//! [`Diagnostic`] that names the key, its place, the value given and what would be right.
+//! [`Scene::load`] reads a file and [`Scene::parse`] a text; both return either a scene that keeps every rule, or one
+//! [`Diagnostic`] that names the key, its place, the given value and the remedy.
 //!
-//! The text is read in two steps. The `toml` crate turns it into a tree that knows the place of every key; a
-//! deserializer of this module's own then hands that tree to serde. The alternative, `toml::from_str`, reports a
-//! fault as a sentence in serde's words, from which key, value and remedy would have to be guessed back.
+//! The text is read in two steps. The `toml` crate parses it into a tree with the place of every key; then this
+//! module's own deserializer hands that tree to serde. The alternative, `toml::from_str`, reports a fault as a sentence
+//! in serde's words, from which key, value and remedy would have to be guessed.
 //!
-//! A rule about one value lives in the type of that value ([`Positive`], [`NonNegative`], [`Finite`], [`Cap`],
-//! [`DelayTicks`] and so on); the rules between values live in [`Draft::check`], the only way to a [`Scene`]. Who wants another
-//! scene changes a draft of it: [`Scene::to_draft`].
+//! The type of a value holds the rule of that value ([`Positive`], [`NonNegative`], [`Finite`], [`Cap`], [`DelayTicks`]
+//! and so on). [`Draft::check`], the only way to a [`Scene`], checks the rules between values. To change a scene,
+//! change a draft of it: [`Scene::to_draft`].
 //!
 //! ```
 //! use lyapunov_lab::scene::Scene;
@@ -91,9 +91,9 @@ use std::ops::Deref;
 
 use serde::Serialize;
 
-/// One simulated run that keeps every rule: a [`Draft`] that was checked.
+/// A checked [`Draft`]: one simulated run that keeps every rule.
 ///
-/// It reads like its draft and cannot be changed:
+/// It dereferences to its draft and cannot be changed:
 ///
 /// ```
 /// use lyapunov_lab::scene::{Positive, Scene};
@@ -127,7 +127,7 @@ impl Deref for Scene {
 }
 
 impl Scene {
-    /// What the scene says, to be changed and checked again.
+    /// A copy of the draft, to be changed and checked again.
     pub fn to_draft(&self) -> Draft {
         self.0.clone()
     }

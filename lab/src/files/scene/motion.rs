@@ -17,7 +17,7 @@ const KEY: &str = "operator.motion.path";
 const EXPECTED: &str = "a motion is CSV with the columns t,rest in s and m, t increasing";
 
 impl Draft {
-    /// Reads the recorded motion that the scene names, if it names one; its path is taken from `folder`.
+    /// Reads the recorded motion that the scene names, if it names one; its path is relative to `folder`.
     pub(crate) fn read_motion(&mut self, folder: &Path) -> Result<(), Conflict> {
         let Some(Motion::File { path, samples }) = &mut self.operator.motion else {
             return Ok(());

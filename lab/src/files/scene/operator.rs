@@ -1,4 +1,4 @@
-//! The operator's hand, and what it does.
+//! The operator's hand and its motion.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -65,7 +65,7 @@ pub enum Motion {
         /// A CSV file with the columns t,rest in s and m, linear between rows and constant outside them; its path is
         /// taken from the folder of the scene; required.
         path: PathBuf,
-        /// What the file holds.
+        /// The rows of the file: t in s and rest in m.
         #[serde(skip)]
         samples: Arc<[(f64, f64)]>,
     },
@@ -94,7 +94,8 @@ enum Kind {
 }
 
 impl<'de> Deserialize<'de> for Motion {
-    /// By hand, so that faults keep their place: a tagged enum derived would read all keys before the first is judged.
+    /// Written by hand so that faults keep their place: a derived tagged enum reads all keys before it checks the
+    /// first.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let Keys { kind, at, to, rate, amplitude, frequency, path } =
             Keys::deserialize(deserializer)?;

@@ -1,4 +1,4 @@
-//! Numbers that were checked when they were made, so that a field's type is its rule.
+//! Numbers checked when they are made, so that a field's type is its rule.
 
 use std::fmt;
 
@@ -32,7 +32,7 @@ impl fmt::Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
-/// Writes the rule of a quantity into the schema where the quantity stands.
+/// The schema of a quantity: its rule, inline wherever the quantity stands.
 macro_rules! schema {
     ($name:ident, $schema:tt) => {
         impl JsonSchema for $name {
@@ -66,7 +66,7 @@ macro_rules! quantity {
             pub fn new(value: f64) -> Result<Self, OutOfRange> {
                 let accepts: fn(f64) -> bool = $accepts;
                 if accepts(value) {
-                    // The sum turns -0.0 into 0.0, whose sign would otherwise travel into the results.
+                    // The sum turns -0.0 into 0.0, whose sign would otherwise reach the results.
                     Ok(Self(value + 0.0))
                 } else {
                     Err(OutOfRange { rule: $rule, value: Given::Real(value) })
@@ -106,7 +106,7 @@ quantity!(
 );
 
 impl Positive {
-    /// A number that is known to be right when the program is compiled.
+    /// A number checked when the program is compiled.
     pub(super) const fn known(value: f64) -> Self {
         assert!(value > 0.0 && value.is_finite(), "above 0 and finite");
         Self(value)
@@ -135,7 +135,7 @@ quantity!(
     /// A limit of 0 or more; infinity means that there is no limit.
     Cap,
     "0 or greater (inf is allowed)",
-    // JSON has no infinity: what turns TOML into JSON hands it on as null.
+    // JSON has no infinity: converters from TOML to JSON write null.
     { "anyOf": [{ "type": "number", "minimum": 0 }, { "const": null }] },
     |value| value >= 0.0
 );
@@ -210,7 +210,7 @@ whole!(
 );
 
 whole!(
-    /// The whole servo ticks from one call of a controller to the next.
+    /// The interval from one call of a controller to the next, in whole servo ticks.
     HoldTicks,
     u16,
     "a whole number from 1 to 1024",
@@ -258,7 +258,7 @@ whole!(
 );
 
 whole!(
-    /// The seed of a random effect, as large as a whole number of TOML can be.
+    /// The seed of a random effect, up to the largest whole number of TOML.
     Seed,
     u64,
     "a whole number of 0 or more",
@@ -266,7 +266,7 @@ whole!(
     0..=u64::MAX
 );
 
-/// Exactly two, in a list.
+/// A list of exactly two values.
 pub(crate) fn two<'de, D, T>(deserializer: D) -> Result<[T; 2], D::Error>
 where
     D: Deserializer<'de>,

@@ -1,4 +1,4 @@
-//! Hands a TOML tree to serde and keeps, for every fault, the place and the kind.
+//! A deserializer that hands a TOML tree to serde and keeps the place and kind of every fault.
 
 use std::vec;
 
@@ -178,7 +178,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     }
 }
 
-/// What a value is.
+/// The kind of a value.
 pub(super) fn found(value: &DeValue<'_>) -> Found {
     match value {
         DeValue::String(_) => Found::Value("the text"),
@@ -194,7 +194,7 @@ pub(super) fn found(value: &DeValue<'_>) -> Found {
 pub(super) type Entry<'tree, 'text> =
     (&'tree Spanned<DeString<'text>>, &'tree Spanned<DeValue<'text>>);
 
-/// The entries in the order of the text, so that the first fault in the file is the one reported.
+/// The entries in the order of the text, so that the first fault in the file is reported.
 pub(super) fn in_order<'tree, 'text>(table: &'tree DeTable<'text>) -> Vec<Entry<'tree, 'text>> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);

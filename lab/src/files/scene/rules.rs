@@ -5,7 +5,7 @@ use super::environments::NAMES;
 use super::{Draft, Friction, Integrator, Velocity};
 
 impl Draft {
-    /// The rules of each table whose values must fit each other or another table.
+    /// Checks each table whose values must fit each other or another table.
     pub(super) fn check_tables(&self) -> Result<(), Conflict> {
         self.check_filter()?;
         self.effects.friction.map_or(Ok(()), check_friction)?;
@@ -90,7 +90,7 @@ impl Draft {
             ("initial.velocity".to_owned(), self.initial.velocity.len()),
             ("operator.rest".to_owned(), self.operator.rest.len()),
         ];
-        // None given is the origin, or rest.
+        // An absent vector is the origin, or rest.
         vectors.retain(|(_, length)| *length != 0);
         let (name, kind) = (self.environment.name(), self.environment.kind());
         let own = kind.vectors().into_iter();

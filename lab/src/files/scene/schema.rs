@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 
 use super::written::Keys;
 
-/// A JSON Schema (draft 7, which editors of TOML know) of scene files, made from the types that read them.
+/// The JSON Schema (draft 7, which TOML editors know) of scene files, generated from the types that read them.
 ///
 /// It holds the keys, their types and the range of each value; the rules between values are [`Draft::check`](super::Draft::check)'s.
 pub fn schema() -> Value {
@@ -25,7 +25,7 @@ pub(crate) fn schema_of<K: JsonSchema>() -> Value {
     settings.into_generator().into_root_schema_for::<K>().to_value()
 }
 
-/// Takes out what a TOML file cannot say, and what an editor has no use for.
+/// Removal of what a TOML file cannot express and of what an editor has no use for.
 #[derive(Clone, Debug)]
 struct AsInToml;
 
@@ -34,11 +34,11 @@ impl Transform for AsInToml {
         if let Some(map) = schema.as_object_mut() {
             without_null(map);
             describe_the_only_key(map);
-            // A default that is null or a whole table says no more than the key's absence does.
+            // A default that is null or a whole table adds nothing to the key's absence.
             if map.get("default").is_some_and(|value| value.is_null() || value.is_object()) {
                 map.remove("default");
             }
-            // The lines of a comment are folded for a screen of code.
+            // The line breaks come from comments wrapped for source code.
             if let Some(Value::String(text)) = map.get_mut("description") {
                 *text = text.replace('\n', " ");
             }
@@ -47,7 +47,7 @@ impl Transform for AsInToml {
     }
 }
 
-/// What is said of a choice, at the key by which it is chosen, where an editor shows it.
+/// Copies the description of a choice to the key that makes it, where an editor shows it.
 fn describe_the_only_key(map: &mut Map<String, Value>) {
     let description = map.get("description").cloned();
     let keys = map.get_mut("properties").and_then(Value::as_object_mut);
@@ -60,7 +60,7 @@ fn describe_the_only_key(map: &mut Map<String, Value>) {
     }
 }
 
-/// A key that may be absent, as TOML has it, in place of one that may be null.
+/// Replaces a key that may be null by one that may be absent, because TOML has no null.
 fn without_null(map: &mut Map<String, Value>) {
     if let Some(Value::Array(types)) = map.get_mut("type") {
         types.retain(|name| name != "null");
@@ -71,7 +71,7 @@ fn without_null(map: &mut Map<String, Value>) {
     }
     if let Some(Value::Array(mut choices)) = map.remove("anyOf") {
         choices.retain(|choice| choice.get("type") != Some(&Value::from("null")));
-        // What stands beside a reference counts for nothing in draft 7, so the reference stands in a list.
+        // Draft 7 ignores whatever stands beside a reference, so the reference stands in a list.
         let word = if choices.len() == 1 { "allOf" } else { "anyOf" };
         map.insert(word.to_owned(), choices.into());
     }

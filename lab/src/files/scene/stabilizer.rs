@@ -1,4 +1,4 @@
-//! What keeps a loop bounded.
+//! The stabilizers of scene files.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

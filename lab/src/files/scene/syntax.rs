@@ -1,4 +1,4 @@
-//! Text that is not TOML, in plain words.
+//! Messages about text that is not TOML, in plain words.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use crate::text::shorten;
 const NUMBERS: &str =
     "a number is written as 0.5, -4e-3, 100 or inf, without a unit, spaces or a comma";
 
-/// How the parser's message begins, what to say instead, and what would be right.
+/// The beginning of a parser's message, the message in its place, and the remedy.
 const SENTENCES: &[(&str, &str, &str)] = &[
     ("unexpected key or value", "the line should end here", "one key or one [table] on each line"),
     (
@@ -85,13 +85,13 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// The parser's message for a key or table that is there already.
+/// The parser's message for a key or table given twice.
 const DUPLICATE: &str = "duplicate key";
 
-/// How the parser's message begins where a value is none of TOML's.
+/// The beginnings of the parser's messages for a value that TOML does not know.
 const BARE_VALUES: &[&str] = &["string values must be quoted", "invalid boolean", "invalid float"];
 
-/// The parser's error in words.
+/// The message of a parser's error.
 pub(super) fn explain(book: &Book, error: &toml::de::Error, text: &str, name: &str) -> Diagnostic {
     let span = error.span().unwrap_or_default();
     let given = text.get(span.clone()).unwrap_or_default().trim();
@@ -125,7 +125,7 @@ fn decimal_comma(value: &str) -> bool {
     value.contains(',') && value.chars().all(part)
 }
 
-/// What was meant by a bare value that TOML does not know.
+/// The problem and the remedy of a bare value that TOML does not know.
 fn unquoted(given: &str, value: &str) -> (String, String) {
     if given.is_empty() {
         let help = "write `key = value` on one line".to_owned();
@@ -158,14 +158,14 @@ fn sentence(book: &Book, message: &str) -> (String, String) {
     }
 }
 
-/// The same place, moved back from the end of the file to the last line that holds something.
+/// The same span, moved back from the end of the file to the last line that is not blank.
 fn visible(text: &str, span: Range<usize>) -> Range<usize> {
     let written = text.trim_end().len();
     if span.start > written { written..written } else { span }
 }
 
-/// The key and the value of the line with this byte, as far as broken text tells; the key has the table path of the
-/// header above it.
+/// The key and the value of the line with this byte, as far as a broken text can be parsed; the key has the table path
+/// of the header above it.
 fn assignment_at(text: &str, offset: usize) -> Option<(String, &str)> {
     let start = text[..boundary(text, offset)].rfind('\n').map_or(0, |newline| newline + 1);
     let line = text[start..].lines().next().unwrap_or_default();

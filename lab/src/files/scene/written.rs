@@ -1,4 +1,4 @@
-//! A scene as its file writes it.
+//! The keys of a scene file.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use super::{
     Space, Stabilizer, StepsPerTick, Velocity,
 };
 
-/// The keys of a scene file. Three of them are one value of a [`Draft`]: its integrator.
+/// The keys of a scene file, three of which give one value of a [`Draft`]: its integrator.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(

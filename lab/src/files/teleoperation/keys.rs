@@ -1,11 +1,11 @@
-//! What messages say about each key of a teleoperator file: its unit, and a line that would be right.
+//! The keys of teleoperator files for messages: the unit and a correct example line of each.
 
 use crate::files::scene::{Book, Key, key};
 
 /// The keys of teleoperator files.
 pub(crate) const BOOK: Book = Book { noun: "teleoperator", keys: KEYS, smallest: SMALLEST };
 
-/// A file that holds what is required and nothing else.
+/// The smallest valid file: the required keys only.
 pub(crate) const SMALLEST: &str = "duration = 5.0  # s
 servo_rate = 1000.0  # Hz
 [master]
@@ -18,7 +18,7 @@ mass = 0.3  # kg
 stiffness = 200.0  # N/m
 damping = 5.0  # N.s/m";
 
-/// Every key and table; a test holds it against the types.
+/// Every key and table; a test compares them with the types.
 pub(crate) const KEYS: &[Key] = &[
     key("duration", "s", "duration = 5.0  # s"),
     key("servo_rate", "Hz", "servo_rate = 1000.0  # Hz"),

@@ -1,6 +1,6 @@
-//! Files of teleoperators: a master in a hand and a slave before a wall, joined by a channel.
+//! Teleoperator files: a master in a hand and a slave before a wall, joined by a channel.
 //!
-//! A [`Teleoperator`] is a document of its own beside the [`Scene`](crate::Scene): it has two devices, a channel between
+//! A [`Teleoperator`] is a separate kind of file from a [`Scene`](crate::Scene): it has two devices, a channel between
 //! them and a port at each end. docs/teleoperation.md has its equations.
 
 mod check;

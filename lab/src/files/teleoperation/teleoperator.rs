@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 use super::parts::{Channel, Coordination, Master, Slave, Stabilizer};
 use crate::files::scene::{Positive, Scalar, TELEOPERATOR, schema_of};
 
-/// A master and a slave joined by a channel, and what their stabilizers are set to: a teleoperator file.
+/// A teleoperator file: a master and a slave joined by a channel, and the settings of their stabilizers.
 ///
-/// [`Teleoperator::parse`] and [`Teleoperator::load`] give only what passes [`Teleoperator::check`]. Whoever changes a
-/// field afterwards calls it again.
+/// [`Teleoperator::parse`] and [`Teleoperator::load`] return only teleoperators that pass [`Teleoperator::check`]. Call
+/// it again after changing a field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -39,7 +39,7 @@ pub struct Teleoperator {
 }
 
 impl Teleoperator {
-    /// Whether `text` is meant as a teleoperator: it has one of the tables that only these have.
+    /// Whether `text` is meant as a teleoperator: it has a table that only teleoperators have.
     pub fn is_in(text: &str) -> bool {
         TELEOPERATOR.is_in(text)
     }
@@ -49,20 +49,20 @@ impl Teleoperator {
         (self.duration.get() * self.servo_rate.get()).round() as u64
     }
 
-    /// What the hand's spring stores at the start, J: all the energy that there is.
+    /// The energy stored in the hand's spring at the start, J: all the energy of the system.
     pub fn stored_at_start(&self) -> f64 {
         let start = self.master.start.get();
         0.5 * self.master.hand_stiffness.get() * start * start
     }
 
-    /// The impedance of the wave variables, with its default in place, N·s/m.
+    /// The impedance of the wave variables, or its default, N·s/m.
     pub fn wave_impedance(&self) -> f64 {
         self.stabilizer.wave_impedance.map_or(self.coordination.damping.get(), Positive::get)
     }
 }
 
-/// A JSON Schema (draft 7, which editors of TOML know) of teleoperator files as the text of a file, made from the types
-/// that read them. The rules between values are [`Teleoperator::check`]'s.
+/// The JSON Schema (draft 7, which TOML editors know) of teleoperator files as the text of a file, generated from the
+/// types that read them. It lacks the rules between values, which [`Teleoperator::check`] checks.
 pub fn schema_text() -> String {
     format!("{:#}\n", schema_of::<Teleoperator>())
 }

@@ -1,4 +1,4 @@
-//! What messages say of teleoperator files, held against the types that read them.
+//! The keys of teleoperator files in messages, compared with the types that read them.
 
 use super::Teleoperator;
 use super::keys::{BOOK, KEYS, SMALLEST};
@@ -32,7 +32,7 @@ fn every_example_in_a_message_is_right() {
 }
 
 #[test]
-fn the_smallest_teleoperator_is_one() {
+fn the_smallest_teleoperator_is_valid() {
     let smallest = Teleoperator::parse(BOOK.smallest, "test.toml").unwrap();
     assert_eq!((smallest.ticks(), smallest.wave_impedance()), (5000, 5.0));
     assert_abs_diff_eq!(smallest.stored_at_start(), 5e-3, epsilon = 1e-18);

@@ -39,7 +39,7 @@ pub(super) const KEYS: &[Key] = &[
 
 impl EnvironmentKind for HuntCrossley {
     fn impedance(&self) -> Option<Impedance<f64>> {
-        // Its damper does not act yet at the surface.
+        // The damper does not act at the surface, where the depth is 0.
         (self.exponent.get() == 1.0).then(|| spring_and_damper(self.stiffness, 0.0))
     }
 

@@ -1,4 +1,4 @@
-//! What every kind of environment answers.
+//! The interface of every kind of environment.
 
 use std::fmt;
 
@@ -10,42 +10,42 @@ use crate::files::scene::Draft;
 use crate::files::scene::check::Conflict;
 use crate::files::scene::quantity::{Finite, NonNegative};
 
-/// How a number is written.
+/// A function that formats a number.
 pub(crate) type Number = fn(f64) -> String;
 
-/// What the lab asks an environment beside its law, which is the library's.
+/// The properties of an environment that the lab needs besides its force law, which is the library's.
 pub(crate) trait EnvironmentKind: fmt::Debug {
-    /// Mass, damping and stiffness about its surface or its rest; none where it has no stiffness there.
+    /// Mass, damping and stiffness about its surface or its rest; none if it has no stiffness there.
     fn impedance(&self) -> Option<Impedance<f64>>;
 
-    /// What [`impedance`](Self::impedance) leaves out.
+    /// The parts that [`impedance`](Self::impedance) leaves out, in words.
     fn impedance_note(&self) -> Option<&'static str> {
         None
     }
 
-    /// The spring that it is to whoever is at rest, beyond its surface if it has one; none where its force is no straight
+    /// The spring that a device at rest feels, beyond the surface if there is one; none if the force is no straight
     /// line.
     fn static_spring(&self) -> Option<StaticSpring> {
         None
     }
 
-    /// Whether its law changes with time.
+    /// Whether its force law changes with time.
     fn swings(&self) -> bool {
         false
     }
 
-    /// Gives it another stiffness; none where that is not one number, or not one that it can have.
+    /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
     fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
         let _ = stiffness;
         None
     }
 
-    /// Whether a part of its force that depends on the motion is worked out in `f64`, whatever the scalar.
+    /// Whether a part of its force that depends on the motion is computed in `f64`, whatever the scalar.
     fn is_double(&self) -> bool {
         false
     }
 
-    /// Its vectors with their keys in its table; none in one dimension.
+    /// The keys of its vectors in its table, with their lengths; empty in one dimension.
     fn vectors(&self) -> Vec<(&'static str, usize)> {
         Vec::new()
     }
@@ -55,27 +55,27 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
         Ok(())
     }
 
-    /// Itself in a line, without its name.
+    /// A description in one line, without its name.
     fn words(&self, number: Number) -> String;
 }
 
 /// An environment of one dimension.
 pub(super) trait OnALine: EnvironmentKind {
-    /// Makes something of the library's environment.
+    /// The result of `to` for the library's environment.
     fn make<T: Scalar, R: Render<T>>(&self, rates: Rates, to: R)
     -> Result<R::Made, ParameterError>;
 }
 
 /// An environment of several dimensions.
 pub(super) trait InSpace: EnvironmentKind {
-    /// Makes something of the library's environment.
+    /// The result of `to` for the library's environment.
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError>;
 }
 
-/// The rates by which an environment and the credit of its damper tell the time, Hz.
+/// The rates, in Hz, at which an environment and the credit of its damper advance their time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rates {
     pub(super) environment: f64,
@@ -84,8 +84,8 @@ pub(crate) struct Rates {
 
 impl Rates {
     pub(crate) fn of(scene: &Draft) -> Self {
-        // Environments tick at their own rate, what is credited at the servo's. The one is taken from the other, because a
-        // scene's two rates divide each other but for a billionth, which would add up.
+        // Environments tick at their own rate, credits at the servo rate. The former is computed from the latter,
+        // because the two rates of a scene divide each other only within 1e-9, and the difference would add up.
         let servo = scene.servo_rate.get();
         Self { environment: servo / scene.environment_ratio() as f64, servo }
     }

@@ -1,7 +1,7 @@
-//! What the device touches.
+//! The environments that a device touches.
 //!
-//! Each kind has a file of its own: its keys, how they make the library's environment, whose law stands there and nowhere
-//! else, and what the lab asks beside the law. The table below is the list of them.
+//! Each kind has its own file: its keys, the library's environment made from them, and the properties that the lab
+//! needs besides the force law. The force law itself is in the library only. The table below lists the kinds.
 
 mod cubic_spring;
 mod cuboid;
@@ -45,7 +45,7 @@ macro_rules! environments {
             $($(#[$solid_about])* #[serde(rename = $solid_name)] $solid($solid),)*
         }
 
-        /// The names of those of one dimension, and of several.
+        /// The names of the environments of one dimension, and of several.
         pub(super) const NAMES: [&[&str]; 2] = [&[$($line_name),*], &[$($solid_name),*]];
 
         const TABLES: &[&[Key]] = &[$($line_file::KEYS,)* $($solid_file::KEYS,)*];
@@ -59,7 +59,7 @@ macro_rules! environments {
                 }
             }
 
-            /// What its kind answers.
+            /// The interface of its kind.
             pub(crate) fn kind(&self) -> &dyn EnvironmentKind {
                 match self {
                     $(Self::$line(it) => it,)*
@@ -67,7 +67,7 @@ macro_rules! environments {
                 }
             }
 
-            /// The same, to change it.
+            /// The same, mutable.
             pub(crate) fn kind_mut(&mut self) -> &mut dyn EnvironmentKind {
                 match self {
                     $(Self::$line(it) => it,)*
@@ -75,7 +75,7 @@ macro_rules! environments {
                 }
             }
 
-            /// Makes something of the library's environment of one dimension.
+            /// The result of `to` for the library's environment of one dimension.
             pub(crate) fn on_a_line<T: Scalar, R: Render<T>>(
                 &self,
                 rates: Rates,
@@ -87,7 +87,7 @@ macro_rules! environments {
                 }
             }
 
-            /// Makes something of the library's environment of several dimensions.
+            /// The result of `to` for the library's environment of several dimensions.
             pub(crate) fn in_space<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
                 &self,
                 to: R,
@@ -130,7 +130,7 @@ environments! {
     }
 }
 
-/// What messages say of their keys.
+/// The keys of all environments, for messages.
 pub(super) const KEYS: &[Key] = &joined::<{ count(TABLES) }>(TABLES);
 
 impl Environment {
@@ -139,25 +139,25 @@ impl Environment {
         NAMES[1].contains(&self.name())
     }
 
-    /// The wall, if that is what it is: what only walls are measured by asks here.
+    /// The wall, if it is one, for measures that apply to walls only.
     pub(crate) fn wall(&self) -> Option<&Wall> {
         if let Self::Wall(wall) = self { Some(wall) } else { None }
     }
 
-    /// The same, to change it.
+    /// The same, mutable.
     pub(crate) fn wall_mut(&mut self) -> Option<&mut Wall> {
         if let Self::Wall(wall) = self { Some(wall) } else { None }
     }
 }
 
 impl Draft {
-    /// The law of the environment in `f64`; none in more than one dimension.
+    /// The force law of the environment in `f64`; none in more than one dimension.
     pub(crate) fn law(&self) -> Option<Box<dyn ForceLaw<f64>>> {
         self.environment.on_a_line(Rates::of(self), Boxed).ok()
     }
 }
 
-/// An environment that this space does not have.
+/// The error of an environment that does not exist in this number of dimensions.
 fn elsewhere(dimensions: usize) -> ParameterError {
     let requirement = Requirement::InRange;
     ParameterError { parameter: "dimensions", value: dimensions as f64, requirement }

@@ -1,16 +1,16 @@
-//! What is made of the library's environment, whose type only the scene knows.
+//! Use of the library's environment, whose type only the scene knows.
 
 use lyapunov::{LyapunovCandidate, ParameterError, Signal, environments::ForceLaw};
 
-/// What is made of an environment and the term of its own damper, both of types that only the scene knows.
+/// A use of an environment and of the credit of its own damper, whose types only the scene knows.
 pub trait Render<V: Signal> {
-    /// What is made of them.
+    /// The result.
     type Made;
 
-    /// Makes it.
+    /// The result for this environment and this credit.
     ///
     /// # Errors
-    /// Whatever the making meets.
+    /// Any error on the way to the result.
     fn render(
         self,
         environment: impl ForceLaw<V> + 'static,
@@ -18,7 +18,7 @@ pub trait Render<V: Signal> {
     ) -> Result<Self::Made, ParameterError>;
 }
 
-/// The law itself, boxed.
+/// The force law itself, boxed.
 pub(super) struct Boxed;
 
 impl<V: Signal> Render<V> for Boxed {

@@ -1,8 +1,8 @@
-//! Scenes that break a rule, and what their messages must say.
+//! Scenes that break a rule, and the contents of their messages.
 
 use super::{FULL, SMALLEST, fault, line_of, scene, smallest_and, with};
 
-/// A part of the full example, what stands there instead, the key blamed, and words that the message must hold.
+/// A part of the full example, its replacement, the key at fault, and words that the message must contain.
 type Case = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 #[rustfmt::skip]
@@ -124,7 +124,7 @@ fn popc_has_no_candidate() {
 }
 
 #[test]
-fn the_value_given_is_told() {
+fn the_message_holds_the_given_value() {
     let value = |part, replacement| fault(&with(part, replacement)).value().map(str::to_owned);
     assert_eq!(value("mass = 0.2", "mass = -2e-1").as_deref(), Some("-2e-1"));
     assert_eq!(value("\"f64\"", "'f46'").as_deref(), Some("'f46'"));
@@ -157,7 +157,7 @@ fn missing_keys_are_named_with_their_unit_and_a_line_to_add() {
 }
 
 #[test]
-fn a_choice_without_content_says_what_it_can_be() {
+fn an_empty_choice_lists_its_options() {
     let shown = fault(&smallest_and("[stabilizer]")).to_string();
     assert!(shown.contains("[stabilizer] is empty"), "{shown}");
     assert!(shown.contains("[stabilizer.lolc], [stabilizer.popc]"), "{shown}");
@@ -176,7 +176,7 @@ fn a_choice_without_content_says_what_it_can_be() {
 }
 
 #[test]
-fn the_first_fault_of_the_text_is_told() {
+fn the_first_fault_of_the_text_is_reported() {
     let text = with("duration = 10.0 ", "duration = -10.0 ").replace("mass = 0.2", "mass = -0.2");
     assert_eq!(fault(&text).key(), Some("duration"));
     let text = FULL.replace("rest = 0.0", "zzz = 0.0").replace("damping = 0.2", "damping = -1");
@@ -184,7 +184,7 @@ fn the_first_fault_of_the_text_is_told() {
 }
 
 #[test]
-fn the_rates_offered_are_right() {
+fn the_suggested_rates_are_valid() {
     for rate in ["30.0", "66.7", "99.0", "0.3", "7.0"] {
         let given = format!("environment_rate = {rate}");
         let shown = fault(&with("environment_rate = 100.0", &given)).to_string();
@@ -219,7 +219,7 @@ fn single_precision_must_hold_every_number() {
 }
 
 #[test]
-fn single_precision_keeps_no_fine_tolerance() {
+fn single_precision_rejects_a_fine_tolerance() {
     let text = with("\"f64\"", "\"f32\"")
         .replace("integrator = \"exact\"", "integrator = \"dopri5\"\ntolerance = 1e-7");
     let fault = fault(&text);

@@ -1,4 +1,4 @@
-//! Scenes whose tables of effects break a rule, and what their messages must say.
+//! Scenes whose tables of effects break a rule, and the contents of their messages.
 
 use super::{Scene, fault};
 
@@ -10,7 +10,7 @@ const WALL: &str = "[environment.wall]\nstiffness = 8000.0\n";
 
 const PLANE: &str = "[environment.plane]\npoint = [0, 0]\nnormal = [0, 1]\nstiffness = 500\n";
 
-/// What stands below the smallest scene, the key blamed, the line of it that is marked, and words of the message.
+/// The text below the smallest scene, the key at fault, its marked line, and words of the message.
 type Case = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 #[rustfmt::skip]
@@ -147,7 +147,7 @@ const BESIDE_A_PLANE: &[Case] = &[
 ];
 
 #[track_caller]
-fn told(before: &str, (table, key, line, words): &Case) {
+fn reported(before: &str, (table, key, line, words): &Case) {
     let text = format!("{before}{table}\n");
     let fault = fault(&text);
     let shown = fault.to_string();
@@ -167,26 +167,26 @@ fn told(before: &str, (table, key, line, words): &Case) {
     }
 }
 
-/// All that are told badly, not only the first.
-fn all_told(before: &str, cases: &[Case]) {
+/// Asserts all cases, so that a failure lists every bad message, not only the first.
+fn all_reported(before: &str, cases: &[Case]) {
     let badly =
-        cases.iter().filter(|case| std::panic::catch_unwind(|| told(before, case)).is_err());
+        cases.iter().filter(|case| std::panic::catch_unwind(|| reported(before, case)).is_err());
     let badly: Vec<&str> = badly.map(|case| case.0).collect();
     assert!(badly.is_empty(), "{badly:#?}");
 }
 
 #[test]
 fn each_broken_rule_of_an_effect_names_key_line_value_and_remedy() {
-    all_told(&format!("{HEAD}{REST}{WALL}"), ON_A_LINE);
-    all_told(&format!("{HEAD}{REST}"), TOUCHING);
-    all_told(&format!("{HEAD}space.dimensions = 2\n{REST}"), IN_A_PLANE);
-    all_told(&format!("{HEAD}space.dimensions = 2\n{REST}{PLANE}"), BESIDE_A_PLANE);
+    all_reported(&format!("{HEAD}{REST}{WALL}"), ON_A_LINE);
+    all_reported(&format!("{HEAD}{REST}"), TOUCHING);
+    all_reported(&format!("{HEAD}space.dimensions = 2\n{REST}"), IN_A_PLANE);
+    all_reported(&format!("{HEAD}space.dimensions = 2\n{REST}{PLANE}"), BESIDE_A_PLANE);
 }
 
 #[test]
 fn a_filter_needs_the_backward_difference() {
     let exact = format!("{HEAD}velocity = \"exact\"\n{REST}{WALL}");
-    told(
+    reported(
         &exact,
         &(
             "[effects.filter]\nwindow = 4",
@@ -220,12 +220,12 @@ fn single_precision_must_hold_every_number_of_an_effect() {
             &["range of f32"],
         ),
     ] {
-        told(&single, &case);
+        reported(&single, &case);
     }
 }
 
 #[test]
-fn a_recorded_motion_is_told_with_its_line() {
+fn a_fault_of_a_recorded_motion_is_reported_with_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let scene = folder.path().join("scene.toml");
     let table = "[operator.motion]\nkind = \"file\"\npath = \"hand.csv\"\n";

@@ -1,8 +1,8 @@
-//! Text that is not TOML.
+//! Messages about text that is not TOML.
 
 use super::{SMALLEST, fault, line_of, with};
 
-/// A part of the full example, what stands there instead, and words that the message must hold.
+/// A part of the full example, its replacement, and words that the message must contain.
 #[rustfmt::skip]
 const CASES: &[(&str, &str, &[&str])] = &[
     ("duration = 10.0 ", "duration = 10,0 ", &["`10,0` is not a number", "comma"]),
@@ -32,7 +32,7 @@ const CASES: &[(&str, &str, &[&str])] = &[
 ];
 
 #[test]
-fn broken_text_is_told_in_plain_words() {
+fn broken_text_is_reported_in_plain_words() {
     for (part, replacement, words) in CASES {
         let text = with(part, replacement);
         let fault = fault(&text);
@@ -41,7 +41,7 @@ fn broken_text_is_told_in_plain_words() {
             assert!(shown.contains(word), "no {word:?} in:\n{shown}");
         }
         let line = line_of(part, replacement);
-        // A list or table that is never closed is noticed only further down.
+        // The parser notices a list or table that is never closed only further down.
         assert!(fault.line() >= Some(line), "{shown}");
         if !shown.contains("closing `") {
             assert!(fault.line() <= Some(line + 1), "{shown}");
@@ -50,7 +50,7 @@ fn broken_text_is_told_in_plain_words() {
 }
 
 #[test]
-fn the_key_is_told_where_the_text_allows_it() {
+fn the_key_is_reported_where_the_text_allows_it() {
     let key = |part, replacement| fault(&with(part, replacement)).key().map(str::to_owned);
     assert_eq!(key("mass = 0.2", "mass = 0,2").as_deref(), Some("device.mass"));
     assert_eq!(key("\"held\"", "held").as_deref(), Some("stabilizer.lolc.work"));

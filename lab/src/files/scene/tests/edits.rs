@@ -1,4 +1,4 @@
-//! Nothing that a text holds may panic, and every fault must be presentable.
+//! Random texts: no text may cause a panic, and every fault must be presentable.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -7,7 +7,7 @@ use proptest::sample::{Index, select};
 use super::FULL;
 use crate::files::scene::Scene;
 
-/// A change of a text's bytes; the positions count within the text as it is then.
+/// An edit of a text's bytes; the positions count within the text before this edit.
 #[derive(Clone, Debug)]
 enum Edit {
     Delete(Index, usize),
@@ -44,7 +44,7 @@ impl Edit {
     }
 }
 
-/// Bytes that mean something in TOML or in a scene, and any others.
+/// Bytes with a meaning in TOML or in a scene, and any others.
 fn inserted() -> impl Strategy<Value = Vec<u8>> {
     let words = select(vec![
         "=",
@@ -92,7 +92,7 @@ fn edit() -> impl Strategy<Value = Edit> {
     ]
 }
 
-/// Holds for every text: a sound scene, or a fault that can be shown and points into the text.
+/// The property of every text: it gives a sound scene, or a fault that can be shown and points into the text.
 fn holds(text: &str) -> Result<(), TestCaseError> {
     match Scene::parse(text, "edited.toml") {
         Ok(scene) => {

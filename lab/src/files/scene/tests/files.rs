@@ -7,7 +7,7 @@ use std::process;
 use super::{FULL, SMALLEST, scene};
 use crate::files::scene::{Diagnostic, Scene};
 
-/// A folder of its own for one test, gone when the test ends.
+/// A folder for one test, removed when the test ends.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -54,7 +54,7 @@ fn a_file_is_read_like_its_text() {
 }
 
 #[test]
-fn what_is_no_scene_file_is_refused() {
+fn files_that_are_no_scenes_are_rejected() {
     let folder = Folder::new("bad");
     refused(&folder.0.join("absent.toml"), &["no such file", "check the path"]);
     refused(&folder.0, &["this is a folder", "path of a scene file"]);
@@ -84,7 +84,7 @@ fn the_size_is_limited() {
 
 #[cfg(unix)]
 #[test]
-fn a_device_without_end_stops() {
+fn reading_an_endless_device_stops() {
     refused(Path::new("/dev/zero"), &["too large", "more than 1 MiB"]);
     refused(Path::new("/dev/null"), &["the scene is empty"]);
 }

@@ -1,4 +1,4 @@
-//! Scenes that are right, and what they mean.
+//! Valid scenes and their values.
 
 use super::{FULL, scene, smallest_and, with};
 use crate::files::scene::keys::SMALLEST;
@@ -157,7 +157,7 @@ fn an_integrator_has_the_keys_that_apply_to_it_and_their_defaults() {
 }
 
 #[test]
-fn an_integrator_tells_its_word_and_its_numbers() {
+fn an_integrator_reports_its_word_and_its_numbers() {
     let told = |text: &str| {
         let it = scene(&with("integrator = \"exact\"", text)).integrator;
         (it.name(), it.steps_per_tick(), it.tolerance())
@@ -184,7 +184,7 @@ fn whole_numbers_stand_for_reals() {
 }
 
 #[test]
-fn what_may_be_zero_may_be_zero() {
+fn values_that_may_be_zero_accept_zero() {
     for part in
         ["mass = 0.1", "damping = 0.2", "stiffness = 50.0", "damping = 0.001", "stiffness = 8000.0"]
     {
@@ -227,7 +227,7 @@ fn any_toml_spelling_and_line_end_is_the_same_scene() {
 }
 
 #[test]
-fn ticks_are_rounded_and_may_be_none() {
+fn ticks_are_rounded_and_may_be_zero() {
     let ticks = |duration: &str, rate: &str| {
         let text = SMALLEST.replace("duration = 1.0", &format!("duration = {duration}"));
         scene(&text.replace("1000.0", rate)).ticks()
@@ -272,12 +272,12 @@ fn a_changed_draft_is_a_scene_once_it_is_checked() {
     assert_eq!((&*scene, scene.environment_ratio()), (&draft, 3));
     draft.duration = positive(f64::MAX);
     assert_eq!(draft.clone().check().unwrap_err().key(), "duration");
-    // Nothing derived may panic, checked or not.
+    // No derived value may panic, checked or not.
     assert_eq!(draft.ticks(), u64::MAX);
 }
 
 #[test]
-fn quantities_accept_what_they_say() {
+fn quantities_accept_exactly_their_range() {
     let accepted: Vec<[bool; 4]> = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 5e-324]
         .iter()
         .map(|value| {

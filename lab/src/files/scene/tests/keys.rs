@@ -1,4 +1,4 @@
-//! What messages say of keys, held against the types that read them.
+//! The keys in messages, compared with the types that read them.
 
 use serde_json::Value;
 
@@ -24,7 +24,7 @@ fn paths(schema: &Value, root: &Value, within: &str, found: &mut Vec<String>) {
     }
 }
 
-/// That `keys` are those that a schema allows.
+/// Asserts that `keys` are exactly those that a schema allows.
 pub(crate) fn assert_keys_of(schema: &Value, keys: &[Key]) {
     let mut written = Vec::new();
     paths(schema, schema, "", &mut written);
@@ -42,7 +42,7 @@ fn messages_know_every_key_and_no_other() {
 
 #[test]
 fn every_example_in_a_message_is_right() {
-    // What the file of a motion holds is no matter of keys.
+    // The example of this key names a motion file that does not exist.
     for key in KEYS.iter().filter(|key| key.path != "operator.motion.path") {
         let text = if key.is_table() || key.table().is_empty() {
             key.example.to_owned()
@@ -61,7 +61,7 @@ fn every_example_in_a_message_is_right() {
     }
 }
 
-/// What a key cannot be without: the rest of its table, and other tables.
+/// The keys that a key requires: the rest of its table, and other tables.
 fn needed_by(key: &Key) -> &'static str {
     let table = if key.is_table() { key.path } else { key.table() };
     match (table, key.name()) {

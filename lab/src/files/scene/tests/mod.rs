@@ -1,4 +1,4 @@
-//! What a user of scene files relies on.
+//! The guarantees of scene files to their users.
 
 mod bad;
 mod bad_effects;
@@ -72,7 +72,7 @@ fn fault(text: &str) -> Diagnostic {
     }
 }
 
-/// The line of the last line of what `with` puts into the example.
+/// The number of the last line that `with` puts into the example.
 fn line_of(part: &str, replacement: &str) -> usize {
     let start = FULL.find(part).unwrap();
     FULL[..start].matches('\n').count() + replacement.lines().count()

@@ -1,4 +1,4 @@
-//! How a message looks.
+//! The form of a message.
 
 use super::{SMALLEST, fault, smallest_and, with};
 
