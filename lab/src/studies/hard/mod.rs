@@ -35,7 +35,7 @@ use crate::simulate::family::StabilizerName;
 pub struct Catalogue {
     /// The member of the family that ran instead of our stabilizer, if one did.
     pub stabilizer: Option<&'static str>,
-    /// One for each case.
+    /// One row for each case.
     pub rows: Vec<Row>,
 }
 

@@ -51,13 +51,13 @@ impl From<ParameterError> for HardError {
 /// The same runs in each kind of number; runs at the same place differ only in that.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Runs {
-    /// In `f64`; empty where the case is for `f32` alone.
+    /// Runs in `f64`; empty where the case is for `f32` alone.
     pub(super) double: Vec<Tally>,
-    /// In `f32`; empty where the case is for `f64` alone.
+    /// Runs in `f32`; empty where the case is for `f64` alone.
     pub(super) single: Vec<Tally>,
-    /// In lanes of `f64`, lane by lane.
+    /// Runs in lanes of `f64`, lane by lane.
     pub(super) double_lanes: Vec<Tally>,
-    /// In lanes of `f32`, lane by lane.
+    /// Runs in lanes of `f32`, lane by lane.
     pub(super) single_lanes: Vec<Tally>,
 }
 

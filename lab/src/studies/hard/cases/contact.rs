@@ -125,7 +125,7 @@ pub(super) fn cases() -> Vec<Case> {
         case(
             "encoder chatter at rest",
             "the surface lies between two counts: one count more or less is 0.2 N and a velocity",
-            // Two counts.
+            // Two counts of the encoder.
             0.02,
             5e-6,
             CHATTER,
