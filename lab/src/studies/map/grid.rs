@@ -37,7 +37,7 @@ pub enum GridError {
     Space,
     /// A stabilizer named twice, or none at all.
     StabilizerNames(StabilizerNamesError),
-    /// A scene that cannot be written down.
+    /// A scene that cannot be written as TOML.
     Unwritten(String),
     /// Two values that are each valid but make no scene together.
     Cell {

@@ -37,7 +37,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// All of them, in the order of the table.
+    /// All measures, in the order of the table.
     pub const ALL: [Self; 6] = [
         Self::new("peak_force_n", "peak force, N", |it| it.peak_force),
         Self::new("settling_time_s", "settling time, s", |it| it.settling_time),

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// Share `index` of `count`, counted from 0: consecutive cells, as many as in the others or one more.
+/// Share `index` of `count`, counted from 0: consecutive cells. Shards differ by at most one cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     /// The index of the shard, from 0.

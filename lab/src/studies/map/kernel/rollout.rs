@@ -33,7 +33,7 @@ struct Group<T: Fuse, S, M> {
     port: Watched<T, S>,
     sample: PortSample<T>,
     meter: M,
-    /// Ticks to come.
+    /// The remaining ticks.
     left: u64,
     first: usize,
     count: usize,
