@@ -46,9 +46,9 @@ pub struct Claim {
     pub unit: &'static str,
     /// The exact quantity that was looked at.
     pub reading: &'static str,
-    /// Starts for which it holds.
+    /// The number of starts for which the claim holds.
     pub held: usize,
-    /// Starts looked at.
+    /// The number of all starts.
     pub of: usize,
     /// The verdict.
     pub verdict: Verdict,

@@ -17,7 +17,7 @@ pub struct Reading {
     pub bounded: f64,
     /// Share of the starts that settle.
     pub settled: f64,
-    /// Median settling time of those, s.
+    /// Median settling time of the starts that settle, s.
     pub settling_time: Option<f64>,
     /// Median share of ticks on which the controller acts.
     pub active: f64,
