@@ -22,7 +22,7 @@ pub struct Rollout<V: Signal = f64> {
 }
 
 impl<V: Space> Rollout<V> {
-    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever `scene` names.
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V`, whatever scalar `scene` names.
     ///
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.

@@ -29,7 +29,7 @@ pub struct Assembly<V: Signal> {
 }
 
 impl<V: Space> Assembly<V> {
-    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever `scene` names.
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V`, whatever scalar `scene` names.
     ///
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
