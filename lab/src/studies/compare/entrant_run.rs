@@ -1,4 +1,4 @@
-//! One entrant on one scene.
+//! Run of one entrant on one scene.
 
 use std::ops::ControlFlow;
 
@@ -21,10 +21,10 @@ use crate::simulate::equilibrium::Criterion;
 use crate::simulate::rollout::Rollout;
 use crate::simulate::tick::Tick;
 
-/// Is told how many more ticks are done; says whether to go on.
+/// Callback that learns how many more ticks are done, and says whether to go on.
 pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
 
-/// What one entrant came to on one scene, with its curves and what its step is to be timed with.
+/// Result of one entrant on one scene, with its curves and the samples that its step is timed with.
 #[derive(Debug)]
 pub(super) struct EntrantRun<V: Space> {
     pub(super) score: Score,
@@ -52,7 +52,7 @@ impl<V: Space> EntrantRun<V> {
         let mut samples = Vec::new();
         let rollout = Rollout::assemble(scene, stabilizer)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
-            // Whoever asked for an early end knows of it.
+            // The caller who asked for an early end knows of it.
             let _ = { rollout }.try_for_each(each);
             Ok(())
         };
@@ -67,7 +67,7 @@ impl<V: Space> EntrantRun<V> {
     }
 }
 
-/// Everything that is measured along a run.
+/// All measures along a run.
 #[derive(Debug)]
 struct Meters {
     stiffness: Option<f64>,
