@@ -62,7 +62,7 @@ impl Law {
     }
 }
 
-/// Hermite's cubic at a share of the way.
+/// The motion on Hermite's cubic at a share of the way.
 fn between(from: Motion, to: Motion, share: f64) -> Motion {
     let span = to.time - from.time;
     let (moved, s) = (to.position - from.position, share);

@@ -33,7 +33,7 @@ pub(crate) struct Trial {
 pub(crate) struct Feel {
     /// Largest force on the plant, N.
     pub(crate) peak: f64,
-    /// Root mean square of the force on the plant less the law's on the true motion, in contact, N.
+    /// Root mean square of the force on the plant minus the law's on the true motion, in contact, N.
     pub(crate) error: f64,
 }
 

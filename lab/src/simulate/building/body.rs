@@ -93,7 +93,7 @@ impl<T: Scalar> Operated<T> for Friction<TwoMassBody<T>, T, 4> {
     }
 }
 
-/// A body that writes down where its operator is.
+/// Body that records its operator's motion.
 #[derive(Clone, Debug)]
 pub(super) struct Watched<B, V: Signal> {
     body: B,

@@ -29,7 +29,7 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// Makes something `of` the environment of `scene`.
     ///
     /// # Errors
-    /// A parameter out of the range of the scalar, an environment of another space, and what the making meets.
+    /// A parameter out of the range of the scalar, an environment of another space, and any error of the making.
     fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError>;
 
     /// The plant of `scene`; where a link sets the operator apart from the device, `operator` records its motion.

@@ -36,7 +36,7 @@ pub(crate) struct Tick {
     pub(crate) value: f64,
     /// The size of the effort that acts from this tick on.
     pub(crate) effort: f64,
-    /// The damping injected.
+    /// The injected damping.
     pub(crate) alpha: f64,
     /// The debt that this tick cannot serve.
     pub(crate) shortfall: f64,

@@ -85,7 +85,7 @@ struct Bench<T: Scalar, A> {
 
 /// Bench with its types erased.
 trait Lap {
-    /// The sum after all ticks less `energy`, J.
+    /// The sum after all ticks minus `energy`, J.
     fn error(&self, energy: DoubleDouble) -> f64;
 
     /// The time of a step, ns.

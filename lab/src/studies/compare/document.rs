@@ -1,4 +1,4 @@
-//! `compare.json`.
+//! JSON document of comparisons: `compare.json`.
 
 use serde::Serialize;
 

@@ -15,7 +15,7 @@ use crate::simulate::family::{StabilizerName, StabilizerNames};
 /// use lyapunov_lab::compare::{Comparison, Entrants};
 /// use lyapunov_lab::paper;
 ///
-/// /// A damper that is always there, N·s/m.
+/// /// Constant damper, N·s/m.
 /// struct Damper(f64);
 /// impl Stabilizer<f64> for Damper {
 ///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {

@@ -35,7 +35,7 @@ pub struct Score {
     /// The stiffness felt in percent of the wall's.
     #[serde(rename = "stiffness_felt_percent")]
     pub stiffness_percent: Option<f64>,
-    /// Root mean square of the force on the plant less the ideal wall's in contact, of stable runs, N.
+    /// Root mean square of the force on the plant minus the ideal wall's in contact, of stable runs, N.
     #[serde(rename = "force_error_rms_n")]
     pub force_error: Option<f64>,
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.

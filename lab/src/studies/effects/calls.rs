@@ -80,7 +80,7 @@ const ENVIRONMENTS: [(&str, &str); 6] = [
     ),
 ];
 
-/// Several axes.
+/// Spaces of several axes.
 const SPACES: [(&str, &str); 4] = [
     (
         "plane, 2 axes",

@@ -35,7 +35,7 @@ pub struct Remedy {
     pub scene: Scene,
     /// Largest force on the plant in that run, N.
     pub peak_force: f64,
-    /// Root mean square of the force on the plant less that of the environment's own law, in contact, N.
+    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
     pub force_error: f64,
 }
 

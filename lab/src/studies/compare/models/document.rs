@@ -1,4 +1,4 @@
-//! `compare.json` of models.
+//! JSON document of model comparisons: `compare.json`.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! `compare.json` of teleoperators.
+//! JSON document of teleoperator comparisons: `compare.json`.
 
 use serde::Serialize;
 
