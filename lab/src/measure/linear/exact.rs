@@ -37,8 +37,8 @@ impl LinearPart {
     /// The characteristic polynomial is affine in the stiffness, `P(z) = p(z) + K q(z)`, so that a root is on the unit
     /// circle only where `−p / q` is real there. With `Y = tan²(θ / 2)`, `z = e^(jθ)`, this is a polynomial equation in
     /// `Y`: all its roots are found, and each gives the one stiffness of its crossing, to all digits. Between
-    /// neighbours nothing crosses, so the radius at one stiffness decides for all. Crossings below 10⁻²⁴ m/T² count as
-    /// 0.
+    /// neighbours nothing crosses, so the radius at one stiffness decides for all. A crossing below 10⁻²⁴ m/T² counts
+    /// as 0.
     pub fn stable_stiffness(&self) -> Option<[f64; 2]> {
         let map = LoopMap::of(self);
         let mut edges = Crossings::of(&map).stiffnesses();
