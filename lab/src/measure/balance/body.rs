@@ -205,20 +205,20 @@ fn rest(scene: &Scene) -> Result<Value, ParameterError> {
     Ok(match &scene.operator.motion {
         None => Box::new(move |_| rest),
         Some(Motion::Step { at, to }) => {
-            let course = Step::new(rest, to.get(), at.get(), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Step::new(rest, to.get(), at.get(), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::Ramp { at, to, rate: speed }) => {
-            let course = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::Sine { amplitude, frequency }) => {
-            let course = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::File { samples, .. }) => {
-            let course = Samples::new(std::sync::Arc::clone(samples), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Samples::new(std::sync::Arc::clone(samples), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
     })
 }

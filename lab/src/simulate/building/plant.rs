@@ -95,9 +95,9 @@ impl<V: Space> Kind<V> for Joined {
 }
 
 /// Operator and device as two masses joined by a link.
-struct OperatorMotion;
+struct Apart;
 
-impl<V: Space> Kind<V> for OperatorMotion {
+impl<V: Space> Kind<V> for Apart {
     type Parts = TwoMassParts<V::Scalar>;
     type Body = TwoMassBody<V>;
 
@@ -145,9 +145,9 @@ pub(super) fn on_a_line<T: Scalar + Space>(
         return disturbed::<T, Joined>(scene, AnyBody::new(body));
     }
     if scene.link.is_some() {
-        let (body, parts) = start::<T, OperatorMotion>(scene)?;
+        let (body, parts) = start::<T, Apart>(scene)?;
         let body = Watched::new(Friction::new(body, parts, law)?, seen);
-        disturbed::<T, OperatorMotion>(scene, AnyBody::new(body))
+        disturbed::<T, Apart>(scene, AnyBody::new(body))
     } else {
         let (body, parts) = start::<T, Joined>(scene)?;
         disturbed::<T, Joined>(scene, AnyBody::new(Friction::new(body, parts, law)?))
@@ -163,8 +163,8 @@ pub(super) fn frictionless<V: Space>(
         return stepped(scene, seen, integrator, steps);
     }
     if scene.link.is_some() {
-        let body = Watched::new(start::<V, OperatorMotion>(scene)?.0, seen);
-        disturbed::<V, OperatorMotion>(scene, AnyBody::new(body))
+        let body = Watched::new(start::<V, Apart>(scene)?.0, seen);
+        disturbed::<V, Apart>(scene, AnyBody::new(body))
     } else {
         disturbed::<V, Joined>(scene, AnyBody::new(start::<V, Joined>(scene)?.0))
     }
@@ -186,9 +186,9 @@ where
 {
     let (stiffness, damping) = (scene.operator.stiffness, scene.operator.damping);
     if scene.link.is_some() {
-        let parts = <OperatorMotion as Kind<V>>::parts(scene, stiffness, damping);
+        let parts = <Apart as Kind<V>>::parts(scene, stiffness, damping);
         let body = moved(scene, CoupledOscillators::new(parts)?, integrator, steps)?;
-        disturbed::<V, OperatorMotion>(scene, AnyBody::new(Watched::new(body, seen)))
+        disturbed::<V, Apart>(scene, AnyBody::new(Watched::new(body, seen)))
     } else {
         let parts = <Joined as Kind<V>>::parts(scene, stiffness, damping);
         let body = moved(scene, Oscillator::new(parts)?, integrator, steps)?;
@@ -276,20 +276,20 @@ fn led<V: Space, P: Copy + 'static>(
     let others = V::at(&scene.operator.rest);
     Ok(match motion {
         Motion::Step { at, to } => {
-            let course = Step::new(rest, to.get(), at.get(), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Step::new(rest, to.get(), at.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::Ramp { at, to, rate: speed } => {
-            let course = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::Sine { amplitude, frequency } => {
-            let course = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::File { samples, .. } => {
-            let course = Samples::new(Arc::clone(samples), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Samples::new(Arc::clone(samples), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
     })
 }

@@ -16,7 +16,7 @@ pub(super) const SURE: f64 = 100.0;
 pub(super) enum Second {
     /// Extrapolation, in double-double like the first.
     Extrapolation,
-    /// An adaptive method with located switches: friction's exact course is computed in `f64` whatever the scalar.
+    /// An adaptive method with located switches: friction's exact trajectory is computed in `f64` whatever the scalar.
     Adaptive,
     /// The exact map in `f64`: part of the scene is computed in `f64` whatever the scalar.
     Double,
@@ -85,7 +85,7 @@ impl References {
 }
 
 impl Second {
-    /// The second reference for `scene`. Friction's course and some environments' forces are computed in `f64`,
+    /// The second reference for `scene`. Friction's trajectory and some environments' forces are computed in `f64`,
     /// whatever the loop computes in.
     fn on(scene: &Scene) -> Self {
         let in_double = scene.environment.kind().is_double();

@@ -59,7 +59,7 @@ impl ObservedEnergy {
         }
     }
 
-    /// The whole course, including a debt at the end of the log.
+    /// The whole trajectory, including a debt at the end of the log.
     pub(super) fn finish(mut self) -> Self {
         if let Some(debt) = self.open.take() {
             self.tell(debt);

@@ -50,7 +50,7 @@ impl<'a> Seats<'a> {
                 self.scenes.push(self.along.base.clone());
             }
             self.along.write(cell, &mut self.scenes[count]);
-            if count > 0 && course(&self.scenes[count]) != course(&self.scenes[0]) {
+            if count > 0 && trajectory(&self.scenes[count]) != trajectory(&self.scenes[0]) {
                 break;
             }
             count += 1;
@@ -61,6 +61,6 @@ impl<'a> Seats<'a> {
 }
 
 /// Rate, ratio and ticks, which are the same for all lanes of a group.
-fn course(scene: &Draft) -> (f64, u64, u64) {
+fn trajectory(scene: &Draft) -> (f64, u64, u64) {
     (scene.servo_rate.get(), scene.environment_ratio(), scene.ticks())
 }
