@@ -53,7 +53,7 @@ pub mod teleoperation {
 pub use simulate::building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;
-pub use simulate::row::{Row, further_columns, further_numbers};
+pub use simulate::row::Row;
 pub use simulate::tick::{OperatorMotion, Tick};
 
 // Measures and their presentation.

@@ -3,7 +3,7 @@
 use lyapunov::lanes::AutoF64x8;
 use lyapunov_lab::scene::{Draft, Integrator, Positive, Scalar, StepsPerTick};
 use lyapunov_lab::scenes::{SCENES, text_of};
-use lyapunov_lab::{Rollout, Scene, Space, Tick, further_numbers, in_space};
+use lyapunov_lab::{Rollout, Scene, Space, Tick, in_space};
 
 /// Rows that are compared: too few for errors to grow.
 const ROWS: usize = 60;
@@ -22,7 +22,9 @@ fn moved_by(scene: &Scene, integrator: Integrator) -> Scene {
 fn places(scene: &Scene) -> Vec<Vec<f64>> {
     in_space!(scene, Axes => {
         let place = |tick: Tick<Axes>| {
-            std::iter::once(tick.truth.position.axis(0)).chain(further_numbers(&tick)).collect()
+            let operator = tick.operator.map(|operator| operator.position);
+            let positions = std::iter::once(tick.truth.position).chain(operator);
+            positions.flat_map(|it| (0..Axes::DIMENSIONS).map(move |axis| it.axis(axis))).collect()
         };
         Rollout::<Axes>::of(scene).expect("a loop").take(ROWS).map(place).collect()
     })

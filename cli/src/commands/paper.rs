@@ -11,7 +11,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::paper::claims::{Claim, Verdict};
 use lyapunov_lab::paper::{Case, PaperError, Stage, Study, figures};
-use lyapunov_lab::{Csv, OutputError, Row};
+use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
 
 use super::folder::Folder;
 use super::{End, heed_interrupts, shown, standard_output};
@@ -119,7 +119,9 @@ fn fill(folder: &Path, study: &Study, command: &str) -> Result<(), End> {
         files.extend(pictures(name, figure).map_err(End::internal)?);
     }
     for case in Case::ALL {
-        let text = csv(&case.rows()?).map_err(refused)?;
+        let scene = case.scene().map_err(End::internal)?;
+        let rollout = Rollout::of(&scene).map_err(End::internal)?;
+        let text = csv(&scene, rollout).map_err(refused)?;
         files.push((format!("{}.csv", case.name()), text));
     }
     fs::create_dir_all(folder).map_err(refused)?;
@@ -128,9 +130,11 @@ fn fill(folder: &Path, study: &Study, command: &str) -> Result<(), End> {
     outputs.keep().map_err(End::input)
 }
 
-fn csv(rows: &[Row]) -> io::Result<Vec<u8>> {
-    let mut csv = Csv::new(Vec::new(), &[])?;
-    rows.iter().try_for_each(|row| csv.write(row, []))?;
+fn csv(scene: &Scene, rollout: Rollout) -> io::Result<Vec<u8>> {
+    let mut csv = Csv::of(Vec::new(), scene)?;
+    for tick in rollout {
+        csv.write(&tick)?;
+    }
     csv.into_inner()
 }
 

@@ -9,9 +9,7 @@ use indicatif::ProgressBar;
 use lyapunov::ParameterError;
 use lyapunov_lab::explain::Hint;
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{
-    Csv, OutputError, Rollout, Row, Space, Summary, further_columns, further_numbers, in_space,
-};
+use lyapunov_lab::{Csv, OutputError, Rollout, Space, Summary, in_space};
 
 use super::{BAR, End, heed_interrupts, say, shown, standard_output};
 use crate::output::Output;
@@ -43,17 +41,14 @@ pub(crate) struct Run {
 impl Run {
     pub(crate) fn run(&self) -> Result<(), End> {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
-        let further = further_columns(&scene);
         match &self.csv {
             Some(path) if path == Path::new("-") => {
                 heed_interrupts(false);
                 // Standard output by itself writes each line separately.
                 let output = BufWriter::new(io::stdout().lock());
-                let mut csv = Csv::new(output, &further).map_err(standard_output)?;
+                let mut csv = Csv::of(output, &scene).map_err(standard_output)?;
                 let hidden = ProgressBar::hidden();
-                let told = simulate(&scene, &hidden, |row, further| {
-                    csv.write(row, further).map_err(standard_output)
-                })?;
+                let told = simulate(&scene, &hidden, Some((&mut csv, &standard_output)))?;
                 csv.into_inner().map_err(standard_output)?;
                 if !self.quiet {
                     say(self.words(&told)?.trim_end());
@@ -64,16 +59,16 @@ impl Run {
                 heed_interrupts(!Output::is_direct(path));
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
-                let mut csv = Csv::new(output, &further).map_err(refused)?;
-                let told = simulate(&scene, &self.progress(&scene), |row, further| {
-                    csv.write(row, further).map_err(refused)
-                })?;
+                let mut csv = Csv::of(output, &scene).map_err(refused)?;
+                let bar = self.progress(&scene);
+                let told = simulate(&scene, &bar, Some((&mut csv, &refused)))?;
                 csv.into_inner().map_err(refused)?.keep().map_err(End::input)?;
                 self.tell(&told)?;
             }
             None => {
                 heed_interrupts(false);
-                self.tell(&simulate(&scene, &self.progress(&scene), |_, _| Ok(()))?)?;
+                let nowhere: Option<Rows<'_, io::Sink>> = None;
+                self.tell(&simulate(&scene, &self.progress(&scene), nowhere)?)?;
             }
         }
         Ok(())
@@ -121,22 +116,22 @@ impl Run {
 /// Summary of a run, and the reason why it diverged if it did.
 type Told = (Summary, Hint);
 
-/// Numbers of a row beyond the first axis.
-type Further<'a> = &'a mut dyn Iterator<Item = f64>;
+/// Where the ticks of a run go, and the meaning of an error there.
+type Rows<'a, W> = (&'a mut Csv<W>, &'a dyn Fn(io::Error) -> End);
 
-fn simulate(
+fn simulate<W: Write>(
     scene: &Scene,
     bar: &ProgressBar,
-    write: impl FnMut(&Row, Further<'_>) -> Result<(), End>,
+    rows: Option<Rows<'_, W>>,
 ) -> Result<Told, End> {
-    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), write))
+    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), rows))
 }
 
-fn drain<V: Space>(
+fn drain<V: Space, W: Write>(
     scene: &Scene,
     bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
-    mut write: impl FnMut(&Row, Further<'_>) -> Result<(), End>,
+    mut rows: Option<Rows<'_, W>>,
 ) -> Result<Told, End> {
     let (mut summary, mut hint) = (Summary::new(scene), Hint::new(scene));
     for tick in rollout.map_err(End::input)? {
@@ -144,7 +139,9 @@ fn drain<V: Space>(
             End::if_interrupted()?;
             bar.set_position(summary.rows);
         }
-        write(&Row::of(&tick), &mut further_numbers(&tick))?;
+        if let Some((csv, refused)) = &mut rows {
+            csv.write(&tick).map_err(refused)?;
+        }
         summary.add(&tick);
         hint.add(&tick);
     }

@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use crate::simulate::Row;
+use crate::files::Scene;
+use crate::simulate::row::{further_columns, further_numbers};
+use crate::simulate::{Row, Space, Tick};
 
 /// The names of the columns.
 pub const COLUMNS: &str =
@@ -14,26 +16,29 @@ pub const COLUMNS: &str =
 pub struct Csv<W: Write>(Records<W>);
 
 impl<W: Write> Csv<W> {
-    /// Writes the names of the columns, with those of `further` ones at the end.
+    /// Writes the names of the columns of `scene`: those of [`Row`], the further axes of a space, and the operator's motion
+    /// where a link sets it apart.
     ///
     /// # Errors
     /// Errors of the writer.
-    pub fn new(writer: W, further: &[String]) -> io::Result<Self> {
+    pub fn of(writer: W, scene: &Scene) -> io::Result<Self> {
         let mut records = Records::new(writer);
-        let further = further.iter().map(String::as_str);
-        records.put(COLUMNS.split(',').chain(further).map(Field::Text))?;
+        let further = further_columns(scene);
+        let names = COLUMNS.split(',').chain(further.iter().map(String::as_str));
+        records.put(names.map(Field::Text))?;
         Ok(Self(records))
     }
 
-    /// Writes one row with its `further` numbers, each with as many digits as it needs to read back exactly.
+    /// Writes one tick, each number with as many digits as it needs to read back exactly.
     ///
     /// # Errors
     /// Errors of the writer.
-    pub fn write(&mut self, row: &Row, further: impl IntoIterator<Item = f64>) -> io::Result<()> {
+    pub fn write<V: Space>(&mut self, tick: &Tick<V>) -> io::Result<()> {
         // The sum turns -0.0 into 0.0.
         let number = |number: f64| Field::Number(number + 0.0);
+        let row = Row::of(tick);
         let accepted = Field::Count(usize::from(row.accepted));
-        let further = further.into_iter().map(number);
+        let further = further_numbers(tick).map(number);
         self.0.put(row.numbers().into_iter().map(number).chain([accepted]).chain(further))
     }
 

@@ -78,7 +78,7 @@ const AXIS: [&str; 7] = ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_
 
 /// Names of the columns that a scene has beside those of [`Row`]: the further axes of a space, and the operator's
 /// motion where a link sets it apart from the device's.
-pub fn further_columns(scene: &Scene) -> Vec<String> {
+pub(crate) fn further_columns(scene: &Scene) -> Vec<String> {
     let axes = ["x", "y", "z"];
     let dimensions = scene.dimensions();
     let mut columns = Vec::new();
@@ -95,7 +95,7 @@ pub fn further_columns(scene: &Scene) -> Vec<String> {
 }
 
 /// The numbers of `tick` in those columns.
-pub fn further_numbers<V: Space>(tick: &Tick<V>) -> impl Iterator<Item = f64> {
+pub(crate) fn further_numbers<V: Space>(tick: &Tick<V>) -> impl Iterator<Item = f64> {
     let axes = (1..V::DIMENSIONS).flat_map(|axis| along(tick, axis));
     let operator = tick.operator.into_iter().flat_map(|operator| {
         (0..V::DIMENSIONS)

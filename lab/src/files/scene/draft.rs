@@ -74,12 +74,6 @@ impl Draft {
         self.space.map_or(1, |space| space.dimensions.get().into())
     }
 
-    /// Mass in kg for the damping limit: the device's, plus the operator's if they move as one.
-    pub fn mass(&self) -> f64 {
-        let operator = if self.link.is_some() { 0.0 } else { self.operator.mass.get() };
-        operator + self.device.mass.get()
-    }
-
     /// The first tick at which an event at an instant in s has taken effect: ceil(instant servo_rate - 1e-9).
     pub fn tick_of(&self, instant: f64) -> u64 {
         lyapunov::trajectories::tick_of(instant, self.servo_rate.get())
