@@ -144,7 +144,7 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     time::<V>(criterion, ("slope-bound", port), SlopeBound::<V>::new(of(1e3)).expect(fine));
     time::<V>(criterion, ("tank", port), Tank::new(PortEnergy, store).expect(fine));
     time::<V>(criterion, ("aimed", port), DirectedDamping::new(popc, weights, limit));
-    time::<V>(criterion, ("station", port), TwoPortSide::new(limit));
+    time::<V>(criterion, ("two-port-side", port), TwoPortSide::new(limit));
     let coupling = VirtualCoupling { stiffness: of(1e3), damping: of(0.1), drag: of(5.0) };
     let coupled = CoupledPort::new(Spring::<V>::new(of(1e4)).expect(fine), coupling).expect(fine);
     time::<V>(criterion, ("coupling", port), Port(coupled));

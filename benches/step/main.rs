@@ -69,7 +69,7 @@ macro_rules! widths {
                     "sampled" => samples::sampled(mix),
                     _ => samples::held(mix),
                 };
-                let drives: Vec<_> = samples.iter().map(vector_drive).collect();
+                let drives: Vec<_> = samples.iter().map(vector_sample).collect();
                 let id = format!("step/{work}/{}/{}dof/{}", stringify!($real), $n, mix.name());
                 let mut group = $criterion.benchmark_group(id);
                 let mut state = hand::$hand::State::new();
@@ -104,7 +104,7 @@ macro_rules! scalars {
                     "sampled" => samples::sampled(mix),
                     _ => samples::held(mix),
                 };
-                let drives: Vec<_> = samples.iter().map(scalar_drive).collect();
+                let drives: Vec<_> = samples.iter().map(scalar_sample).collect();
                 let id = format!("step/{work}/{}/1dof/{}", stringify!($real), mix.name());
                 let mut group = $criterion.benchmark_group(id);
                 let mut state = hand::$hand::State::new();
@@ -145,7 +145,7 @@ macro_rules! scalars {
     };
 }
 
-fn scalar_drive<T: lyapunov::Scalar>(s: &Sample<T, 1>) -> (PortSample<T>, T) {
+fn scalar_sample<T: lyapunov::Scalar>(s: &Sample<T, 1>) -> (PortSample<T>, T) {
     let sample = PortSample {
         period: s.period,
         position: s.position[0],
@@ -157,7 +157,7 @@ fn scalar_drive<T: lyapunov::Scalar>(s: &Sample<T, 1>) -> (PortSample<T>, T) {
     (sample, s.effort[0])
 }
 
-fn vector_drive<T: lyapunov::Scalar, const N: usize>(
+fn vector_sample<T: lyapunov::Scalar, const N: usize>(
     s: &Sample<T, N>,
 ) -> (PortSample<SVector<T, N>>, SVector<T, N>) {
     let sample = PortSample {

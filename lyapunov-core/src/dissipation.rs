@@ -14,7 +14,7 @@ pub struct Always;
 
 impl<V: Signal> Gate<V> for Always {
     #[inline(always)]
-    fn open(&self, _drive: &PortSample<V>) -> <V::Scalar as Scalar>::Mask {
+    fn open(&self, _sample: &PortSample<V>) -> <V::Scalar as Scalar>::Mask {
         Mask::of(true)
     }
 }

@@ -22,7 +22,7 @@ pub struct NoStabilizer;
 
 impl<V: Signal> Stabilizer<V> for NoStabilizer {
     #[inline(always)]
-    fn stabilize(&mut self, _drive: &PortSample<V>, effort: V) -> Correction<V> {
+    fn stabilize(&mut self, _sample: &PortSample<V>, effort: V) -> Correction<V> {
         Correction::none(effort)
     }
 }

@@ -91,22 +91,22 @@ fn decreases_telescope_and_decay_is_a_debit() {
     let mut plant = AffinePlant::new(pendulum(), energy, RungeKutta4, 0.01, 4)
         .expect("a plant")
         .starting(start);
-    let mut drives = vec![plant.start()];
+    let mut samples = vec![plant.start()];
     for _ in 0..500 {
         let at = plant.state();
-        drives.push(plant.advance(WithState::of_input(Vector1::new(8.0 * at[0] + 0.3 * at[1]))));
+        samples.push(plant.advance(WithState::of_input(Vector1::new(8.0 * at[0] + 0.3 * at[1]))));
     }
     let value = |sample: &PortSample<WithState<f64, 2, 1>>| energy.value(sample.position.state);
     let candidate = decrease_of(energy, start);
-    laws::decrease(&candidate, value, drives.iter().copied(), 0.0).expect("telescopes");
-    laws::candidate(&candidate, drives.iter().map(|&sample| (sample, sample.applied)))
+    laws::decrease(&candidate, value, samples.iter().copied(), 0.0).expect("telescopes");
+    laws::candidate(&candidate, samples.iter().map(|&sample| (sample, sample.applied)))
         .expect("a candidate");
     let decay = Decay::new(energy, 3.0).expect("a rate");
-    let broken = laws::decrease(&(candidate, decay), value, drives.iter().copied(), 0.1);
+    let broken = laws::decrease(&(candidate, decay), value, samples.iter().copied(), 0.1);
     assert_eq!(broken.expect_err("a debit").law, laws::Law::AddsUp);
     let (mut asked, mut by_hand) = (decay, 0.0);
-    let told: f64 = drives.iter().map(|sample| asked.decrease(sample)).sum();
-    for sample in &drives {
+    let told: f64 = samples.iter().map(|sample| asked.decrease(sample)).sum();
+    for sample in &samples {
         by_hand -= 3.0 * energy.value(sample.position.state) * 0.01;
     }
     assert!(abs_diff_eq!(told, by_hand, epsilon = 1e-12) && told < 0.0);
@@ -129,14 +129,14 @@ fn a_sum_of_rates_is_as_accurate_as_its_quadrature() {
     let mut plant = AffinePlant::new(pendulum(), energy, RungeKutta4, 1e-3, 1)
         .expect("a plant")
         .starting(Vector2::new(0.3, 1.0));
-    let mut drives = vec![plant.start()];
+    let mut samples = vec![plant.start()];
     for _ in 0..2000 {
         let at = plant.state();
-        drives.push(plant.advance(WithState::of_input(Vector1::new(8.0 * at[0] + 0.1 * at[1]))));
+        samples.push(plant.advance(WithState::of_input(Vector1::new(8.0 * at[0] + 0.1 * at[1]))));
     }
     let value = |sample: &PortSample<WithState<f64, 2, 1>>| energy.value(sample.position.state);
-    laws::decrease(&ByRate, value, drives.iter().copied(), 0.05).expect("within a twentieth");
-    laws::decrease(&ByRate, value, drives, 1e-4).expect_err("but not as by differences");
+    laws::decrease(&ByRate, value, samples.iter().copied(), 0.05).expect("within a twentieth");
+    laws::decrease(&ByRate, value, samples, 1e-4).expect_err("but not as by differences");
 }
 
 #[test]

@@ -41,7 +41,7 @@ impl Told for Body<f64> {
 }
 
 impl Told for TwoMassBody<f64> {
-    fn held(&self, _drive: &PortSample<f64>, parts: Self::Parts) -> (f64, f64) {
+    fn held(&self, _sample: &PortSample<f64>, parts: Self::Parts) -> (f64, f64) {
         (self.operator().0, parts.operator.stiffness)
     }
 

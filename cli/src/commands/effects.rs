@@ -12,8 +12,8 @@ use super::{End, heed_interrupts, standard_output};
 /// Measure what each effect costs per step, on this machine.
 ///
 /// Prints the nanoseconds that a step takes longer with an effect than without, alone and with all other effects, for one
-/// rollout (f64) and for eight at once (f64x8). Environments and axes replace the wall, so their price is the
-/// difference to it. docs/effects/prices.md says how to read the table.
+/// rollout (f64) and for eight at once (f64x8). Environments and axes replace the wall, so their cost is the
+/// difference to it. docs/effects/costs.md says how to read the table.
 ///
 /// Exit status: 0 done, 1 internal error, 130 interrupted.
 #[derive(Args, Debug)]
@@ -37,7 +37,7 @@ impl Effects {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let prices = Costs::measured(&watch).map_err(|error| match error {
+        let costs = Costs::measured(&watch).map_err(|error| match error {
             CostsError::Stopped => End::Interrupted,
             error => End::internal(error),
         })?;
@@ -46,8 +46,8 @@ impl Effects {
             return Ok(());
         }
         let text = match self.json {
-            true => prices.document().map_err(End::internal)?,
-            false => prices.to_string(),
+            true => costs.document().map_err(End::internal)?,
+            false => costs.to_string(),
         };
         io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
     }

@@ -25,7 +25,7 @@ const RESULTS: &str = "hard.json";
 /// Exit status: 0 every case passed, 1 one failed, or an internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Hard {
-    /// Run the cases with this stabilizer in the place of ours, by its name in docs/family.md, in f64 and f32.
+    /// Run the cases with this stabilizer instead of ours, by its name in docs/family.md, in f64 and f32.
     ///
     /// A bound that it does not promise may be passed: the case is then reported as over, and is no failure.
     #[arg(long, value_name = "NAME")]

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use clap::Args;
-use lyapunov_lab::scenes::{self, Shipped};
+use lyapunov_lab::scenes::{self, ShippedScene};
 
 use super::{End, standard_output};
 
@@ -39,6 +39,6 @@ impl Scenes {
     }
 }
 
-fn listed(line: impl Fn(&Shipped) -> String) -> String {
+fn listed(line: impl Fn(&ShippedScene) -> String) -> String {
     scenes::SCENES.iter().map(|scene| line(scene) + "\n").collect()
 }

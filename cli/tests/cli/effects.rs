@@ -1,4 +1,4 @@
-//! Tests of `lyapunov effects`, the prices of the effects.
+//! Tests of `lyapunov effects`, the costs of the effects.
 
 use std::collections::BTreeSet;
 

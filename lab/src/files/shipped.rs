@@ -6,7 +6,7 @@ use crate::text::{nearest, shorten};
 
 /// A shipped scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shipped {
+pub struct ShippedScene {
     /// Its name: that of its file in `scenes/`, without the ending.
     pub name: &'static str,
     /// The content of the file.
@@ -15,7 +15,7 @@ pub struct Shipped {
 
 macro_rules! shipped {
     ($($name:literal),+ $(,)?) => {
-        &[$(Shipped {
+        &[$(ShippedScene {
             name: $name,
             text: include_str!(concat!("../../../scenes/", $name, ".toml")),
         }),+]
@@ -23,7 +23,7 @@ macro_rules! shipped {
 }
 
 /// All shipped scenes: the tour, one per effect from the port outwards to the hand, the environments, and the paper's.
-pub const SCENES: &[Shipped] = shipped![
+pub const SCENES: &[ShippedScene] = shipped![
     "tour",
     "hold",
     "dropout",
@@ -66,7 +66,7 @@ pub const SCENES: &[Shipped] = shipped![
 const COMPANIONS: &[(&str, &str)] =
     &[("motion-file.csv", include_str!("../../../scenes/motion-file.csv"))];
 
-impl Shipped {
+impl ShippedScene {
     /// The two comment lines at its top: the subject of the scene, and what to look at.
     pub fn comment(&self) -> [&'static str; 2] {
         let mut lines = self.text.lines().filter_map(|line| line.strip_prefix("# "));

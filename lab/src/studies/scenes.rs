@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-pub use crate::files::shipped::{SCENES, Shipped, Unknown, text_of};
+pub use crate::files::shipped::{SCENES, ShippedScene, Unknown, text_of};
 
 #[derive(Serialize)]
 struct Entry {

@@ -24,7 +24,7 @@ impl<V: Signal> Probe<V> {
 }
 
 impl<V: Signal> OnePort<V> for Probe<V> {
-    fn respond(&mut self, _drive: &PortSample<V>) -> V {
+    fn respond(&mut self, _sample: &PortSample<V>) -> V {
         self.correction.effort
     }
 

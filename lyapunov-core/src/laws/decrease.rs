@@ -3,7 +3,7 @@
 use crate::laws::{Law, Tick, Violation};
 use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
-/// Check of the law [`AddsUp`](Law::AddsUp) on a `candidate` over the samples `drives`: from the first sample on its
+/// Check of the law [`AddsUp`](Law::AddsUp) on a `candidate` over the samples `samples`: from the first sample on its
 /// decreases sum to `V(start) − V(n)`, where `value` gives `V` at a sample.
 ///
 /// The two may differ by `share` of all the rises and falls of `V` so far, and by rounding. A candidate by differences
@@ -15,17 +15,17 @@ use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
     candidate: &C,
     value: impl Fn(&PortSample<V>) -> V::Scalar,
-    drives: impl IntoIterator<Item = PortSample<V>>,
+    samples: impl IntoIterator<Item = PortSample<V>>,
     share: V::Scalar,
 ) -> Result<(), Violation> {
     let mut candidate = candidate.clone();
-    let mut drives = drives.into_iter();
-    let Some(first) = drives.next() else { return Ok(()) };
+    let mut samples = samples.into_iter();
+    let Some(first) = samples.next() else { return Ok(()) };
     candidate.decrease(&first);
     let start = value(&first);
     let zero = V::Scalar::of(0.0);
     let (mut last, mut told, mut travelled, mut rounding) = (start, zero, zero, zero);
-    for (index, sample) in drives.enumerate() {
+    for (index, sample) in samples.enumerate() {
         let now = Tick(index + 1);
         let here = value(&sample);
         now.finite(Law::Finite, here)?;

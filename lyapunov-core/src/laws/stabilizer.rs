@@ -96,7 +96,7 @@ fn opposes<V: Signal>(
 /// Check that the effort is between 0 and the given effort on every axis.
 fn no_larger<V: Signal>(
     now: Tick,
-    _drive: &PortSample<V>,
+    _sample: &PortSample<V>,
     effort: V,
     correction: &Correction<V>,
 ) -> Result<(), Violation> {

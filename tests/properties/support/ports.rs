@@ -40,7 +40,7 @@ impl<V> Scripted<V> {
 }
 
 impl<V: Signal> OnePort<V> for Scripted<V> {
-    fn respond(&mut self, _drive: &PortSample<V>) -> V {
+    fn respond(&mut self, _sample: &PortSample<V>) -> V {
         self.next += 1;
         self.efforts.get(self.next - 1).copied().unwrap_or_else(V::zero)
     }

@@ -13,5 +13,5 @@ mod tests;
 pub(crate) use keys::BOOK;
 pub use model::{Controller, Model, Stabilizer, schema_text};
 pub use plant::{
-    DcMotor, Ground, InvertedPendulum, Limb, Plant, ProstheticLeg, TwoLinkArm, VanDerPol,
+    DcMotor, Ground, InvertedPendulum, Plant, ProstheticLeg, RigidLink, TwoLinkArm, VanDerPol,
 };

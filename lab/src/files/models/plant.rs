@@ -82,9 +82,9 @@ pub struct AdmittanceDevice {
 #[serde(deny_unknown_fields)]
 pub struct TwoLinkArm {
     /// The link at the shoulder; required.
-    pub upper: Limb,
+    pub upper: RigidLink,
     /// The link at the elbow; required.
-    pub lower: Limb,
+    pub lower: RigidLink,
 }
 
 /// A leg on a test stand, held in a posture by the controller's springs and the torques that gravity asks for.
@@ -95,9 +95,9 @@ pub struct ProstheticLeg {
     #[serde(deserialize_with = "two")]
     pub posture: [Finite; 2],
     /// The limb at the hip; required.
-    pub thigh: Limb,
+    pub thigh: RigidLink,
     /// The limb at the knee; required.
-    pub shank: Limb,
+    pub shank: RigidLink,
     /// What the foot stands on; required.
     pub ground: Ground,
 }
@@ -105,7 +105,7 @@ pub struct ProstheticLeg {
 /// A limb: a uniform rod, but for what is given otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Limb {
+pub struct RigidLink {
     /// Mass in kg, greater than 0; required.
     pub mass: Positive,
     /// From joint to joint, or to the tip, in m, greater than 0; required.
@@ -186,9 +186,9 @@ impl Plant {
     }
 }
 
-impl Limb {
+impl RigidLink {
     /// The library's link for this limb, in the scalar of a loop.
-    pub(crate) fn limb<T: library::Scalar>(&self) -> library::models::RigidLink<T> {
+    pub(crate) fn rigid_link<T: library::Scalar>(&self) -> library::models::RigidLink<T> {
         let rod = library::models::RigidLink::rod(T::of(self.mass.get()), T::of(self.length.get()));
         library::models::RigidLink {
             centre: self.centre.map_or(rod.centre, |it| T::of(it.get())),

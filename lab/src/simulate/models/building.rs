@@ -52,8 +52,8 @@ fn built_in<T: Scalar>(model: &Model) -> Result<Box<dyn Loop>, Refused> {
             rig(model, Parts { plant, function, mass: plant.compliance(), holding: none })
         }
         Plant::TwoLinkArm(it) => {
-            let plant =
-                TwoLinkArm::new(it.upper.limb(), it.lower.limb()).map_err(in_table(model))?;
+            let plant = TwoLinkArm::new(it.upper.rigid_link(), it.lower.rigid_link())
+                .map_err(in_table(model))?;
             let function = ArmEnergy::new(plant, springs(model)).map_err(of_springs)?;
             let mass = plant.least_inertia();
             rig(model, Parts { plant, function, mass, holding: SVector::from([T::of(0.0); 2]) })
@@ -84,7 +84,7 @@ fn leg<T: Scalar>(leg: &plant::ProstheticLeg) -> Result<ProstheticLeg<T>, Parame
         drag: T::of(leg.ground.drag.get()),
     };
     let posture = leg.posture.map(|angle| T::of(angle.get()));
-    ProstheticLeg::new(leg.thigh.limb(), leg.shank.limb(), posture, ground)
+    ProstheticLeg::new(leg.thigh.rigid_link(), leg.shank.rigid_link(), posture, ground)
 }
 
 /// The controller's springs, which are also terms of V.

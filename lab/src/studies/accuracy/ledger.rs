@@ -68,7 +68,7 @@ impl Motion {
         block * DoubleDouble::of(f64::from(TICKS / BLOCK))
     }
 
-    fn drives<T: Scalar>(&self) -> Vec<PortSample<T>> {
+    fn samples<T: Scalar>(&self) -> Vec<PortSample<T>> {
         let sample = |&(force, displacement): &(f64, f64)| {
             let (period, velocity) = (T::of(1e-3), T::of(1e3 * displacement));
             PortSample::new(period, T::of(0.0), velocity, T::of(displacement), T::of(force))
@@ -79,7 +79,7 @@ impl Motion {
 
 /// Stabilizer with one kind of ledger, and the samples that it runs over.
 struct Bench<T: Scalar, A> {
-    drives: Vec<PortSample<T>>,
+    samples: Vec<PortSample<T>>,
     popc: Lolc<T, PortEnergy, lyapunov::Held, A>,
 }
 
@@ -96,13 +96,13 @@ impl<T: Scalar, A: Accumulator<T> + 'static> Bench<T, A> {
     fn of(motion: &Motion) -> Result<Box<dyn Lap>, ParameterError> {
         let limit = DampingLimit::of_mass(T::of(0.5), T::of(0.3), T::of(1e-3))?;
         let popc = Lolc::new(PortEnergy, limit).summed_in::<A>();
-        Ok(Box::new(Self { drives: motion.drives(), popc }))
+        Ok(Box::new(Self { samples: motion.samples(), popc }))
     }
 
     fn run(&self, popc: &mut Lolc<T, PortEnergy, lyapunov::Held, A>, blocks: u32) -> T {
         let mut sum = T::of(0.0);
         for _ in 0..blocks {
-            for sample in &self.drives {
+            for sample in &self.samples {
                 sum = popc.stabilize(sample, T::of(0.0)).observed_energy;
             }
         }

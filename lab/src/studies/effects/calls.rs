@@ -179,7 +179,7 @@ impl Calls {
         Ok(())
     }
 
-    /// Adds an effect that replaces the wall: its price is the difference to the wall's.
+    /// Adds an effect that replaces the wall: its cost is the difference to the wall's.
     fn stands_for_the_wall(&mut self, name: &'static str, world: &str) -> Result<(), CostsError> {
         let (walled, others) = (format!("{START}{WALL}"), without(&[]));
         let alone = [self.bare, self.place(world, &[])?];
@@ -194,7 +194,7 @@ impl Calls {
         if let Some(place) = self.all.iter().position(|call| call.text == text) {
             return Ok(place);
         }
-        let scene = Scene::parse(&text, "a scene of the prices")?;
+        let scene = Scene::parse(&text, "a scene of the costs")?;
         self.all.push(Call { text, scene });
         Ok(self.all.len() - 1)
     }

@@ -15,7 +15,7 @@ use crate::files::scene::Diagnostic;
 use crate::measure::timing::Rounds;
 use calls::Calls;
 
-/// The prices of all effects, in nanoseconds per step on this machine; docs/effects/prices.md explains how to read
+/// The costs of all effects, in nanoseconds per step on this machine; docs/effects/costs.md explains how to read
 /// them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Costs {
@@ -28,7 +28,7 @@ pub struct Costs {
     scalars: Vec<Column>,
 }
 
-/// The prices for one kind of number.
+/// The costs for one kind of number.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Column {
     scalar: &'static str,
@@ -38,13 +38,13 @@ struct Column {
     effects: Vec<Cost>,
 }
 
-/// The price of one effect.
+/// The cost of one effect.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Cost {
     effect: &'static str,
-    /// The price in a loop without any other effect.
+    /// The cost in a loop without any other effect.
     alone: Difference,
-    /// The price in a loop with all others that go with it.
+    /// The cost in a loop with all others that go with it.
     composed: Difference,
 }
 
@@ -59,7 +59,7 @@ struct Difference {
 }
 
 impl Costs {
-    /// Measures the prices; `watch` is called for every loop that was timed, [`Costs::loops`] in all, and may end the
+    /// Measures the costs; `watch` is called for every loop that was timed, [`Costs::loops`] in all, and may end the
     /// study.
     ///
     /// # Errors
@@ -86,7 +86,7 @@ impl Costs {
         Ok(2 * (timing::ROUNDS + 1) * Calls::new()?.all.len())
     }
 
-    /// The prices as JSON.
+    /// The costs as JSON.
     ///
     /// # Errors
     /// None: every part can be written as JSON.
@@ -122,7 +122,7 @@ impl fmt::Display for Costs {
     }
 }
 
-/// Reason why there are no prices.
+/// Reason why there are no costs.
 #[derive(Debug)]
 pub enum CostsError {
     /// A scene of the study is wrong.

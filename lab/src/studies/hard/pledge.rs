@@ -20,7 +20,7 @@ pub(super) enum Credit {
 
 /// Kind of ledger that a stabilizer keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Account {
+pub(super) enum LedgerKind {
     /// None, or one that cannot be recomputed outside of the stabilizer.
     None,
     /// Every work and credit counts.
@@ -46,15 +46,19 @@ pub(super) struct Pledge {
     /// The observed energy at the start, J.
     pub(super) budget: f64,
     /// The kind of ledger.
-    pub(super) account: Account,
+    pub(super) account: LedgerKind,
     /// The way it may change an effort.
     pub(super) manner: Manner,
 }
 
 impl Pledge {
     /// Pledge of POPC: every joule is accounted for, and only damping is added.
-    pub(super) const POPC: Self =
-        Self { credit: Credit::None, budget: 0.0, account: Account::Whole, manner: Manner::Damps };
+    pub(super) const POPC: Self = Self {
+        credit: Credit::None,
+        budget: 0.0,
+        account: LedgerKind::Whole,
+        manner: Manner::Damps,
+    };
 
     /// Pledge of POPC with the credit of a damper that always acts, N·s/m.
     pub(super) fn damper(damping: f64) -> Self {
@@ -77,7 +81,7 @@ impl Pledge {
             StabilizerName::Basic(_) => Self::damper(of(basis.damping)),
             StabilizerName::Budgeted => Self { budget: of(basis.stored()), ..Self::POPC },
             StabilizerName::Bounded | StabilizerName::Windowed | StabilizerName::ContactReset => {
-                Self { account: Account::Forgetful, ..Self::POPC }
+                Self { account: LedgerKind::Forgetful, ..Self::POPC }
             }
             StabilizerName::Reference => {
                 let start = basis.start.map(of);
@@ -93,7 +97,7 @@ impl Pledge {
             },
             StabilizerName::Tank => Self {
                 budget: of(basis.energy),
-                account: Account::Forgetful,
+                account: LedgerKind::Forgetful,
                 manner: Manner::Cuts,
                 ..Self::POPC
             },
@@ -119,7 +123,7 @@ impl Pledge {
                 let (damping, beyond) = (of(wall.damping.get()), of(wall.position.get()));
                 Self { credit: Credit::Damper { damping, beyond }, ..Self::POPC }
             }
-            (Candidate::MassSpringDamper, _) => Self { account: Account::None, ..Self::POPC },
+            (Candidate::MassSpringDamper, _) => Self { account: LedgerKind::None, ..Self::POPC },
         }
     }
 }

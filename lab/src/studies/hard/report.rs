@@ -38,7 +38,7 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
 fn subject(catalogue: &Catalogue) -> Markup {
     html! {
         @if let Some(name) = catalogue.stabilizer {
-            code { (name) } " stands in the place of ours; \u{201c}measured\u{201d} is its worst over f64 and f32, \
+            code { (name) } " stands instead of ours; \u{201c}measured\u{201d} is its worst over f64 and f32, \
                              \u{201c}over\u{201d} tells of a bound that it does not promise and does not keep"
         } @else {
             "\u{201c}Ours\u{201d} is the worst over f64, f32 and lanes"

@@ -8,7 +8,7 @@ use crate::text::folded;
 
 pub(super) fn write(catalogue: &Catalogue, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if let Some(name) = catalogue.stabilizer {
-        writeln!(f, "{name} in the place of ours, in f64 and f32\n")?;
+        writeln!(f, "{name} instead of ours, in f64 and f32\n")?;
     }
     write!(f, "{}", table(catalogue))?;
     let passed = catalogue.rows.iter().filter(|row| row.passed).count();

@@ -7,7 +7,7 @@ use lyapunov::laws::Law;
 use lyapunov::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};
 
 use super::balance::{Balance, Double, Told};
-use super::pledge::{Account, Credit, Manner, Pledge};
+use super::pledge::{Credit, LedgerKind, Manner, Pledge};
 use super::tally::{Tally, larger};
 
 /// The numbers and promises that a run is judged by.
@@ -328,9 +328,9 @@ impl Meter {
         let dissipated = if sight.accepted { sight.burnt() } else { 0.0 };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
         let off = match self.terms.pledge.account {
-            Account::None => 0.0,
-            Account::Whole => self.balance.off(told),
-            Account::Forgetful => self.balance.over(told),
+            LedgerKind::None => 0.0,
+            LedgerKind::Whole => self.balance.off(told),
+            LedgerKind::Forgetful => self.balance.over(told),
         };
         if in_range {
             self.tally.off = larger(self.tally.off, off);

@@ -1,4 +1,4 @@
-//! Course of an observed energy over a log.
+//! History of an observed energy over a log.
 
 use serde::Serialize;
 
@@ -16,7 +16,7 @@ pub struct Debt {
     pub lowest: f64,
 }
 
-/// Course of an observed energy, which is 0 on the first row.
+/// History of an observed energy, which is 0 on the first row.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ObservedEnergy {
     /// Value on the last row, J.
@@ -37,7 +37,7 @@ pub struct ObservedEnergy {
 }
 
 impl ObservedEnergy {
-    /// Course that starts on the first row, at `time`.
+    /// History that starts on the first row, at `time`.
     pub(super) fn starting(time: f64) -> Self {
         Self { lowest_at: time, ..Self::default() }
     }

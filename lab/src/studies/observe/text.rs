@@ -174,7 +174,7 @@ impl Report {
     }
 }
 
-/// Course of an observed energy in words.
+/// History of an observed energy in words.
 fn told(sum: &ObservedEnergy, units: &Units) -> String {
     let last = units.energy(sum.last);
     let Some(first) = sum.negative_at else {

@@ -30,7 +30,7 @@ pub(super) struct Watch {
     forces: Option<(f64, f64)>,
     waiting: Vec<Step>,
     period: Option<f64>,
-    account: Account,
+    account: Books,
 }
 
 impl Watch {
@@ -44,7 +44,7 @@ impl Watch {
             forces: None,
             waiting: Vec::with_capacity(WAITING),
             period: None,
-            account: Account::new(candidate, contact),
+            account: Books::new(candidate, contact),
         }
     }
 
@@ -145,7 +145,7 @@ impl Watch {
 
 /// Sums over the steps.
 #[derive(Debug)]
-struct Account {
+struct Books {
     held: Observing<Held>,
     sampled: Observing<Sampled>,
     held_course: ObservedEnergy,
@@ -164,7 +164,7 @@ fn observing<W: Work>(candidate: Credited) -> Observing<W> {
     Observer { candidate, ledger: Ledger::new() }
 }
 
-impl Account {
+impl Books {
     fn new(candidate: Credited, contact: Option<f64>) -> Self {
         Self {
             held: observing(candidate),

@@ -29,7 +29,7 @@ struct Indebted {
 struct Still;
 
 impl<T: Scalar> OnePort<T> for Still {
-    fn respond(&mut self, _drive: &PortSample<T>) -> T {
+    fn respond(&mut self, _sample: &PortSample<T>) -> T {
         T::zero()
     }
 }

@@ -45,7 +45,7 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
     }
 
     #[inline(always)]
-    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, _acted: T, port: &Watched<T, S>) {
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, _applied: T, port: &Watched<T, S>) {
         self.boundedness.add(sample.position);
         self.accepted = self.accepted & port.correction().accepted;
     }
