@@ -116,7 +116,7 @@ impl Run {
 /// Summary of a run, and the reason why it diverged if it did.
 type Told = (Summary, Hint);
 
-/// Where the ticks of a run go, and the meaning of an error there.
+/// Destination of the ticks of a run, and the meaning of an error there.
 type Rows<'a, W> = (&'a mut Csv<W>, &'a dyn Fn(io::Error) -> End);
 
 fn simulate<W: Write>(

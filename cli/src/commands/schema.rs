@@ -16,7 +16,7 @@ use super::{End, standard_output};
 /// Exit status: 0 done, 1 internal error, 2 bad input.
 #[derive(Args, Debug)]
 pub(crate) struct Schema {
-    /// What the files are.
+    /// The kind of file.
     #[arg(value_enum, default_value = "scene", value_name = "KIND")]
     kind: Kind,
 }

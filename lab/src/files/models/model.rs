@@ -38,7 +38,7 @@ pub struct Model {
     /// The nominal controller; default: none.
     #[serde(default)]
     pub controller: Controller,
-    /// What the stabilizers are set to.
+    /// Settings of the stabilizers.
     #[serde(default)]
     pub stabilizer: Stabilizer,
 }
@@ -79,7 +79,7 @@ pub struct Controller {
     pub delay: DelayTicks,
 }
 
-/// What the stabilizers of a model are set to.
+/// Settings of the stabilizers of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Stabilizer {

@@ -98,7 +98,7 @@ pub struct ProstheticLeg {
     pub thigh: RigidLink,
     /// The limb at the knee; required.
     pub shank: RigidLink,
-    /// What the foot stands on; required.
+    /// Ground under the foot; required.
     pub ground: Ground,
 }
 
@@ -116,7 +116,7 @@ pub struct RigidLink {
     pub inertia: Option<NonNegative>,
 }
 
-/// What a foot stands on.
+/// Ground under a foot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ground {

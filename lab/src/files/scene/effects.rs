@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::{DelayTicks, Finite, NonNegative, Positive, Probability, Seed, WindowTicks};
 
-/// What is simulated besides the loop itself; what is absent is not simulated.
+/// Effects simulated besides the loop itself; an absent one is not simulated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Effects {
@@ -55,7 +55,7 @@ pub struct Saturation {
     pub force: Positive,
 }
 
-/// How the velocity is taken from positions, in place of the plain backward difference.
+/// Filter that estimates the velocity from positions, in place of the plain backward difference.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Filter {
@@ -93,11 +93,11 @@ pub struct Dropout {
     pub probability: Probability,
     /// Seed, a whole number of 0 or more; required.
     pub seed: Seed,
-    /// What acts in place of a lost answer; required.
+    /// Force in place of a lost answer; required.
     pub policy: Policy,
 }
 
-/// What acts in place of a lost answer.
+/// Force in place of a lost answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Policy {
@@ -142,9 +142,9 @@ pub struct Load {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pulse {
-    /// When it begins, in s, 0 or more; required.
+    /// Start in s, 0 or more; required.
     pub start: NonNegative,
-    /// How long it lasts, in s, 0 or more; required.
+    /// Duration in s, 0 or more; required.
     pub duration: NonNegative,
     /// Force in N; required.
     pub force: Finite,

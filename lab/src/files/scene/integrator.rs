@@ -42,7 +42,7 @@ pub enum Integrator {
     },
 }
 
-/// How the plant moves from one tick to the next.
+/// Propagation of the plant from one tick to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Integrator")]

@@ -23,15 +23,15 @@ pub struct Operator {
     pub stiffness: NonNegative,
     /// Position in m at which the spring is at rest; default 0.
     pub rest: Coordinates,
-    /// How the point of rest moves; default: it does not.
+    /// Motion of the point of rest; default: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion: Option<Motion>,
-    /// How stiffness and damping change; default: they do not.
+    /// Changes of stiffness and damping; default: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grip: Option<Grip>,
 }
 
-/// How the point of rest moves, held over each servo tick.
+/// Motion of the point of rest, held over each servo tick.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Motion {
@@ -40,7 +40,7 @@ pub enum Motion {
         /// When, in s; default 0.
         #[serde(default)]
         at: NonNegative,
-        /// Where to, in m; required.
+        /// Destination in m; required.
         to: Finite,
     },
     /// To another point, steadily.
@@ -48,16 +48,16 @@ pub enum Motion {
         /// From when on, in s; default 0.
         #[serde(default)]
         at: NonNegative,
-        /// Where to, in m; required.
+        /// Destination in m; required.
         to: Finite,
-        /// How fast, in m/s, 0 or more; required.
+        /// Speed in m/s, 0 or more; required.
         rate: NonNegative,
     },
     /// To and fro: rest + amplitude sin(2 pi frequency t).
     Sine {
-        /// How far, in m; required.
+        /// Amplitude in m; required.
         amplitude: Finite,
-        /// How often, in Hz, 0 or more; required.
+        /// Frequency in Hz, 0 or more; required.
         frequency: NonNegative,
     },
     /// As recorded.
@@ -135,11 +135,11 @@ impl<'de> Deserialize<'de> for Motion {
     }
 }
 
-/// How the operator's stiffness and damping change: constant from each time on, the operator's own before the first.
+/// Changes of the operator's stiffness and damping: constant from each time on, the operator's own before the first.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Grip {
-    /// When they change, in s, one after the other; required.
+    /// Times of the changes in s, one after the other; required.
     pub times: Vec<NonNegative>,
     /// Stiffness of the operator's spring from each time on, in N/m, 0 or more; required.
     pub stiffness: Vec<NonNegative>,

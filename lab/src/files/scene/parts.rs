@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::coordinates::Coordinates;
 use super::quantity::{Dimensions, NonNegative, Positive};
 
-/// How the loop obtains the velocity v(n).
+/// Source of the velocity v(n).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Velocity {
@@ -49,7 +49,7 @@ pub struct Initial {
     pub velocity: Coordinates,
 }
 
-/// What joins operator and device, which are then two masses: a spring and a damper, relaxed where both are at one place.
+/// Elastic joint of operator and device, which are then two masses: a spring and a damper, relaxed where both are at one place.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Link {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::Cap;
 
-/// What watches the port and keeps the loop bounded.
+/// Stabilizer, which watches the port and keeps the loop bounded.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Stabilizer {
@@ -19,11 +19,11 @@ pub enum Stabilizer {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Lolc {
-    /// How the port's work is booked; default: held.
+    /// Booking of the port's work; default: held.
     pub work: Work,
-    /// What is credited beyond the port's work; default: the paper's mass-spring-damper.
+    /// Credit beyond the port's work; default: the paper's mass-spring-damper.
     pub candidate: Candidate,
-    /// What the energies are summed in; default: plain.
+    /// Accumulator of the energies; default: plain.
     pub ledger: Ledger,
     /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5. A limit of 0 only
     /// observes.
@@ -34,16 +34,16 @@ pub struct Lolc {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Popc {
-    /// How the port's work is booked; default: held.
+    /// Booking of the port's work; default: held.
     pub work: Work,
-    /// What the energies are summed in; default: plain.
+    /// Accumulator of the energies; default: plain.
     pub ledger: Ledger,
     /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5. A limit of 0 only
     /// observes.
     pub damping_cap: Cap,
 }
 
-/// How the work at the port is booked.
+/// Booking of the work at the port.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Work {
@@ -54,7 +54,7 @@ pub enum Work {
     Sampled,
 }
 
-/// What the observer's energies are summed in.
+/// Accumulator of the observer's energies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Ledger {
@@ -67,11 +67,11 @@ pub enum Ledger {
     Wide,
 }
 
-/// What a Lyapunov observer credits beyond the port's work.
+/// Credit of a Lyapunov observer beyond the port's work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Candidate {
-    /// What the environment's own damper burns, as a wall's b v² T while the device is beyond the surface; the paper's.
+    /// Energy that the environment's own damper dissipates, as a wall's b v² T while the device is in contact; the paper's.
     #[default]
     MassSpringDamper,
     /// The device's own damping b v² T at every tick.

@@ -27,13 +27,13 @@ pub(crate) struct Keys {
     /// rate.
     #[serde(default)]
     environment_rate: Option<Positive>,
-    /// How the loop obtains the velocity; default: backward difference.
+    /// Source of the velocity; default: backward difference.
     #[serde(default)]
     velocity: Velocity,
     /// Number type the run computes in; default: f64.
     #[serde(default)]
     scalar: Scalar,
-    /// How the plant moves between two ticks; default: exact.
+    /// Propagation of the plant between two ticks; default: exact.
     #[serde(default)]
     integrator: Method,
     /// Equal steps from one tick to the next, a whole number from 1 to 1000000, of an integrator that takes such;
@@ -49,7 +49,7 @@ pub(crate) struct Keys {
     operator: Operator,
     /// The haptic device; required.
     device: Device,
-    /// What joins the two; default: they move as one.
+    /// Elastic joint of the two; default: they move as one.
     #[serde(default)]
     link: Option<Link>,
     /// The space that the scene is in; default: a line.
@@ -58,9 +58,9 @@ pub(crate) struct Keys {
     /// State of the plant at t = 0; default: at rest at 0.
     #[serde(default)]
     initial: Initial,
-    /// What the device touches, exactly one; required.
+    /// Environment that the device touches, exactly one; required.
     environment: Environment,
-    /// What keeps the loop bounded; default: none.
+    /// Stabilizer, which keeps the loop bounded; default: none.
     #[serde(default)]
     stabilizer: Option<Stabilizer>,
     /// Imperfections of the loop; default: none.

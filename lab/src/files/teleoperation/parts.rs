@@ -16,7 +16,7 @@ pub struct Master {
     pub damping: NonNegative,
     /// Stiffness of the hand's spring in N/m, at rest at 0, greater than 0; required.
     pub hand_stiffness: Positive,
-    /// Where master and slave stand at t = 0, in m, other than 0; required.
+    /// Position of master and slave at t = 0, in m, other than 0; required.
     pub start: Finite,
 }
 
@@ -29,7 +29,7 @@ pub struct Slave {
     /// Damping in N.s/m, 0 or more; default 0.
     #[serde(default)]
     pub damping: NonNegative,
-    /// What it touches; default: nothing.
+    /// Environment that it touches; default: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall: Option<Wall>,
 }
@@ -62,7 +62,7 @@ pub struct Coordination {
 pub struct Channel {
     /// Delay one way in whole servo ticks, 0 to 1024; default 0.
     pub delay: DelayTicks,
-    /// How many ticks more a message may take, 0 to 1024, all numbers alike; default 0.
+    /// Largest further delay of a message in ticks, 0 to 1024, all numbers equally likely; default 0.
     pub spread: DelayTicks,
     /// Probability that a message is lost, 0 to 1; default 0.
     pub loss: Probability,
@@ -71,7 +71,7 @@ pub struct Channel {
     pub seed: Option<Seed>,
 }
 
-/// What the stabilizers of a teleoperator are set to.
+/// Settings of the stabilizers of a teleoperator.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Stabilizer {

@@ -30,10 +30,10 @@ pub struct Teleoperator {
     pub slave: Slave,
     /// The slave's controller; required.
     pub coordination: Coordination,
-    /// What carries messages, each way; default: at once, and all of them.
+    /// Channel that carries messages, each way; default: at once, and all of them.
     #[serde(default)]
     pub channel: Channel,
-    /// What the stabilizers are set to.
+    /// Settings of the stabilizers.
     #[serde(default)]
     pub stabilizer: Stabilizer,
 }

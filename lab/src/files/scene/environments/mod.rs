@@ -38,7 +38,7 @@ macro_rules! environments {
         $(pub use $line_file::$line;)*
         $(pub use $solid_file::$solid;)*
 
-        /// What the device touches: in one dimension x - position > 0 is inside.
+        /// Environment that the device touches: in one dimension x - position > 0 is inside.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
         pub enum Environment {
             $($(#[$about])* #[serde(rename = $line_name)] $line($line),)*
