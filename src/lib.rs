@@ -1,19 +1,19 @@
 //! Stabilizers for sampled control loops.
 //!
 //! A virtual wall that is too stiff for its sampling rate, or a force that acts late, feeds energy into a loop until it
-//! buzzes or runs away. A stabilizer sums the energy that crosses the port and adds just enough damping that no more
-//! comes out than went in. No model of what is behind the port is needed; nothing here allocates, panics or needs
+//! buzzes or runs away. A stabilizer sums the energy that crosses the port and adds just enough damping to take back
+//! what came out beyond what went in. No model of what is behind the port is needed; nothing here allocates, panics or needs
 //! `std`.
 //!
 //! ```
 //! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer};
 //!
 //! fn control(
-//!     read: impl Fn() -> f64,
-//!     motor: impl Fn(f64) -> f64,
+//!     mut read: impl FnMut() -> f64,
+//!     mut motor: impl FnMut(f64) -> f64,
 //! ) -> Result<(), ParameterError> {
 //!     let period = 1e-3; // s
-//!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // half of 0.2 kg / T
+//!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // 0.2 kg: the least that moves
 //!     let mut popc = Popc::new(PortEnergy, limit);
 //!     let (mut last, mut applied) = (read(), 0.0); // the first reading is no displacement
 //!     for _ in 0..1000 {
@@ -24,7 +24,7 @@
 //!         let sample = PortSample::new(period, position, velocity, displacement, applied);
 //!         let wall = if position > 0.0 { 8000.0 * position } else { 0.0 };
 //!         let correction = popc.stabilize(&sample, wall);
-//!         applied = motor(correction.effort); // what it did, after its own limits
+//!         applied = motor(correction.effort); // pushes with −effort, returns the effort it applied
 //!     }
 //!     Ok(())
 //! }
