@@ -4,7 +4,7 @@ use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar,
 
 use crate::StabilizerExt;
 
-/// Memory-based passivation: what pressing in took is kept place by place, and letting go gives no more there. One axis, one
+/// A memory of energies: what pressing in took is kept place by place, and letting go gives no more there. One axis, one
 /// side: the environment lies beyond a surface and pushes against `+x`, like a wall.
 ///
 /// The depth beyond the surface is divided into `N` cells, each with a force `Mᵢ ≥ 0`. A motion inwards under the mean force
@@ -24,9 +24,9 @@ use crate::StabilizerExt;
 /// shortfall, and `sum` is `−D`. Unlike the passivity observer it does not let what was absorbed elsewhere pay; so it acts
 /// in the first contact, with small cuts, and never pushes. Efforts are only made smaller, and only on the way out.
 ///
-/// Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014) keep the pressing path in a memory that the position
-/// addresses, and bound the releasing path by it. Derived here are the cells' energies, the look ahead of a period under a held
-/// force, and the debt. Left out are their moving objects and several axes. InContact the last cell, which reaches on without an
+/// It is derived here from the memory of forces of Ryu and Yoon ([`MemoryBased`](crate::MemoryBased)), which keeps no debt: what
+/// that one gives too much where a motion turns round, this one gives less later. It looks one period ahead whatever
+/// the delay; for a force that acts later the debt makes up. InContact the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
 /// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a

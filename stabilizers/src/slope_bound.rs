@@ -7,7 +7,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 
-/// An input-to-state stable controller: the force `F` follows the effort `f`, axis by axis, with changes in the sector of a
+/// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector of a
 /// largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
 ///
 /// ```text
@@ -28,11 +28,9 @@ use crate::StabilizerExt;
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A creep of `ρ`
 /// N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
 ///
-/// Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) release the conservatism of passivity to
-/// input-to-state stability by a controller whose gain is the largest slope of the graph of force over displacement; the
-/// operator's force is the input. From them, as later papers tell it, are the sector and its use. Derived here are the law
-/// above, which holds an environment to the sector instead of relying on it, the figures of energy, and the creep. Left out are
-/// their own analysis and their feed-forward of the force's rate, which adds damping to the port.
+/// At `μ = 2 b / T`, prompt, it is near to the tight form of [`EnergyBounding`](crate::EnergyBounding), which is stricter: that one
+/// clips what has no energy to pay for it, this one only what is too steep. An environment that relies on its slope
+/// and is asked differently is [`InputToState`](crate::InputToState).
 ///
 /// It needs no velocity and adds no damping. `sum` is the work of the port; what it gave more than it took is told as
 /// shortfall.

@@ -107,16 +107,18 @@ impl Post {
 struct Port {
     absorbed: f64,
     gave: f64,
+    burnt: f64,
     received: f64,
     most: f64,
 }
 
 impl Port {
-    /// Books `work`; returns the damping, the observed energy before the correction, and the shortfall.
-    fn serve(&mut self, work: f64, velocity: f64, joined: bool) -> (f64, f64, f64) {
-        self.absorbed += work.max(0.0);
-        self.gave += (-work).max(0.0);
-        let sum = if joined { self.received } else { self.absorbed } - self.gave;
+    /// Books `work`, of which the channel `asked` for so much; the damping, the account before it, and what it leaves unpaid.
+    fn serve(&mut self, [asked, work]: [f64; 2], velocity: f64, joined: bool) -> (f64, f64, f64) {
+        self.absorbed += asked.max(0.0);
+        self.gave += (-asked).max(0.0);
+        self.burnt += work - asked;
+        let sum = if joined { self.received } else { self.absorbed } - self.gave + self.burnt;
         let square = velocity * velocity * T;
         let moves = sum < 0.0 && square > f64::MIN_POSITIVE;
         let alpha = if moves { (-sum / square).min(self.most) } else { 0.0 };
@@ -147,10 +149,10 @@ fn run(file: &Teleoperator, contestant: Contestant) -> Found {
     let joined = matches!(contestant, Contestant::TwoPort | Contestant::Compensated);
     let ([mut x, mut v], [mut y, mut w]) = ([START, 0.0], [START, 0.0]);
     let (mut found, mut arrived) = (Found { command: START, ..Found::default() }, (0.0, 0.0));
-    let (mut works, mut load, mut drift, mut crossed) = ([0.0; 2], 0.0, 0.0, 0.0);
+    let (mut works, mut load, mut drift, mut crossed) = ([[0.0; 2]; 2], 0.0, 0.0, 0.0);
     for _ in 0..=file.ticks() {
         let root = (2.0 * B).sqrt();
-        let (mut force, mut sent) = (arrived.0, v);
+        let (asked, mut force, mut sent) = (arrived.0, arrived.0, v);
         let (mut alphas, mut unpaid) = ([0.0; 2], 0.0);
         if waves {
             (force, sent) = (B * v - root * arrived.0, root * v - arrived.0);
@@ -199,8 +201,9 @@ fn run(file: &Teleoperator, contestant: Contestant) -> Found {
         [x, v] = sprung(HAND, -force, [x, v], T);
         [y, w] = walled(pull, [y, w], T);
         found.command += flow * T;
-        works = [force * (x - before), -pull * flow * T];
-        crossed += works[0] + works[1];
+        let moved = x - before;
+        works = [[asked * moved, force * moved], [-pull * signal * T, -pull * flow * T]];
+        crossed += works[0][1] + works[1][1];
         load = -pull;
     }
     found

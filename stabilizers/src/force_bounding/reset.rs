@@ -1,0 +1,23 @@
+//! What free motion leaves on the account.
+
+/// Whether free motion is forgotten.
+pub trait Reset {
+    /// It is.
+    const FORGETS: bool;
+}
+
+/// Where no force applied nothing is kept: the published reset.
+#[derive(Clone, Copy, Debug)]
+pub struct FreshContact;
+
+impl Reset for FreshContact {
+    const FORGETS: bool = true;
+}
+
+/// What free motion burnt stays on the account.
+#[derive(Clone, Copy, Debug)]
+pub struct KeptCredit;
+
+impl Reset for KeptCredit {
+    const FORGETS: bool = false;
+}
