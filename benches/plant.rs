@@ -15,7 +15,7 @@ use lyapunov::{
 /// Periods of one lap.
 const LAP: u32 = 10_000;
 
-/// The naive form, from the increments.
+/// Naive form of the map, made from the increments.
 struct Naive<T> {
     map: [[T; 3]; 2],
     position: T,

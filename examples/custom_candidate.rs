@@ -1,4 +1,4 @@
-//! A candidate of one's own on the paper's wall: energy that was absorbed long ago is no credit any more.
+//! A candidate of your own on the paper's wall: credit that decays with time.
 
 use lyapunov::{
     DampingLimit, Lolc, LyapunovCandidate, OnePort, ParameterError, Plant, PortSample,
@@ -7,7 +7,7 @@ use lyapunov::{
     environments::Wall,
 };
 
-/// The port's energy, of which a surplus is forgotten with a time constant.
+/// The port's energy, of which a surplus decays with a time constant.
 struct Forgetful {
     surplus: f64, // J
     time: f64,    // s
@@ -27,7 +27,7 @@ fn main() -> Result<(), ParameterError> {
     let mut plant = Body::new(hand, period)?.starting(-0.004, 0.0);
     let limit = DampingLimit::of_mass(0.5, mass, period)?;
     let stabilizer = Lolc::new(Forgetful { surplus: 0.0, time: 0.05 }, limit);
-    // The wall answers at 100 Hz, the stabilizer watches at 1 kHz.
+    // The wall responds at 100 Hz, the stabilizer watches at 1 kHz.
     let mut port = Wall::new(8000.0, 2.0)?.held(10)?.stabilized(stabilizer).differenced();
     let mut sample = plant.start();
     for tick in 0..=8000 {

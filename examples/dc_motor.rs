@@ -5,8 +5,8 @@
 //! V = ½ k θ² + ½ J ω² + ½ L (i − i*)²,  i* = −(k θ + d ω) / K        the flow L_g V is i − i*
 //! ```
 //!
-//! The current comes late behind the voltage, and the loop runs away. The flow here is no velocity but how far the
-//! current is from one that would act like a spring and a damper.
+//! The current lags the voltage, and the loop runs away. The flow here is not a velocity: it is the difference between
+//! the current and the one that would act like a spring and a damper.
 
 use lyapunov::{
     DampingLimit, Lolc, OnePort, ParameterError, Plant,

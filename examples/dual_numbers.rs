@@ -1,12 +1,12 @@
-//! A plant of one's own, its V written once, the gradient by dual numbers: predators that are managed too late.
+//! A plant of your own, with V written once and its gradient by dual numbers: predators that are managed too late.
 //!
 //! ```text
-//! prey ṗ = p (1 − q),  predators q̇ = q (p − 1) + u, both in units of their balance, time in units of their own
-//! V = (p − 1 − ln p) + (q − 1 − ln q), which Lotka and Volterra's equations keep    the flow L_g V is 1 − 1/q
+//! prey ṗ = p (1 − q),  predators q̇ = q (p − 1) + u, both in units of their equilibrium, time in units of their own
+//! V = (p − 1 − ln p) + (q − 1 − ln q), constant under Lotka and Volterra's equations    the flow L_g V is 1 − 1/q
 //! ```
 //!
-//! Predators are taken out where there are too many of them, by a count that is three units of time old: half a swing
-//! late, it feeds the swings. The stabilizer corrects it by what is counted now.
+//! A controller removes predators in proportion to their excess, by a count that is three units of time old: half a
+//! period late, it feeds the oscillation. The stabilizer corrects it by the present count.
 
 use lyapunov::laws::{self, Violation};
 use lyapunov::{
@@ -20,7 +20,7 @@ use num_dual::{Dual64, DualNum};
 
 const PERIOD: f64 = 0.02;
 const LATE: usize = 150; // ticks
-const START: Vector2<f64> = Vector2::new(0.3, 0.0); // counted from balance
+const START: Vector2<f64> = Vector2::new(0.3, 0.0); // counted from the equilibrium
 
 #[derive(Clone, Copy)]
 struct Prey;
@@ -35,7 +35,7 @@ impl ControlAffine<f64, 2, 1> for Prey {
     }
 }
 
-/// Of numbers of any kind: `f64`, or dual numbers, which carry a derivative along.
+/// `V` of any kind of number: `f64`, or dual numbers, which carry a derivative along.
 fn value<D: DualNum<Primitive = f64>>([p, q]: [D; 2]) -> D {
     p.clone() - (p + 1.0).ln() + q.clone() - (q + 1.0).ln()
 }
@@ -54,7 +54,7 @@ impl LyapunovFunction<Vector2<f64>> for Balance {
     }
 }
 
-/// The most predators in each of six stretches of twenty units of time.
+/// The largest number of predators in each of six intervals of twenty units of time.
 fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
     let mut plant = AffinePlant::new(Prey, Balance, RungeKutta4, PERIOD, 1)?.starting(START);
     // The apparent mass is 1 / (∂²V/∂q²) = q², and q is seldom below a half.

@@ -1,13 +1,13 @@
-//! A pendulum held upright over a slow line, and a stabilizer at its motor.
+//! An inverted pendulum controlled over a slow line, with a stabilizer at its motor.
 //!
 //! ```text
-//! far away:      u = −k θ − d θ̇, and it arrives 120 ms late
+//! far away:      u = −k θ − d θ̇, which arrives 120 ms late
 //! at the motor:  V = ½ m l² θ̇² + ½ k θ² − m g l (1 − cos θ), the flow L_g V is θ̇
 //! ```
 //!
-//! On time the controller is a spring and a damper, and V falls. Late, its spring pushes V up more than its damper
-//! takes. The stabilizer asks that V decay. It needs the pendulum's V and its own sensor, and nothing of line or
-//! controller but `k`.
+//! Without delay the controller is a spring and a damper, and V falls. With it, the spring raises V more than the
+//! damper lowers it. The stabilizer makes V decay. It needs the pendulum's V and a sensor of its own; of line and
+//! controller it needs only `k`.
 
 use lyapunov::{
     DampingLimit, Lolc, OnePort, ParameterError, Plant,

@@ -1,9 +1,9 @@
-//! A stabilizer in one's own control loop, by plain calls: no scene, no port, no plant of ours.
+//! A stabilizer in a control loop of your own, by plain calls: no scene, no port, no plant of ours.
 //!
 //! ```text
 //! encoder ── x ──▶ own controller ── force ──▶ stabilizer ── effort ──▶ amplifier
 //!                                                  ▲                       │
-//!                                                  └── force that applied ───┘
+//!                                                  └─── applied force ─────┘
 //! ```
 
 use lyapunov::{
@@ -11,8 +11,8 @@ use lyapunov::{
 };
 
 const PERIOD: f64 = 1e-3; // s
-const MASS: f64 = 0.2; // kg: the least that moves with the device
-const DAMPING: f64 = 0.1; // N·s/m: the least viscous damping of the device
+const MASS: f64 = 0.2; // kg: the smallest mass that moves with the device
+const DAMPING: f64 = 0.1; // N·s/m: the smallest viscous damping of the device
 const STRONGEST: f64 = 40.0; // N: what the amplifier can do
 
 fn main() -> Result<(), ParameterError> {
@@ -41,10 +41,10 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
         let velocity = displacement / PERIOD;
         last = position;
 
-        // One's own controller: a spring to the origin, so stiff that at this rate it gives back more than it took.
+        // Your own controller: a spring to the origin, so stiff that at this rate it returns more energy than it took.
         let wanted = 5_000.0 * position;
 
-        // `applied` is what the amplifier did, not what it was told: the stabilizer has to know.
+        // `applied` is the force after the amplifier's limit, not the commanded one: the stabilizer books that.
         let sample = PortSample::new(PERIOD, position, velocity, displacement, applied);
         let correction = stabilizer.stabilize(&sample, wanted);
         applied = correction.effort.clamp(-STRONGEST, STRONGEST);
@@ -56,7 +56,7 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
     Ok(swings)
 }
 
-/// Stands for the hardware: a mass with some damping and an encoder of 1 µm.
+/// Stand-in for the hardware: a mass with some damping and an encoder of 1 µm.
 struct Device {
     position: f64,
     velocity: f64,

@@ -1,11 +1,11 @@
-//! A leg on a test stand, put down on padded ground by a controller that is 20 ms late.
+//! A leg on a test stand, which a controller 20 ms late puts down on padded ground.
 //!
 //! ```text
 //! hip and knee:  u = holding − K δ − D q̇ towards a posture in which the foot just touches, 20 ms late
-//! V = the energy of leg, ground and springs, less what the holding torques give; the flow L_g V is q̇
+//! V = the energy of leg, ground and springs, less the work of the holding torques; the flow L_g V is q̇
 //! ```
 //!
-//! What the model leaves out is told at [`lyapunov::models::ProstheticLeg`].
+//! [`lyapunov::models::ProstheticLeg`] says what the model leaves out.
 
 use lyapunov::{
     DampingLimit, Lolc, OnePort, ParameterError, Plant,
@@ -21,7 +21,7 @@ const PERIOD: f64 = 1e-3; // s
 const LATE: usize = 20; // ticks
 const START: Vector4<f64> = Vector4::new(0.3, -0.4, 0.0, 0.0); // lifted, rad; at rest, rad/s
 
-/// The leg's energy at the end of each half second, J, and how deep the foot ever was, mm.
+/// The leg's energy at the end of each half second, J, and the largest depth of the foot, mm.
 fn run(damping_cap: f64) -> Result<([f64; 6], f64), ParameterError> {
     let ground = Ground { stiffness: 2e4, damping: 0.5, drag: 0.2 }; // N/m, s/m, s/m
     let (thigh, shank) = (RigidLink::rod(4.0, 0.4), RigidLink::rod(2.5, 0.45)); // kg, m

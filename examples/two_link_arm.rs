@@ -1,8 +1,8 @@
-//! An arm of two links whose joints are held by springs too stiff for a slow controller.
+//! An arm of two links, held by springs that are too stiff for a slow controller.
 //!
 //! ```text
 //! M(q) q̈ + c(q, q̇) + G(q) = u,  u = −K q, computed 50 times a second and held
-//! V = the arm's energy and the springs', the flow L_g V is q̇: one stabilizer for both joints
+//! V = the energy of arm and springs, the flow L_g V is q̇: one stabilizer for both joints
 //! ```
 
 use lyapunov::{
@@ -17,7 +17,7 @@ const PERIOD: f64 = 1e-3; // s
 const SLOW: u32 = 20; // ticks
 const START: Vector4<f64> = Vector4::new(0.3, -0.2, 0.0, 0.0); // rad, rad/s
 
-/// The arm's energy at the end of each second as a multiple of what it began with.
+/// The arm's energy at the end of each second, as a multiple of the initial one.
 fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
     let arm = TwoLinkArm::new(RigidLink::rod(2.0, 0.4), RigidLink::rod(1.0, 0.3))?; // kg, m
     let stiffness = [40.0, 10.0]; // N·m/rad
@@ -25,7 +25,7 @@ fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
     let mut plant = AffinePlant::new(arm, energy, RungeKutta4, PERIOD, 1)?.starting(START);
     let began = plant.value();
 
-    // The apparent mass of the port is the least inertia that a torque can meet.
+    // The apparent mass of the port is the smallest inertia that a torque can meet.
     let limit = DampingLimit::of_mass(damping_cap, arm.least_inertia(), PERIOD)?;
     let mut port = StateFeedback::new(|x: Vector4<f64>| {
         Vector2::new(-stiffness[0] * x[0], -stiffness[1] * x[1])

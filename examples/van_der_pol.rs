@@ -1,11 +1,11 @@
-//! An oscillator that feeds itself, kept at the swing it began with.
+//! A self-excited oscillator, kept at its initial amplitude.
 //!
 //! ```text
 //! ẍ − (1 − x²) ẋ + x = u        V = ½ (x² + ẋ²)        the flow L_g V is ẋ
 //! ```
 //!
-//! No controller is at work and no effort acts: what V gains, it gains by itself. So the port's energy has nothing to
-//! tell, and V itself is the candidate.
+//! There is no controller and no effort: the plant itself makes V grow. So the port's energy stays 0, and V itself is
+//! the candidate.
 
 use lyapunov::{
     DampingLimit, Lolc, LyapunovCandidate, ParameterError, Plant, PortEnergy, Stabilizer,

@@ -138,7 +138,7 @@ print("## Linked")
 for name, parts in LINKED.items():
     scene(name, Linked(parts, -0.004, 0.1), 300, rest=lambda n: 0.001)
 
-# A load of 1.5 N, a pulse of 4 N from 0.1 s for 0.05 s, a hand that goes to and fro by 1 cm at 3 Hz about 2 mm, and a
+# A load of 1.5 N, a pulse of 4 N from 0.1 s for 0.05 s, a hand that moves to and fro by 1 cm at 3 Hz about 2 mm, and a
 # grip that is firm from 0.12 s and loose from 0.2 s on.
 RATE = 1000.0
 PUSH = lambda n: 1.5 + (4.0 if 100 <= n < 150 else 0.0)

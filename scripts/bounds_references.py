@@ -3,7 +3,7 @@
     python3 -m venv venv && venv/bin/pip install mpmath==1.3.0
     venv/bin/python scripts/bounds_references.py
 
-Each loop is put together tick by tick with 60 digits: the masses by the matrix exponential, the position before as a
+Each loop is composed tick by tick with 60 digits: the masses by the matrix exponential, the previous position as a
 state of its own, the delay as a row of registers, the hold as a register that every r-th tick overwrites. The stiffness
 at which the spectral radius of the map over r ticks passes 1 is found by halving an interval. Parameters are the
 numbers that an f64 holds. Nothing of lyapunov is used.
@@ -52,7 +52,7 @@ def period_map(case, stiffness):
     period = 1 / mpf(rate)
     step = mpmath.expm(rates(device, operator, link) * period, method="taylor")
     moving = step.rows - 1
-    # masses, position before, filtered velocity, the environment's velocity before, held force, delay line
+    # masses, previous position, filtered velocity, the environment's previous velocity, held force, delay line
     before, filtered, last, held, line = range(moving, moving + 5)
     size = line + delay
 
@@ -65,7 +65,7 @@ def period_map(case, stiffness):
         turn = 2 * mpf(float.fromhex("0x1.921fb54442d18p+1")) * mpf(cutoff) * period
         share = turn / (1 + turn)
     for tick in range(ratio):
-        # What stands in the registers at this tick, as rows over the state at the first tick of the period.
+        # Contents of the registers at this tick, as rows over the state at the first tick of the period.
         position = rows[0]
         if cutoff < 0:
             velocity = rows[1]
@@ -103,7 +103,7 @@ for name, case in CASES.items():
     low, high = map(mpf, case[9:])
     assert radius(case, low) < 1 < radius(case, high), (name, radius(case, low), radius(case, high))
     for step in range(1, 12):
-        # Nothing crosses below.
+        # The spectral radius stays below 1 up to the lower stiffness.
         assert radius(case, low * step / 12) < 1, (name, step)
     for _ in range(70):
         middle = (low + high) / 2

@@ -1,4 +1,4 @@
-"""The reference numbers of the tests of dry friction: midpoint steps extrapolated in 30 digits, and no Taylor series.
+"""Prints the references of the tests of dry friction: midpoint steps extrapolated in 30 digits, without Taylor series.
 
     pip install mpmath==1.3.0
     python3 scripts/friction_reference.py [step]
@@ -34,7 +34,7 @@ def extrapolated(derivative, z, span):
 
 
 def run(rate, mass, force, state, law, until):
-    """From `state` at time 0 to `until`: the events, the last state and what friction burnt."""
+    """From `state` at time 0 to `until`: the events, the last state and the energy that friction dissipated."""
     static, coulomb, speed = law
     size = len(state)
     time, burnt, events = mpf(0), mpf(0), []
@@ -63,7 +63,7 @@ def run(rate, mass, force, state, law, until):
         begin = list(state) + [burnt]
         step = min(STEP, until - time)
         end = extrapolated(derivative, begin, step)
-        # No event is shorter than a step in these scenes: half the step finds the same ones.
+        # No phase is shorter than a step in these scenes: half the step finds the same events.
         if margin(end) >= 0:
             state, burnt, time = end[:size], end[size], time + step
             continue

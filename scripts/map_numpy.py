@@ -2,8 +2,8 @@
 """The map of `lab/benches/map` in NumPy and, where it is installed, in JAX: rollout-steps per second of one core.
 
 A 1 kHz servo over a 100 Hz wall for 2 s, LOLC over held work with a cap of 0.5, 256 by 256 cells of stiffness and
-damping. Each tick: exact motion of the mass, held wall, observer, controller, largest deflection. Times are those of the
-processor, of all threads together, so that a library that uses all cores is not flattered.
+damping. Each tick: exact motion of the mass, held wall, observer, controller, largest deflection. Times are processor
+times, summed over all threads, so that a library that uses all cores gets no advantage.
 
     python3 scripts/map_numpy.py            # needs numpy; jax is used if it is there
 """
@@ -19,7 +19,7 @@ CHUNK = 2048
 
 
 def motion():
-    """What position and velocity become over a period, per unit of position, velocity and held force."""
+    """Position and velocity after a period, per unit of position, velocity and held force."""
     decay = DAMPING / (2 * MASS)
     omega = np.sqrt(SPRING / MASS - decay**2)
     shrink, s, c = np.exp(-decay * PERIOD), np.sin(omega * PERIOD), np.cos(omega * PERIOD)
@@ -51,7 +51,7 @@ def tick(lib, state, wall, credit, numbers):
 
 
 def sample(lib, state, stiffness, damping, rate):
-    """What the wall answers, once for every `HOLD` ticks, and what its damper credits meanwhile."""
+    """Force of the wall, once for every `HOLD` ticks, and the credit of its damper meanwhile."""
     inside = state[0] > 0
     wall = lib.where(inside, lib.maximum(stiffness * state[0] + damping * (state[0] - state[2]) * rate, 0), 0)
     return wall, lib.where(inside, damping * rate, 0)

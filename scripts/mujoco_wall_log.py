@@ -1,10 +1,10 @@
-"""Makes scenes/logs/mujoco-wall.csv: MuJoCo's plant at a virtual wall that is closed by hand at 100 Hz.
+"""Makes scenes/logs/mujoco-wall.csv: a plant of MuJoCo's at a virtual wall that this script computes at 100 Hz.
 
     python3 -m venv venv && venv/bin/pip install mujoco==4.0.0
     venv/bin/python scripts/mujoco_wall_log.py scenes/logs/mujoco-wall.csv
 
 The plant is that of scenes/paper-8k-none.toml (0.3 kg, 0.201 N.s/m, 50 N/m, from -4 mm) as a slide joint.
-MuJoCo integrates it by RK4 in steps of 0.1 ms. The wall (8 kN/m, 2 N.s/m) is no part of MuJoCo's model: it is
+MuJoCo integrates it by RK4 in steps of 0.1 ms. The wall (8 kN/m, 2 N.s/m) is not in MuJoCo's model: it is
 computed here at 100 Hz from the position and its backward difference, and held. Nothing of lyapunov is used,
 so that the log is independent of it.
 

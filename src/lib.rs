@@ -2,7 +2,8 @@
 //!
 //! A virtual wall that is too stiff for its sampling rate, or a force that acts late, feeds energy into a loop until it
 //! buzzes or runs away. A stabilizer sums the energy that crosses the port and adds just enough damping that no more
-//! comes out than went in. No model of what is behind the port is needed; nothing here allocates, panics or needs `std`.
+//! comes out than went in. No model of what is behind the port is needed; nothing here allocates, panics or needs
+//! `std`.
 //!
 //! ```
 //! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer};
@@ -26,14 +27,14 @@
 //! # let _ = control(|| 0.001, |effort| effort);
 //! ```
 //!
-//! The root holds what every loop meets: a [`PortSample`] comes in, a [`Stabilizer`] ([`Popc`], or [`Lolc`] with a
-//! [`LyapunovCandidate`] of one's own) answers with a [`Correction`]. For simulation a [`Plant`] moves and a [`OnePort`]
-//! responds. Everything is generic over a [`Scalar`] (`f32`, `f64`, [`lanes`] of either) and a [`Signal`] (one axis, or an
-//! `SVector` of several); [`prelude`] brings the traits whose methods a loop calls.
+//! The root holds what every loop needs: a [`PortSample`] comes in, and a [`Stabilizer`] ([`Popc`], or [`Lolc`] with a
+//! [`LyapunovCandidate`] of your own) returns a [`Correction`]. In simulation a [`Plant`] moves and a [`OnePort`]
+//! responds. Everything is generic over a [`Scalar`] (`f32`, `f64`, [`lanes`] of either) and a [`Signal`] (one axis, or
+//! an `SVector` of several); [`prelude`] brings the traits whose methods a loop calls.
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`stabilizers`] | the family around POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
+//! | [`stabilizers`] | the family of POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
 //! | [`candidates`] | terms of a Lyapunov candidate, and the gates that open them |
 //! | [`environments`] | virtual walls, springs and solids |
 //! | [`bodies`] | masses on an operator's hand, with friction, elastic joints, a changing grip |
@@ -44,7 +45,7 @@
 //! | [`models`] | control-affine plants with their Lyapunov functions |
 //! | [`accumulators`] | plain, compensated and wide sums |
 //! | [`lanes`] | several rollouts in one number |
-//! | [`laws`] | checks to run on parts of one's own |
+//! | [`laws`] | checks to run on parts of your own |
 #![no_std]
 
 pub use lyapunov_core::{
@@ -54,7 +55,7 @@ pub use lyapunov_core::{
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
-/// Everything that a control loop of one's own calls by a method: `use lyapunov::prelude::*`.
+/// Prelude: the traits whose methods a control loop calls, and the types it starts with; `use lyapunov::prelude::*`.
 pub mod prelude {
     pub use crate::bodies::PlantExt;
     pub use crate::effects::OnePortExt;
@@ -65,17 +66,17 @@ pub mod prelude {
     };
 }
 
-/// Numbers that energies are summed in.
+/// Accumulators: running sums of energy.
 pub mod accumulators {
     pub use lyapunov_core::{Accumulator, Compensated, DoubleDouble, Plain, Wide, Widen};
 }
 
-/// Terms of a candidate beside those of the root, and the gates that open them.
+/// Terms of a Lyapunov candidate beyond those of the root, and the gates that open them.
 pub mod candidates {
     pub use lyapunov_core::{Always, Gate, InContact, LyapunovFunction};
 }
 
-/// Virtual environments: what answers a motion with a force.
+/// Virtual environments, which respond to a motion with a force.
 pub mod environments {
     pub use lyapunov_plants::{
         Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics,
@@ -84,7 +85,7 @@ pub mod environments {
     };
 }
 
-/// Bodies that move under the effort at their port, and what acts on them beside it.
+/// Bodies that move under the effort at their port, and the other forces on them.
 pub mod bodies {
     pub use lyapunov_plants::{
         Body, DampedMass, ElasticJoint, ExternalForce, Friction, FromParts, Grip, HandMotion,
@@ -113,7 +114,7 @@ pub mod channels {
     pub use lyapunov_plants::{Channel, ConstantDelay, LossyChannel, VaryingDelay};
 }
 
-/// Equations of motion, and the methods that follow them in time.
+/// Equations of motion, and the methods that solve them in time.
 pub mod integrators {
     pub use lyapunov_core::{Dynamics, Integrator, Mechanics, State};
     pub use lyapunov_plants::{
@@ -124,7 +125,7 @@ pub mod integrators {
     };
 }
 
-/// Control-affine plants with the candidates that make a port of their input.
+/// Control-affine plants, and the Lyapunov functions that make a port of their input.
 pub mod models {
     pub use lyapunov_core::LyapunovFunction;
     pub use lyapunov_plants::{
@@ -135,7 +136,7 @@ pub mod models {
     };
 }
 
-/// The family around [`Lolc`] and [`Popc`]: what refines them, and what stands in their place.
+/// Family around [`Lolc`] and [`Popc`]: adaptors that refine them, and other stabilizers.
 pub mod stabilizers {
     pub use lyapunov_stabilizers::{
         AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint, ContactReset,

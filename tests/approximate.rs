@@ -1,4 +1,4 @@
-//! Values within a tolerance: what is near, and what is not.
+//! Comparison within a tolerance: values that pass, and values that do not.
 
 use approx::{
     abs_diff_eq, assert_abs_diff_eq, assert_relative_eq, assert_ulps_eq, relative_eq, ulps_eq,
@@ -37,7 +37,7 @@ fn every_field_counts_by_its_own_unit() {
 }
 
 #[test]
-fn axes_and_parts_count_each() {
+fn every_axis_and_part_counts() {
     let at = State { position: Vector2::new(1.0, 2.0), velocity: Vector2::new(0.0, 1e3) };
     let mut moved = at;
     moved.velocity.y += 1e-6;
@@ -61,7 +61,7 @@ fn axes_and_parts_count_each() {
 }
 
 #[test]
-fn what_was_accepted_is_not_a_matter_of_degree() {
+fn acceptance_is_compared_exactly() {
     let none = Correction::none(1.0);
     assert_abs_diff_eq!(none, Correction { effort: 1.0 + 1e-9, ..none }, epsilon = 1e-8);
     assert!(!abs_diff_eq!(none, Correction { accepted: false, ..none }, epsilon = 1e9));

@@ -1,4 +1,4 @@
-//! What an effect keeps is in its own type, and what is absent keeps nothing.
+//! Memory of effects: each stores its own values only, and an absent one nothing.
 
 use lyapunov::{
     bodies::{Body, ExternalForce, Grip, HandMotion, Impedance, Jitter},
@@ -10,7 +10,7 @@ use lyapunov::{
     trajectories::{Constant, Pulse},
 };
 
-/// By how many numbers of `T` the type `Of` is larger than `Inside`.
+/// Size of the type `Of` less that of `Inside`, in numbers of `T`.
 fn added<Of, Inside, T>() -> f64 {
     (size_of::<Of>() - size_of::<Inside>()) as f64 / size_of::<T>() as f64
 }
@@ -18,8 +18,8 @@ fn added<Of, Inside, T>() -> f64 {
 #[test]
 fn an_adaptor_adds_its_own_numbers() {
     type Port = Wall<f64>;
-    // Whether there was a position before takes the room of a number; a stream of random numbers is a seed of four
-    // numbers, its name and its place.
+    // An `Option` takes the room of a number for its tag; a stream of random numbers is a seed of four numbers, its
+    // name and its place.
     let numbers = [
         ("nothing", added::<BackwardDifference<Port>, Port, f64>(), 0.0),
         ("force", added::<Saturation<Port, f64>, Port, f64>(), 1.0),
@@ -43,7 +43,7 @@ fn an_adaptor_adds_its_own_numbers() {
 }
 
 #[test]
-fn what_changes_a_course_adds_its_own_numbers() {
+fn an_adaptor_of_a_body_adds_its_own_numbers() {
     type Plant = Body<f64>;
     type Parts = Impedance<f64>;
     type Row = [(u64, Parts); 1];

@@ -1,4 +1,4 @@
-//! The shipped laws: every part that ships keeps them, and a part that breaks one is told which.
+//! Shipped laws: every part that ships keeps them, and a check names the law that a part breaks.
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Probe, Samples};
@@ -79,7 +79,7 @@ fn the_environments_that_ship_keep_the_laws() {
     laws::one_port(&cubic, samples).expect("cubic spring");
     laws::candidate(&layered.dissipation(), samples).expect("its damper");
     laws::candidate(&contact.dissipation(), samples).expect("its damper");
-    // Where the hand rests, the wall still moves: its damper burns something for nothing.
+    // Even while the hand rests the wall moves, so its damper credits energy without any work at the port.
     let credit = moving.dissipation(1.0 / PERIOD).expect("its damper");
     let violation = laws::candidate(&credit, samples).expect_err("the wall's own work");
     assert_eq!(violation.law, Law::NothingForNothing);
@@ -128,11 +128,11 @@ fn the_ports_and_plants_that_ship_keep_the_laws() {
 }
 
 #[test]
-fn the_adaptors_that_ship_hand_on_the_action() {
+fn the_adaptors_that_ship_hand_on_the_correction() {
     adaptors_hand_on::<f64>();
     adaptors_hand_on::<f32>();
     adaptors_hand_on::<SVector<f64, 3>>();
-    // What all lanes share is turned away for all; a guard is for one value at a time.
+    // Lanes reject together what they share; a guard is for one value at a time.
     let samples = Samples::<AutoF64x4>::new(AutoF64x4::of(PERIOD));
     laws::adaptor(|port| port.differenced(), samples).expect("difference");
 }
@@ -163,7 +163,7 @@ fn dropped<V: Signal>(port: Probe<V>) -> Result<Dropout<Probe<V>, V>, ParameterE
     port.dropped(V::Scalar::of(0.3), Fallback::Hold, |_| 1)
 }
 
-/// An adaptor that doubles the effort, and tells of an correction that `told` makes of the one inside.
+/// An adaptor that doubles the effort, and reports the correction that `told` makes of the one inside.
 struct Doubled<P, F>(P, F);
 
 impl<P: OnePort<f64>, F: Fn(Correction<f64>) -> Correction<f64>> OnePort<f64> for Doubled<P, F> {
@@ -177,12 +177,12 @@ impl<P: OnePort<f64>, F: Fn(Correction<f64>) -> Correction<f64>> OnePort<f64> fo
 }
 
 #[test]
-fn an_adaptor_that_forgets_or_changes_the_action_is_caught() {
+fn an_adaptor_that_forgets_or_changes_the_correction_is_caught() {
     let check = |told: fn(Correction<f64>) -> Correction<f64>| {
         laws::adaptor(|port| Doubled(port, told), Samples::new(PERIOD))
     };
     assert_eq!(check(|inside| inside), Ok(()));
-    // What a port without a stabilizer tells, the default of the trait.
+    // The report of a port without a stabilizer, the default of the trait.
     let forgetful = check(|_| Correction::none(0.0)).expect_err("broken");
     assert_eq!((forgetful.law, forgetful.tick), (Law::HandsOn, 0));
     let law = |told| check(told).expect_err("broken").law;
@@ -194,7 +194,7 @@ fn an_adaptor_that_forgets_or_changes_the_action_is_caught() {
 }
 
 #[test]
-fn no_stabilizer_changes_nothing_and_takes_all() {
+fn no_stabilizer_changes_nothing_and_accepts_all() {
     for (sample, effort) in Samples::<SVector<f64, 3>>::new(PERIOD) {
         let correction = NoStabilizer.stabilize(&sample, effort);
         assert_eq!(
@@ -208,7 +208,7 @@ fn no_stabilizer_changes_nothing_and_takes_all() {
     assert!(correction.effort.is_nan() && correction.accepted);
 }
 
-/// A stabilizer that does as it is told.
+/// A stabilizer made of a closure.
 #[derive(Clone)]
 struct Told<F>(F);
 
@@ -246,7 +246,7 @@ fn each_law_of_a_stabilizer_catches_its_breach() {
     assert_eq!(broken(|_, f| Correction::none(f)), Law::Rejects);
 }
 
-/// A stabilizer, candidate, port and plant with something wrong in its state.
+/// A stabilizer, candidate, port and plant with a faulty state.
 #[derive(Clone, Default)]
 struct Faulty<'a> {
     sum: f64,
@@ -290,7 +290,7 @@ impl Plant<f64> for Faulty<'_> {
 }
 
 #[test]
-fn what_is_wrong_in_the_state_is_caught() {
+fn a_faulty_state_is_caught() {
     let samples = Samples::new(PERIOD);
     let faulty = Faulty::default();
     let shared = std::cell::Cell::new(0.0);
@@ -304,7 +304,7 @@ fn what_is_wrong_in_the_state_is_caught() {
 }
 
 #[test]
-fn a_violation_reads_well() {
+fn a_violation_names_its_sample_and_its_law() {
     let told = Told(|d: &PortSample<f64>, f| Correction::none(f - d.velocity).checked());
     let violation = laws::stabilizer(&told, Samples::new(PERIOD)).expect_err("broken");
     assert!(violation.to_string().starts_with("sample 0: the correction must not feed power"));

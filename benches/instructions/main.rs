@@ -1,8 +1,8 @@
-//! What is absent costs nothing: the instructions per tick of loops composed by type, against the same loops written
-//! by hand, and the bytes of both. Fails where a ratio is above [`MARK`], a byte is different or a position is.
+//! Instructions per tick of loops composed by type, against the same loops written by hand, and the bytes of both: an
+//! absent effect must cost nothing. Fails where a ratio is above [`MARK`], or where bytes or positions differ.
 //!
-//! `cargo bench --bench instructions`. The instructions are counted by `valgrind --tool=callgrind`, the same on every
-//! run; where there is no valgrind, it says SKIPPED.
+//! `cargo bench --bench instructions`. `valgrind --tool=callgrind` counts the instructions, the same on every run;
+//! without valgrind the benchmark prints SKIPPED.
 
 mod hand;
 mod numbers;
@@ -12,13 +12,13 @@ use std::env;
 use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
-/// The most that a loop composed by type may execute, in loops written by hand.
+/// Largest allowed ratio of instructions: loop composed by type over loop by hand.
 const MARK: f64 = 1.02;
 
-/// Two lengths of a run; what the longer one executes more is that many ticks.
+/// Lengths of two runs; the difference of their instructions is that of their ticks.
 const TICKS: [usize; 2] = [2_000, 12_000];
 
-/// A loop in its two forms, and the bytes of either.
+/// Loop in its two forms, and the bytes of each.
 struct Contest {
     name: &'static str,
     hand: fn(usize) -> Vec<f64>,
@@ -45,8 +45,9 @@ macro_rules! contest {
     };
 }
 
-/// With and without a stabilizer, on a state that is kept; with one, on a state that ends with the run; with one that credits a
-/// damper; without, with a body that is integrated by steps; and with two that limit.
+/// Contests of one scalar: with and without a stabilizer on a state that is kept; with one on a state that is dropped
+/// with the run; with one that credits a damper; without one on a body that is integrated by steps; and with the two
+/// that limit the force.
 macro_rules! contests {
     ($real:ident) => {{
         use hand::$real::{Credited, Integrated, Limited, Plain, Stabilized, Tanked};
@@ -161,7 +162,7 @@ fn per_tick(name: &str, side: &str) -> f64 {
     (long - short) / (TICKS[1] - TICKS[0]) as f64
 }
 
-/// The instructions of a whole run, as callgrind tells them.
+/// The instructions of a whole run, by callgrind.
 fn instructions(name: &str, side: &str, ticks: usize) -> f64 {
     let own = env::current_exe().expect("the path of this program");
     let output = Command::new("valgrind")

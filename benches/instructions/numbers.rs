@@ -1,4 +1,4 @@
-//! The loop that both sides compute: a hand against a wall of 8 kN/m, asked at a tenth of the rate of the servo.
+//! Numbers of the loop that both sides compute: a hand against a wall of 8 kN/m, called at a tenth of the servo rate.
 
 pub(crate) const PERIOD: f64 = 1e-3;
 pub(crate) const OPERATOR_MASS: f64 = 0.1;
@@ -16,11 +16,11 @@ pub(crate) const STEPS: u32 = 4;
 
 /// The largest damping that may be injected, N·s/m.
 pub(crate) const MOST: f64 = 150.0;
-/// What a force bound takes the device's damping to be, N·s/m.
+/// Damping of the device on which a force bound relies, N·s/m.
 pub(crate) const BOUND_DAMPING: f64 = 0.2;
-/// What is on an account at the start, J.
+/// Stored credit at the start, J.
 pub(crate) const BUDGET: f64 = 1e-3;
-/// What a tank holds at most, J.
+/// Largest energy of a tank, J.
 pub(crate) const ROOM: f64 = 2e-3;
-/// What a tank hands out at most, W.
+/// Largest power out of a tank, W.
 pub(crate) const POWER: f64 = 0.1;

@@ -25,7 +25,7 @@ pub(crate) type Plain<T> = BackwardDifference<Wall<T>>;
 /// A mass moved by the classical Runge-Kutta method.
 pub(crate) type Integrated<T> = IntegratedPlant<T, Oscillator<T>, RungeKuttaNystrom4>;
 
-/// What moves, and what answers.
+/// Loop of a plant and a port.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Loop<B, P> {
     pub(crate) plant: B,
@@ -46,7 +46,7 @@ impl<B, P> Loop<B, P> {
         }
     }
 
-    /// The same on copies that end with it.
+    /// The same run on copies that are dropped with it.
     #[inline(never)]
     pub(crate) fn roll<T: Scalar>(&self, positions: &mut [T])
     where

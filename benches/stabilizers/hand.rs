@@ -1,4 +1,4 @@
-//! Four of the family as straight code on concrete types, without a call into the library.
+//! Four stabilizers as straight code on concrete types, without a call into the library.
 
 use super::{BOUND_DAMPING, CREDIT, MOST, STORE};
 
@@ -18,7 +18,7 @@ macro_rules! hand {
                 displacement: [$real; N],
                 work: [$real; N],
                 effort: [$real; N],
-                #[expect(dead_code, reason = "told in a sample, and not looked at")]
+                #[expect(dead_code, reason = "part of a sample, unused here")]
                 rest: [[$real; N]; 2],
             }
 
@@ -36,7 +36,7 @@ macro_rules! hand {
             }
 
             #[derive(Clone, Copy)]
-            #[expect(dead_code, reason = "told to whoever looks, and here nobody does")]
+            #[expect(dead_code, reason = "part of a correction, unused here")]
             pub(crate) struct Told<const N: usize> {
                 effort: [$real; N],
                 sum: $real,
@@ -83,7 +83,7 @@ macro_rules! hand {
                 }
             }
 
-            /// The observer and controller over held work.
+            /// The observer/controller over held work.
             struct Controller {
                 sum: $real,
                 most: $real,

@@ -1,8 +1,8 @@
-//! One tick of each of the family, in ns: `stabilizers/<name>/<f32|f64>/<1|3|6>dof`.
+//! Time of one tick of each stabilizer, in ns: `stabilizers/<name>/<f32|f64>/<1|3|6>dof`.
 //!
-//! The same samples for all of them, which let a controller act now and then. Compare ids of one scalar and width with
-//! one another. `<name>-by-hand` is the same as straight code, for four of them; by instructions they are compared in
-//! `benches/instructions`.
+//! All of them get the same samples, on which a controller acts now and then. Compare ids of one scalar and width with
+//! one another. `<name>-by-hand` is the same as straight code, for four of them; `benches/instructions` compares
+//! instructions.
 
 mod hand;
 
@@ -28,9 +28,9 @@ use lyapunov::{
 use nalgebra::{Vector3, Vector6};
 
 const PERIOD: f64 = 1e-3;
-/// The most damping that may be injected, half of 0.2 kg a period, N·s/m.
+/// The largest damping that may be injected, half of 0.2 kg per period, N·s/m.
 const MOST: f64 = 100.0;
-/// The damping that is credited, N·s/m.
+/// The credited damping, N·s/m.
 const CREDIT: f64 = 0.001;
 /// The damping that a force bound relies on, N·s/m.
 const BOUND_DAMPING: f64 = 0.1;
@@ -48,7 +48,7 @@ fn block<V: Signal>(
     }
 }
 
-/// Times `block`, which takes `ticks` ticks, so that one iteration of the report is one tick.
+/// Timing of `block`, which takes `ticks` ticks, so that one iteration of the report is one tick.
 fn report(
     criterion: &mut Criterion,
     (name, port): (&str, &str),
@@ -100,7 +100,7 @@ macro_rules! by_hand {
     };
 }
 
-/// Open beyond a surface on the first axis, or on the sum of several.
+/// Gate that is open beyond a surface on the first axis, or on the sum of several.
 #[derive(Clone, Copy, Debug)]
 struct Inside<T>(InContact<T>);
 
@@ -110,7 +110,7 @@ impl<V: Signal> Gate<V> for Inside<V::Scalar> {
     }
 }
 
-/// A port in the place of a stabilizer, which answers by itself.
+/// Port in the place of a stabilizer, which ignores the effort and responds by itself.
 struct Port<P>(P);
 
 impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Port<P> {

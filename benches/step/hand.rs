@@ -1,5 +1,5 @@
-//! The same steps as straight code on concrete types, without a call into the library, and the paper's steps
-//! taken literally.
+//! Steps by hand, as straight code on concrete types without a call into the library, and the paper's steps taken
+//! literally.
 
 use super::samples::{DAMPING, LIMIT, Sample};
 
@@ -73,7 +73,7 @@ macro_rules! hand {
                 out.accepted
             }
 
-            /// Nothing to believe but a finite past: no effort, and its energy booked.
+            /// The step for a rejected sample: no effort; the energy of the past is booked if finite.
             #[inline]
             fn reject<const N: usize>(
                 state: &mut State,
@@ -156,7 +156,7 @@ macro_rules! hand {
                     let (f, v) = (s.effort[0], s.velocity[0]);
                     let square = v * v;
                     state.sum += f * v + state.alpha * state.square + state.damping * square;
-                    // The choice stands before the division, so that no branch can skip it.
+                    // The choice comes before the division, so that no branch can skip the division.
                     let debt = if -state.sum > 0.0 { -state.sum } else { 0.0 };
                     state.alpha = debt / square;
                     state.square = square;

@@ -1,4 +1,4 @@
-//! One tick of a stabilizer, in ns: ours, generic over scalar, port, candidate and work, against straight
+//! Time of one tick of a stabilizer, in ns: ours, generic over scalar, port, candidate and work, against straight
 //! code on concrete types, and against the paper's steps 4 to 6 taken literally.
 //!
 //! `step/<sampled|held>/<f32|f64>/<1|3|6>dof/<idle|random|always>/<hand|generic|literal>`; the mix says how
@@ -21,7 +21,7 @@ use samples::{DAMPING, LIMIT, Mix, STEPS, Sample};
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
-/// Times `block`, which does [`STEPS`] steps, so that one iteration of the report is one step.
+/// Timing of `block`, which does [`STEPS`] steps, so that one iteration of the report is one step.
 fn time(group: &mut Group<'_>, id: &str, mut block: impl FnMut()) {
     group.bench_function(id, |bencher| {
         bencher.iter_custom(|steps| {

@@ -1,4 +1,4 @@
-//! What the steps are fed with: motions and forces that make the controller act never, now and then, or always.
+//! Samples for the steps: motions and forces on which the controller acts never, now and then, or always.
 
 /// Steps in one block: small enough for the second-level cache, long enough that no branch predictor learns it.
 pub(crate) const STEPS: usize = 4096;
@@ -6,10 +6,10 @@ pub(crate) const STEPS: usize = 4096;
 pub(crate) const PERIOD: f64 = 1e-3;
 /// The device's damping, N·s/m.
 pub(crate) const DAMPING: f64 = 0.001;
-/// The most damping the controller may inject: half of m / T at 0.2 kg, N·s/m.
+/// The largest damping that the controller may inject: half of m / T at 0.2 kg, N·s/m.
 pub(crate) const LIMIT: f64 = 100.0;
 
-/// How often the controller acts.
+/// Mix of samples, by how often the controller acts.
 #[derive(Clone, Copy)]
 pub(crate) enum Mix {
     Idle,
@@ -38,7 +38,7 @@ impl Mix {
     }
 }
 
-/// What one step is fed with.
+/// Input of one step.
 #[derive(Clone, Copy)]
 pub(crate) struct Sample<T, const N: usize> {
     pub(crate) period: T,
@@ -91,7 +91,7 @@ fn sample<T: Real, const N: usize>(seed: &mut u64, power: f64, work: f64) -> Sam
     }
 }
 
-/// Samples whose power at the port makes the paper's recursion act as the mix says.
+/// Samples whose power at the port makes the paper's recursion act as often as the mix says.
 pub(crate) fn sampled<T: Real, const N: usize>(mix: Mix) -> Vec<Sample<T, N>> {
     let mut seed = 42;
     (0..STEPS)
@@ -102,7 +102,7 @@ pub(crate) fn sampled<T: Real, const N: usize>(mix: Mix) -> Vec<Sample<T, N>> {
         .collect()
 }
 
-/// Samples whose held work lets the sum be negative as often as the mix says, and closes after one block.
+/// Samples whose held work makes the observed energy negative as often as the mix says, and sums to 0 over one block.
 pub(crate) fn held<T: Real, const N: usize>(mix: Mix) -> Vec<Sample<T, N>> {
     let mut seed = 42;
     let sums: Vec<f64> = (0..STEPS).map(|_| PERIOD * mix.power(random(&mut seed))).collect();

@@ -1,4 +1,4 @@
-//! How an energy is summed over a year of ticks.
+//! Accumulators: running sums of energy that keep their digits over a year of ticks.
 
 use core::fmt::Debug;
 
@@ -14,8 +14,8 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
     /// Adds `term`.
     fn add(&mut self, term: T);
 
-    /// Adds `term`, then raises a negative sum towards zero by at most `-most >= 0`; returns the sum between
-    /// the two.
+    /// Adds `term`, then raises a negative sum towards zero by at most `-most >= 0`; returns the sum before it was
+    /// raised.
     fn add_and_raise(&mut self, term: T, most: T) -> T;
 
     /// Lowers a sum above `most` to `most`.
@@ -44,8 +44,8 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
 
     #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
-        // An addition, a minimum and a maximum: the shortest chain from tick to tick, and the same time
-        // whatever the data. The raised sum is built beside the sum, not from it, for one more rounding.
+        // An addition, a minimum and a maximum: the shortest chain from tick to tick, in the same time whatever the
+        // data. The raised sum is computed beside the sum, not from it, at the price of one more rounding.
         let sum = self.sum + term;
         self.sum = (self.sum + (term - most)).smaller(T::zero()).larger(sum);
         sum
@@ -62,7 +62,7 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
     }
 }
 
-/// Two numbers of the port's own scalar: the sum and the rounding error it has made, by the error-free sum
+/// Two numbers of the port's own scalar: the sum and its accumulated rounding error, by the error-free sum
 /// of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensated<T> {
@@ -81,8 +81,8 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         let sum = self.sum + term;
         let share = sum - self.sum;
         let error = (self.sum - (sum - share)) + (term - share) + self.error;
-        // What has gathered goes into the sum as soon as the sum can hold it: errors that are only added up stop
-        // growing like any plain sum, and errors that go in with the next term are rounded off by it.
+        // The gathered error goes into the sum as soon as the sum can hold it. Errors that are only added up stop
+        // growing, as any plain sum does; errors added with the next term are rounded off by it.
         let whole = sum + error;
         let share = whole - sum;
         self.error = (sum - (whole - share)) + (error - share);
@@ -115,7 +115,7 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
     }
 }
 
-/// A scalar with a wider one beside it.
+/// A scalar that has a wider one.
 pub trait Widen: Scalar {
     /// The wider scalar, with as many lanes.
     type Wide: Scalar;

@@ -1,23 +1,22 @@
-//! A sample by the names of admittance causality.
+//! Admittance sample: a sample where force comes in and motion goes out.
 
 use crate::{PortSample, Signal};
 
-/// What the port's other side did since the last call, where effort comes in and motion goes out: the dual of a
-/// [`PortSample`].
+/// Sample at an admittance port, where effort comes in and motion goes out: the dual of a [`PortSample`].
 ///
-/// An admittance device measures a force and moves as it is told. Over one period under one held flow `v` the work is
-/// `v · ∫ f dt`, as it is `f · ∫ v dt` under a held effort: effort and flow have changed places, and the impulse
-/// stands where the displacement was. Nothing else differs, so whatever works on drives works on loads, [`Stabilizer`]s
-/// and all adaptors of a port alike; only the names of a sample's fields, and the units of a damping, have to be read
-/// the other way round. `PortSample::from(load)` is that reading:
+/// An admittance device measures a force and follows a commanded motion. Over one period under one held flow `v` the
+/// work is `v · ∫ f dt`; under a held effort it is `f · ∫ v dt`. Effort and flow change places, and the impulse takes
+/// the place of the displacement. Nothing else differs, so every [`Stabilizer`] and every adaptor of a port works on
+/// admittance samples too. Only the names of the fields, and the unit of the damping, are read the other way round;
+/// `PortSample::from` does that:
 ///
-/// | of a sample | of a load |
+/// | `PortSample` | `AdmittanceSample` |
 /// |---|---|
 /// | `velocity`, m/s | `effort`, N: the force measured now, positive where it moves the port into the environment |
 /// | `displacement`, m | `impulse`, N·s |
 /// | `position`, m | `momentum`, N·s: the sum of the impulses |
-/// | `applied`, N | `flow`, m/s: the velocity that really applied |
-/// | a damping `α`, N·s/m | a mobility `β`, m/(N·s): the controller adds the velocity `β f` |
+/// | `applied`, N | `flow`, m/s: the velocity that was really applied |
+/// | damping `α`, N·s/m | mobility `β`, m/(N·s): the controller adds the velocity `β f` |
 ///
 /// [`Stabilizer`]: crate::Stabilizer
 ///
@@ -32,24 +31,24 @@ pub struct AdmittanceSample<V: Signal> {
     pub period: V::Scalar,
     /// The sum of the impulses, N·s.
     pub momentum: V,
-    /// The effort now, N: the best estimate of whoever measures.
+    /// The effort now, N: the best available estimate.
     pub effort: V,
     /// The impulse of the effort since the last call, N·s.
     pub impulse: V,
-    /// The flow that applied last, m/s.
+    /// The flow applied last, m/s.
     pub flow: V,
     /// Work that crossed the port since the last call, on each axis, J.
     pub work: V,
 }
 
 impl<V: Signal> AdmittanceSample<V> {
-    /// The load of one period under one held flow: `work = flow · impulse`.
+    /// The sample of one period under one held flow: `work = flow · impulse`.
     #[inline]
     pub fn new(period: V::Scalar, momentum: V, effort: V, impulse: V, flow: V) -> Self {
         Self { period, momentum, effort, impulse, flow, work: flow.times(impulse) }
     }
 
-    /// The load of the first tick: nothing has applied yet.
+    /// The sample of the first tick: nothing was applied yet.
     #[inline]
     pub fn starting(period: V::Scalar, effort: V) -> Self {
         Self::new(period, V::zero(), effort, V::zero(), V::zero())

@@ -1,16 +1,18 @@
-//! Comparison of values within a tolerance: `approx`'s traits, behind the feature of that name.
+//! Comparison of values within a tolerance: the traits of `approx`, behind the feature of that name.
 //!
-//! Two values are as near as their fields are, each by the same rule. `epsilon` is one number for every field, in the
+//! Two values are near if all their fields are, each by the same rule. `epsilon` is one number for every field, in the
 //! field's own SI unit: with `epsilon = 1e-9` positions may differ by 1e-9 m, efforts by 1e-9 N, works by 1e-9 J.
-//! `max_relative` is a share of the larger of the two magnitudes, field by field and axis by axis. Masks must be the same.
+//! `max_relative` is a share of the larger of the two magnitudes, field by field and axis by axis. Masks must be equal.
 //!
-//! Lanes are values of another crate, and so are the traits: compare them lane by lane ([`Scalar::lane`]).
+//! Lane types and traits both come from other crates, so they cannot be joined here: compare lane by lane
+//! ([`Scalar::lane`]).
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
 use crate::{AdmittanceSample, Correction, DoubleDouble, PortSample, Scalar, Signal, State};
 
-/// Implements `approx`'s three traits for a type of which each field has them, all with the tolerance of the first bound.
+/// Implementation of `approx`'s three traits for a type whose fields all have them, with the tolerance of the first
+/// bound.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! approximate {
@@ -88,7 +90,7 @@ approximate!(impl[V: Signal] Correction<V>, of V, V::Scalar {
 });
 approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
 
-/// Tolerances are `f64`s, which reach far below the last of the digits.
+/// Tolerances are `f64`, whose range reaches far below the last digit.
 impl AbsDiffEq for DoubleDouble {
     type Epsilon = f64;
 
@@ -125,7 +127,7 @@ impl UlpsEq for DoubleDouble {
     }
 }
 
-/// Whether two numbers are one, or finite and no farther apart than `allowed`.
+/// Whether two numbers are equal, or finite and no farther apart than `allowed`.
 fn within(one: DoubleDouble, other: DoubleDouble, allowed: DoubleDouble) -> bool {
     let apart = (one - other).magnitude();
     one == other || one.finite() && other.finite() && !allowed.below(apart)

@@ -1,20 +1,20 @@
-//! The function whose decrease an observer sums.
+//! Lyapunov candidates: the functions whose decrease an observer sums.
 
 use crate::{PortSample, Scalar, Signal};
 
-/// A Lyapunov candidate `V`, known by what each sample lets it lose.
+/// Lyapunov candidate `V`, given by its decrease over each sample.
 ///
-/// The observer sum of a candidate is `L(n) = Σ −ΔV`, in joules: what the port absorbed plus what the
+/// The observed energy of a candidate is `L(n) = Σ −ΔV`, in joules: what the port absorbed plus what the
 /// candidate credits. `L ≥ 0` is good, `L < 0` a debt. (The paper's equation 7 wants the sum of `V̇` not
 /// positive, its step 4 sums the negative of that and wants it not negative; this is step 4's sign. The
 /// paper's sums leave out the period; here it is always in, so that a sum is an energy.)
 ///
-/// A candidate is a sum of terms, written as a tuple: `(PortEnergy, wall.dissipation())` is what the paper's
-/// example 2 prints in its step 4. A term of one's own is one struct and one method:
+/// A candidate is a sum of terms, written as a tuple: `(PortEnergy, wall.dissipation())` is the candidate that the
+/// paper's example 2 prints in its step 4. A term of your own is one struct and one method:
 ///
 /// ```
 /// use lyapunov_core::{PortSample, LyapunovCandidate};
-/// /// The port's energy, with what quadratic drag must have burnt credited.
+/// /// The port's energy, credited with what quadratic drag must have dissipated.
 /// struct Drag { coefficient: f64 } // N·s²/m²
 /// impl LyapunovCandidate<f64> for Drag {
 ///     fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
@@ -24,7 +24,7 @@ use crate::{PortSample, Scalar, Signal};
 /// }
 /// ```
 pub trait LyapunovCandidate<V: Signal> {
-    /// `−ΔV` over the sample, J: positive where the port absorbed or a damper burnt energy.
+    /// `−ΔV` over the sample, J: positive where the port absorbed or a damper dissipated energy.
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar;
 }
 
@@ -59,7 +59,7 @@ where
 }
 
 /// The port's own energy, `−ΔV = Σ fᵢ Δxᵢ`: the candidate of the passivity observer, and of the paper's
-/// example 1 (equations 10 to 12), whose spring stores just what crosses its port.
+/// example 1 (equations 10 to 12), whose spring stores exactly what crosses its port.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PortEnergy;
 
@@ -70,15 +70,15 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
     }
 }
 
-/// A candidate known as a function `V(position, velocity)`, summed by its differences.
+/// Candidate given as a function `V(position, velocity)`, summed by its differences.
 ///
-/// `−ΔV = V(n−1) − V(n)`, which telescopes: the observer sum is `V(start) − V(n)` whatever the period,
+/// `−ΔV = V(n−1) − V(n)`, which telescopes: the observed energy is `V(start) − V(n)` whatever the period,
 /// where a sum of `V̇ T` (the paper's equation 6) gathers a quadrature error on every tick.
 ///
-/// `V` is the energy of what drives the port: when it falls, the port absorbed. It is the other side of
+/// `V` is the energy of the side that moves the port: when it falls, the port absorbed. It is the other side of
 /// [`PortEnergy`], which counts what the environment stores as positive; the energy of a virtual spring at the
-/// port therefore goes in with a minus sign. Where `V` is not finite the last finite value is kept, so that the next
-/// finite one spans the gap; in a sum of terms only this one does.
+/// port therefore goes in with a minus sign. Where `V` is not finite, the last finite value is kept, so that the next
+/// finite one spans the gap; in a sum of terms only this term does so.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -96,7 +96,7 @@ pub struct StorageFunction<F, T> {
 }
 
 impl<F, T: Scalar> StorageFunction<F, T> {
-    /// `function` seen from the state the loop starts in.
+    /// The candidate `function`, counted from the state in which the loop starts.
     pub fn starting<V: Signal<Scalar = T>>(function: F, position: V, velocity: V) -> Self
     where
         F: Fn(V, V) -> T,

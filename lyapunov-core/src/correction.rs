@@ -1,19 +1,19 @@
-//! What a stabilizer did on one tick.
+//! The correction of one tick.
 
 use crate::{Mask, Scalar, Signal};
 
-/// What a stabilizer did on one tick: telemetry without strings.
+/// Correction of one tick: the effort to command, and what the stabilizer did to it, as numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Correction<V: Signal> {
     /// The effort to command, correction included, N.
     pub effort: V,
-    /// The observer sum `L(n)` before this tick's correction, J.
+    /// The observed energy `L(n)` before this tick's correction, J.
     pub observed_energy: V::Scalar,
-    /// The damping injected on this tick, N·s/m; of a stabilizer that corrects in another way, 0.
+    /// The damping injected on this tick, N·s/m; 0 from a stabilizer that corrects in another way.
     pub alpha: V::Scalar,
-    /// The debt that this tick's correction cannot serve, J; it stays in the sum.
+    /// The part of the debt that this tick's correction cannot serve, J; it stays in `L`.
     pub shortfall: V::Scalar,
-    /// Where the sample was accepted; elsewhere a stabilizer gives a zero effort, a guard its fallback.
+    /// Whether the sample was accepted, lane by lane; if not, a stabilizer gives a zero effort, a guard its fallback.
     pub accepted: <V::Scalar as Scalar>::Mask,
 }
 
@@ -33,7 +33,7 @@ impl<V: Signal> Correction<V> {
         (0..V::Scalar::LANES).all(|lane| self.accepted.lane(lane) == other.accepted.lane(lane))
     }
 
-    /// What a port without a stabilizer reports: `effort` as it is, and nothing done.
+    /// The correction of a port without a stabilizer: `effort` unchanged, and nothing else.
     #[inline(always)]
     pub fn none(effort: V) -> Self {
         let zero = V::Scalar::of(0.0);
@@ -46,7 +46,7 @@ impl<V: Signal> Correction<V> {
         }
     }
 
-    /// This correction if its effort is finite; elsewhere a zero effort without damping, not accepted.
+    /// This correction where its effort is finite; elsewhere a zero effort without damping, not accepted.
     #[inline(always)]
     pub fn checked(self) -> Self {
         let finite = self.effort.finite();

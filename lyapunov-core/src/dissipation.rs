@@ -1,14 +1,14 @@
-//! What a damper must have burnt, as a term of a candidate.
+//! Dissipation credit: the energy that a damper must have dissipated, as a term of a candidate.
 
 use crate::{LyapunovCandidate, Mask, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// When a term counts.
+/// Condition under which a term counts.
 pub trait Gate<V: Signal> {
-    /// Where the term counts for this sample.
+    /// Whether the term counts for this sample, lane by lane.
     fn open(&self, sample: &PortSample<V>) -> <V::Scalar as Scalar>::Mask;
 }
 
-/// The gate that is always open.
+/// Gate that is always open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Always;
 
@@ -19,10 +19,10 @@ impl<V: Signal> Gate<V> for Always {
     }
 }
 
-/// The gate that is open strictly beyond a surface: in contact with a one-sided wall.
+/// Gate that is open strictly beyond a surface: in contact with a one-sided wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InContact<T> {
-    /// Where the surface is, m.
+    /// Position of the surface, m.
     pub position: T,
 }
 
@@ -33,16 +33,16 @@ impl<T: Scalar> Gate<T> for InContact<T> {
     }
 }
 
-/// The credit of a damper `b`: `b v² T` joules while its gate is open.
+/// Credit of a damper `b`: `b v² T` joules while its gate is open.
 ///
 /// Gated by contact and given the wall's own damping it is step 4 of the paper's example 2 (which prints `b v̇²`
-/// where its derivation has `b v²`). Such a credit is no decrease of an energy and may be larger than what
-/// physically burns; then a positive sum does not mean a stable loop. Open always and given the
-/// device's own viscous damping it is sound: over one tick `b ∫ v² dt ≥ b Δx² / T`, so with
-/// backward-difference velocity and no encoder the credit is a lower bound of what really burnt.
+/// where its derivation has `b v²`). Such a credit is no decrease of an energy and may be larger than what the damper
+/// physically dissipates; then a positive observed energy does not mean a stable loop. Always open and given the
+/// device's own viscous damping it is sound: over one tick `b ∫ v² dt ≥ b Δx² / T`, so with backward-difference
+/// velocity and no encoder the credit is a lower bound of what was really dissipated.
 ///
-/// A velocity that is not finite credits nothing. The work of that tick did happen and is booked without it; a credit
-/// of NaN would take a debt with it.
+/// A velocity that is not finite credits nothing. The work of that tick did happen and is booked without the credit;
+/// a credit of NaN would erase a debt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dissipation<T, G = Always> {
     damping: T,
@@ -50,7 +50,7 @@ pub struct Dissipation<T, G = Always> {
 }
 
 impl<T: Scalar> Dissipation<T> {
-    /// The credit of a damper that always acts, in N·s/m.
+    /// The credit of a damper that always acts, of `damping` N·s/m.
     ///
     /// # Errors
     /// `damping` below 0, infinite or NaN.
@@ -60,7 +60,7 @@ impl<T: Scalar> Dissipation<T> {
 }
 
 impl<T: Copy, G> Dissipation<T, G> {
-    /// The damping that is credited, N·s/m.
+    /// The credited damping, N·s/m.
     pub fn damping(&self) -> T {
         self.damping
     }

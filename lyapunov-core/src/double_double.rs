@@ -1,4 +1,4 @@
-//! A scalar of about thirty digits.
+//! Double-double: a scalar of about thirty digits.
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -6,17 +6,17 @@ use num_traits::{One, Zero};
 
 use crate::{Scalar, Signal};
 
-/// The unevaluated sum of two `f64`, the second below half a unit in the last place of the first: about 31 digits over the
-/// range of `f64`.
+/// Unevaluated sum of two `f64`, the second below half a unit in the last place of the first: about 31 digits over
+/// the range of `f64`.
 ///
-/// For references, and for sums wider than an `f64` port's; an operation costs some tens of an `f64`'s. No result is off by
-/// more than [`epsilon`](Scalar::epsilon), `2⁻¹⁰²`, of itself, as long as the sizes of its parts stay above
-/// `10⁻²⁷⁰` and below `10³⁰⁰`; beyond, digits are lost down to those of `f64`. Infinities, NaN and what overflows
-/// are as in `f64`.
+/// It serves references, and sums wider than an `f64` port's; an operation costs some tens of `f64` operations. The
+/// relative error of a result is at most [`epsilon`](Scalar::epsilon), `2⁻¹⁰²`, as long as the sizes of its parts
+/// stay above `10⁻²⁷⁰` and below `10³⁰⁰`; beyond, digits are lost down to those of `f64`. Infinities, NaN and
+/// overflow are as in `f64`.
 ///
-/// Sums by the error-free sum of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2), products by
-/// the error-free product of two numbers (Dekker, A floating-point technique for extending the available precision,
-/// Numerische Mathematik 18, 1971); no fused multiply-add, so the bits are the same on every machine.
+/// Sums use the error-free sum of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2),
+/// products the error-free product of two numbers (Dekker, A floating-point technique for extending the available
+/// precision, Numerische Mathematik 18, 1971); no fused multiply-add, so the bits are the same on every machine.
 ///
 /// ```
 /// use lyapunov_core::{DoubleDouble, Scalar};
@@ -54,13 +54,13 @@ impl DoubleDouble {
         self.high
     }
 
-    /// What the nearest `f64` lacks.
+    /// The remainder beyond the nearest `f64`.
     #[inline]
     pub fn low(self) -> f64 {
         self.low
     }
 
-    /// `high + low` where `low` is the smaller, or both are 0.
+    /// `high + low`, if `low` is the smaller or both are 0.
     #[inline]
     fn normalized(high: f64, low: f64) -> Self {
         if low == 0.0 {
@@ -71,7 +71,7 @@ impl DoubleDouble {
     }
 }
 
-/// The error of an operation, or none where the result has no digits to lack.
+/// The rounding error of an operation, or 0 where it is not finite.
 #[inline]
 fn sound(error: f64) -> f64 {
     if error.is_finite() { error } else { 0.0 }
@@ -263,7 +263,7 @@ impl Scalar for DoubleDouble {
         Self { high: f64::MAX, low: f64::MAX * (f64::EPSILON / 4.0) }
     }
 
-    /// `2⁻¹⁰²`, by which no operation is off; the next number above one may be nearer.
+    /// `2⁻¹⁰²`, the largest relative error of an operation; the next number above one may be nearer.
     #[inline]
     fn epsilon() -> Self {
         Self { high: 4.0 * f64::EPSILON * f64::EPSILON, low: 0.0 }
@@ -276,7 +276,7 @@ impl Scalar for DoubleDouble {
         if !near.is_finite() || near == 0.0 {
             return Self { high: near, low: 0.0 };
         }
-        // One step of Newton's doubles the digits.
+        // One Newton step doubles the digits.
         let rest = self - Self::product_of(near, near);
         Self::normalized(near, rest.high / (2.0 * near))
     }

@@ -1,11 +1,11 @@
-//! The equation that an integrator follows.
+//! Dynamics: the differential equation that an integrator solves.
 
 use crate::Signal;
 
-/// A first-order differential equation under an input that is held: `ẋ = f(x, u)`.
+/// First-order differential equation under a held input: `ẋ = f(x, u)`.
 ///
-/// It does not depend on time: what follows time acts through the input. A mechanical system states an acceleration
-/// instead, as [`Mechanics`](crate::Mechanics), and has its first-order form from there. A first-order lag is
+/// It does not depend on time; a function of time acts through the input. A mechanical system states an acceleration
+/// instead, as [`Mechanics`](crate::Mechanics), and gets its first-order form from there. A first-order lag is
 ///
 /// ```
 /// use lyapunov_core::Dynamics;
@@ -19,9 +19,9 @@ use crate::Signal;
 /// }
 /// ```
 pub trait Dynamics<U: Signal> {
-    /// What changes: any [`Signal`], of as many axes as there are numbers.
+    /// The state: any [`Signal`], with one axis per number.
     type State: Signal<Scalar = U::Scalar>;
 
-    /// How fast `state` changes under `input`, per s.
+    /// The rate of change of `state` under `input`, per s.
     fn rate(&self, state: Self::State, input: U) -> Self::State;
 }

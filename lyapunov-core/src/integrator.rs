@@ -1,11 +1,11 @@
-//! What follows a differential equation through time.
+//! Integrators: one-step methods that solve a differential equation in time.
 
 use crate::{Dynamics, Signal};
 
-/// A one-step method: it follows `ẋ = f(x, u)` over an interval under a held input.
+/// One-step method that solves `ẋ = f(x, u)` over an interval under a held input.
 ///
-/// It answers with what the state *gains*, not with the new state: a gain is a small number with digits of its own,
-/// and whoever sums chooses how. Over no time it gains exactly nothing. What an integrator remembers from step to
+/// It returns the *gain* of the state, not the new state: a gain is a small number with digits of its own, and the
+/// caller chooses how to sum it. Over an interval of 0 the gain is exactly 0. What an integrator keeps from step to
 /// step (a matrix, a step size) is in its value.
 ///
 /// ```
@@ -19,7 +19,7 @@ use crate::{Dynamics, Signal};
 /// }
 /// ```
 pub trait Integrator<U: Signal, D: Dynamics<U>> {
-    /// What `from` gains over `interval` s, while `input` is held.
+    /// The gain of the state `from` over `interval` s, while `input` is held.
     fn step(&mut self, dynamics: &D, from: D::State, input: U, interval: U::Scalar) -> D::State;
 }
 

@@ -1,7 +1,7 @@
-//! Several rollouts in one number: simba's lane types as [`Scalar`]s.
+//! Lanes: several rollouts in one number, with simba's lane types as [`Scalar`]s.
 //!
-//! The `Auto` types are arrays that the compiler vectorises; the `Wide` types are written in the
-//! processor's own vectors. Both give each lane the bits of the scalar run.
+//! The `Auto` types are arrays that the compiler vectorises; the `Wide` types use the processor's own vectors. Both
+//! give each lane the bits of the scalar run.
 
 pub use simba::simd::{
     AutoF32x4, AutoF32x8, AutoF32x16, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4,

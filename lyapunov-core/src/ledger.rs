@@ -1,24 +1,24 @@
-//! The account of a port: what work is booked, and what a correction is believed to have achieved.
+//! Ledger: the observed energy of a port, and which work it books.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
 use crate::{Accumulator, PortSample, Scalar, Signal};
 
-/// Which work a ledger books.
+/// Kind of work that a ledger books.
 pub trait Work: Copy + Debug {
     /// The sample that the candidate's terms see, given the effort of the port behind the stabilizer.
     fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V>;
 
     /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
-    /// the sum between the two.
+    /// the sum before the correction.
     fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T;
 }
 
-/// The work that really crossed the port: the effort that applied times the displacement.
+/// Held work: the applied effort times the displacement, which is the work that really crossed the port.
 ///
 /// `L(n) = L(n−1) + f_act(n−1) Δx(n) + credit`. Under a held effort this is exact, the controller's own
-/// damping included, so nothing is assumed about what a correction achieved: it shows in the next sample.
+/// damping included, so nothing is assumed about what a correction achieved: the next sample shows it.
 /// This is the default; hold-exact port energy is due to Stramigioli and co-workers (IEEE Transactions on
 /// Robotics 21(4), 2005).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,10 +37,10 @@ impl Work for Held {
     }
 }
 
-/// The paper's step 4: power as sampled now, and a correction that is booked in full.
+/// Sampled work, the paper's step 4: the power sampled now, and the correction booked in full.
 ///
-/// `L(n) = L(n−1) + (f(n) v(n) + α(n−1) v(n−1)²) T + credit`. It knows nothing of what leaks between two
-/// samples, of saturation or of delay.
+/// `L(n) = L(n−1) + (f(n) v(n) + α(n−1) v(n−1)²) T + credit`. It misses the energy that leaks between two
+/// samples, saturation and delay.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sampled;
 
@@ -53,13 +53,13 @@ impl Work for Sampled {
 
     #[inline(always)]
     fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T {
-        // What α burns is exactly the debt, or the most it can where that is less, so the sum is raised by it here
+        // α dissipates exactly the debt, or the most it can where that is less, so the sum is raised by that here
         // instead of carrying α and v² to the next tick: the division leaves the chain from tick to tick.
         sum.add_and_raise(decrease, most)
     }
 }
 
-/// The running account of a port.
+/// Ledger of a port: the sum that holds the observed energy `L`.
 #[derive(Clone, Copy, Debug)]
 pub struct Ledger<W, A> {
     sum: A,
@@ -67,7 +67,7 @@ pub struct Ledger<W, A> {
 }
 
 impl<W: Work, A> Ledger<W, A> {
-    /// An account with nothing in it.
+    /// An empty ledger.
     pub fn new<T: Scalar>() -> Self
     where
         A: Accumulator<T>,
@@ -75,7 +75,7 @@ impl<W: Work, A> Ledger<W, A> {
         Self::in_sum(A::zero())
     }
 
-    /// An account that goes on from `sum`.
+    /// A ledger that goes on from `sum`.
     pub fn in_sum(sum: A) -> Self {
         Self { sum, work: PhantomData }
     }
@@ -89,7 +89,7 @@ impl<W: Work, A> Ledger<W, A> {
         self.sum.add(energy);
     }
 
-    /// Forgets what is stored above `most` joules.
+    /// Forfeits the stored credit above `most` joules.
     #[inline]
     pub fn limit_credit<T: Scalar>(&mut self, most: T)
     where
@@ -105,7 +105,7 @@ impl<W: Work, A> Ledger<W, A> {
     }
 
     /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
-    /// the sum `L(n)` between the two.
+    /// `L(n)`, the observed energy before the correction.
     #[inline(always)]
     pub fn book<T: Scalar>(&mut self, decrease: T, most: T) -> T
     where
@@ -114,7 +114,7 @@ impl<W: Work, A> Ledger<W, A> {
         W::book(&mut self.sum, decrease, most)
     }
 
-    /// Where `decrease` can be booked and leaves the sum finite.
+    /// Whether `decrease` can be booked and leaves the sum finite, lane by lane.
     #[inline(always)]
     pub fn fits<T: Scalar>(&self, decrease: T) -> T::Mask
     where

@@ -1,15 +1,17 @@
 //! The traits of a stabilized sampled loop, and the parts that every stabilizer is made of.
 //!
 //! A **port** carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
-//! A [`Plant`] moves and tells a [`PortSample`]: what moved, and which effort really applied. A [`OnePort`] answers
-//! with the next effort. In between a [`Stabilizer`] watches an [`Observer`]: the sum of what a
-//! [`LyapunovCandidate`] loses, booked in a [`Ledger`]. An [`Integrator`] follows the [`Dynamics`] of a plant through
-//! its period; those of a mass are [`Mechanics`]. Everything is generic over the [`Scalar`] (`f32`,
-//! `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor
-//! an allocator, and does not panic. [`laws`] checks parts of one's own.
+//! A [`Plant`] moves and returns a [`PortSample`]: the motion, and the effort that was really applied. A [`OnePort`]
+//! responds with the next effort. Between the two, a [`Stabilizer`] corrects that effort and returns a [`Correction`]:
+//! it reads an [`Observer`], which sums the decrease of a [`LyapunovCandidate`] in a [`Ledger`]. An [`Integrator`]
+//! solves the [`Dynamics`] of a plant over one period; the dynamics of a mechanical system are [`Mechanics`].
 //!
-//! Only impedance causality is here: motion in, effort out. The names leave room for the other: what is said of
-//! a `PortSample` and an effort would be said of a load and a flow.
+//! Everything is generic over the [`Scalar`] (`f32`, `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and
+//! the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor an allocator, and does not panic.
+//! [`laws`] checks parts of your own.
+//!
+//! The traits are written for impedance causality: motion in, effort out. For the dual, effort in and motion out, an
+//! [`AdmittanceSample`] takes the place of the `PortSample`, and a flow that of the effort.
 //!
 //! Not here: scheduling, clocks, threads, names of signals at run time, graphs of blocks. The caller calls.
 #![no_std]

@@ -1,11 +1,11 @@
-//! A function of a plant's state that must not grow.
+//! Lyapunov function: a function of a plant's state that must not grow.
 
 use crate::Signal;
 
-/// A Lyapunov function, or a candidate for one: `V(x)` and its gradient, of a state `x` counted from where the plant
-/// is to rest.
+/// Lyapunov function, or a candidate for one: `V(x)` and its gradient, for a state `x` counted from the plant's
+/// intended rest.
 ///
-/// `V(0) = 0`, and `V > 0` elsewhere, at least wherever the plant goes. Its unit is that of what is summed: J where
+/// `V(0) = 0`, and `V > 0` elsewhere, at least wherever the plant goes. Its unit is that of the observer's sum: J if
 /// it is an energy. Check one of your own with [`laws::lyapunov_function`](crate::laws::lyapunov_function).
 ///
 /// ```

@@ -1,11 +1,12 @@
-//! The equation of motion of a mechanical system.
+//! Mechanics: the equation of motion of a mechanical system.
 
 use crate::{Dynamics, Signal, State};
 
-/// The equation of motion of a mechanical system under an effort at its port: `q̈ = a(q, q̇, f)`.
+/// Equation of motion of a mechanical system under an effort at its port: `q̈ = a(q, q̇, f)`.
 ///
 /// Every mechanical system is [`Dynamics`] of its [`State`], `d/dt (q, q̇) = (q̇, a(q, q̇, f))`, so that every
-/// [`Integrator`](crate::Integrator) moves it. Methods that need the acceleration apart ask for this trait. A pendulum is
+/// [`Integrator`](crate::Integrator) can move it. Methods that need the acceleration by itself ask for this trait.
+/// A pendulum is
 ///
 /// ```
 /// use lyapunov_core::Mechanics;
@@ -19,7 +20,7 @@ use crate::{Dynamics, Signal, State};
 /// }
 /// ```
 pub trait Mechanics<V: Signal> {
-    /// What says where the system is: the port's own signal, or one with more axes for more masses.
+    /// The coordinates of the system: the port's own signal, or one with more axes for more masses.
     type Coordinates: Signal<Scalar = V::Scalar>;
 
     /// The acceleration of the coordinates, m/s², under `effort` at the port, N.

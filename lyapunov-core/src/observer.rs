@@ -1,12 +1,12 @@
-//! The observer: a candidate, a kind of work and a sum.
+//! Observer: a candidate, a kind of work and a sum.
 
 use crate::{
     Accumulator, Held, Ledger, LyapunovCandidate, Plain, PortSample, Scalar, Signal, Work,
 };
 
-/// Sums the decrease of a Lyapunov candidate at a port (the paper's equation 8, in joules).
+/// Observer of a port: the sum of a Lyapunov candidate's decrease (the paper's equation 8, in joules).
 ///
-/// A pure observer: it touches nothing. A stabilizer is an observer with a controller behind it.
+/// It only observes and changes no effort. A stabilizer is an observer with a controller behind it.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Observer, PortEnergy};
@@ -18,9 +18,9 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Observer<C, W, A> {
-    /// What is summed.
+    /// The candidate whose decrease is summed.
     pub candidate: C,
-    /// Where it is summed.
+    /// The ledger that holds the sum.
     pub ledger: Ledger<W, A>,
 }
 
@@ -37,8 +37,7 @@ impl<C, W: Work, A> Observer<C, W, A> {
         Observer { candidate: self.candidate, ledger: Ledger::new() }
     }
 
-    /// What the sample lets the candidate lose, J; `effort` is what the port behind the observer answers to
-    /// it, N.
+    /// The candidate's decrease over the sample, J; `effort` is the response of the port behind the observer, N.
     #[inline(always)]
     pub fn decrease<V: Signal>(&mut self, sample: &PortSample<V>, effort: V) -> V::Scalar
     where
@@ -47,8 +46,8 @@ impl<C, W: Work, A> Observer<C, W, A> {
         self.candidate.decrease(&self.ledger.sample(sample, effort))
     }
 
-    /// Books what the sample tells; returns the observer sum `L(n)`, J. A decrease that is not finite, or
-    /// that the sum has no room for, is left out.
+    /// Books the candidate's decrease over the sample; returns the observed energy `L(n)`, J. A decrease that is not
+    /// finite, or that the sum has no room for, is left out.
     #[inline(always)]
     pub fn observe<V: Signal>(&mut self, sample: &PortSample<V>, effort: V) -> V::Scalar
     where

@@ -1,16 +1,16 @@
-//! Everything that stands at a port.
+//! One-port: anything that responds to a motion with an effort.
 
 use crate::{Correction, PortSample, Signal, Stabilized, Stabilizer};
 
-/// Something with one port: driven by a motion it responds with an effort (impedance causality).
+/// System with one port, which responds to a motion with an effort (impedance causality).
 ///
-/// A wall, a spring, a hold, a delay, a saturation, a stabilized port are all one-ports. What acts on a port
-/// owns it and is a one-port again, so they chain like iterator adaptors, innermost first.
+/// A wall, a spring, a hold, a delay, a saturation, a stabilized port are all one-ports. An effect on a port owns that
+/// port and is a one-port again, so effects chain like iterator adaptors, innermost first.
 pub trait OnePort<V: Signal> {
-    /// The effort in answer to the sample, N, positive against motion into the environment.
+    /// The effort in response to the sample, N, positive against motion into the environment.
     fn respond(&mut self, sample: &PortSample<V>) -> V;
 
-    /// What the stabilizer inside did on the last tick; an adaptor hands on that of the port it owns.
+    /// The last correction of the stabilizer inside; an adaptor hands on that of the port it owns.
     ///
     /// Check an adaptor of your own with [`laws::adaptor`](crate::laws::adaptor).
     #[inline(always)]
@@ -18,7 +18,7 @@ pub trait OnePort<V: Signal> {
         Correction::none(V::zero())
     }
 
-    /// This port watched and corrected by `stabilizer`, at the rate at which the result is called.
+    /// This port with `stabilizer` in front, which watches and corrects it at the rate at which the result is called.
     ///
     /// One stabilizer per port: nested ones would serve the same debt twice.
     fn stabilized<S: Stabilizer<V>>(self, stabilizer: S) -> Stabilized<Self, S, V>

@@ -1,10 +1,10 @@
-//! What a constructor refuses.
+//! Parameter errors: the values that a constructor rejects.
 
 use core::fmt;
 
 use crate::Scalar;
 
-/// A parameter that no block can be built with: its name, its value and what would be right.
+/// Rejected parameter: its name, its value and what would be right.
 ///
 /// ```
 /// use lyapunov_core::{ParameterError, Requirement};
@@ -15,13 +15,13 @@ use crate::Scalar;
 pub struct ParameterError {
     /// The parameter's name.
     pub parameter: &'static str,
-    /// The value that was given; of lanes, the first that is not right.
+    /// The given value; of lanes, the first that is not right.
     pub value: f64,
-    /// What the value must be.
+    /// The requirement that the value breaks.
     pub requirement: Requirement,
 }
 
-/// What a parameter's value must be.
+/// Requirement on a parameter's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Requirement {
@@ -37,7 +37,7 @@ pub enum Requirement {
     AtMost(f64),
     /// Finite and not below the given number.
     AtLeast(f64),
-    /// Such that what is computed from it stays within the range of the scalar.
+    /// Such that the numbers computed from it stay within the range of the scalar.
     InRange,
 }
 

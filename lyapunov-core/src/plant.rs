@@ -1,8 +1,8 @@
-//! What a port is driven by.
+//! Plant: the side of a port that moves.
 
 use crate::{PortSample, Signal};
 
-/// The other side of the port: what moves, and is moved by the effort that acts.
+/// Plant: the side of the port that moves under the applied effort.
 ///
 /// The loop is two calls:
 ///
@@ -19,17 +19,17 @@ pub trait Plant<V: Signal> {
     /// The sample of the first tick: where the plant stands, with nothing moved and nothing applied yet.
     fn start(&self) -> PortSample<V>;
 
-    /// Moves for one period under `effort`, held, and tells what happened.
+    /// Moves for one period under the held `effort`, and returns the sample.
     ///
     /// The effort is what the environment exerts against the plant: a positive one accelerates it
     /// backwards, `m ẍ = … − effort`.
     fn advance(&mut self, effort: V) -> PortSample<V>;
 
-    /// As [`advance`](Self::advance), and writes in place what happened.
+    /// As [`advance`](Self::advance), but writes the sample in place.
     ///
-    /// It is for plants that are called through a table (`Box<dyn Plant<V>>`). A sample that is returned from there is
+    /// It is for plants behind a table of methods (`Box<dyn Plant<V>>`). A sample that is returned from there is
     /// written number by number and then copied by pairs of numbers; such a read waits until the writes before it are
-    /// done, and the processor does not begin the next tick meanwhile. What owns a plant hands it on.
+    /// done, and the processor does not begin the next tick meanwhile. An adaptor of a plant forwards this call.
     #[inline]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         // Field by field: lanes written a pair at a time and then copied by wider reads would wait as well.

@@ -1,12 +1,12 @@
-//! What the other side of a port did since the last call.
+//! Port sample: motion, applied effort and work at a port since the last call.
 
 use crate::{Scalar, Signal};
 
-/// What the port's other side did since the last call, and the effort that really applied meanwhile.
+/// Sample at a port: what its other side did since the last call, and the effort that was really applied meanwhile.
 ///
-/// The loop is closed by whoever owns the motors, and only there is it known what was measured and what
-/// force was really applied, after saturation, delay or an emergency stop. A sample carries that truth to
-/// every part of the loop, so that no part has to assume what became of its output.
+/// Only the program that owns the motors and closes the loop knows what was measured and which force was really
+/// applied, after saturation, delay or an emergency stop. A sample carries those facts to every part of the loop, so
+/// that no part has to assume what became of its output.
 ///
 /// A port carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
 /// Over one period under one held effort the work is `applied · displacement` exactly, axis by axis
@@ -18,13 +18,13 @@ pub struct PortSample<V: Signal> {
     pub period: V::Scalar,
     /// Position now, m.
     pub position: V,
-    /// Velocity now, m/s: the best estimate of whoever measures.
+    /// Velocity now, m/s: the best available estimate.
     pub velocity: V,
     /// Displacement since the last call, m.
     pub displacement: V,
-    /// The effort that applied last, N.
+    /// The effort applied last, N.
     pub applied: V,
-    /// Work that the acting efforts did since the last call, on each axis, J.
+    /// Work of the applied efforts since the last call, on each axis, J.
     pub work: V,
 }
 
@@ -42,13 +42,13 @@ impl<V: Signal> PortSample<V> {
         }
     }
 
-    /// The sample of the first tick: nothing has moved and nothing has applied yet.
+    /// The sample of the first tick: nothing has moved and no effort was applied yet.
     #[inline(always)]
     pub fn starting(period: V::Scalar, position: V, velocity: V) -> Self {
         Self::new(period, position, velocity, V::zero(), V::zero())
     }
 
-    /// This sample preceded by `earlier`: the periods, displacements and works of both, the rest from now.
+    /// This sample joined to the `earlier` one: periods, displacements and works of both, the rest from this one.
     #[inline(always)]
     pub fn spanning(self, earlier: &Self) -> Self {
         Self {
@@ -59,7 +59,7 @@ impl<V: Signal> PortSample<V> {
         }
     }
 
-    /// Where every field is finite.
+    /// Whether every field is finite, lane by lane.
     #[inline(always)]
     pub fn finite(&self) -> <V::Scalar as Scalar>::Mask {
         self.period.finite()

@@ -1,4 +1,4 @@
-//! The number a port is made of: one real value, or several lanes of them.
+//! Scalar: the number type of a port, one real value or several lanes of them.
 
 use core::fmt::Debug;
 use core::ops::{AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, SubAssign};
@@ -7,7 +7,7 @@ use num_traits::One;
 
 use crate::Signal;
 
-/// The outcome of comparing two [`Scalar`]s: `bool` for one value, a lane mask for several.
+/// Outcome of comparing two [`Scalar`]s: `bool` for one value, a lane mask for several.
 ///
 /// ```
 /// use lyapunov_core::{Mask, Scalar};
@@ -32,14 +32,13 @@ pub trait Mask:
     }
 }
 
-/// The arithmetic a step may use, alike for `f32`, `f64`, lanes of either, and
-/// [`DoubleDouble`](crate::DoubleDouble).
+/// Real arithmetic that a step may use: `f32`, `f64`, lanes of either, or [`DoubleDouble`](crate::DoubleDouble).
 ///
-/// Everything reachable here is made of correctly rounded IEEE 754 operations, comparisons and choices, so a
-/// lane equals the scalar run bit for bit. Fused multiply-add, the library minimum and maximum and
-/// transcendental functions are left out because they do not: they belong to construction, which works
-/// lane by lane in `f64` through [`lane`](Self::lane) and [`from_lanes`](Self::from_lanes), or where arithmetic is
-/// enough, in the scalar's [`Real`](Self::Real).
+/// Everything here is made of correctly rounded IEEE 754 operations, comparisons and choices, so a lane equals the
+/// scalar run bit for bit. Fused multiply-add, the library minimum and maximum and transcendental functions are left
+/// out because they break that equality. They belong to construction, which works lane by lane in `f64` through
+/// [`lane`](Self::lane) and [`from_lanes`](Self::from_lanes), or, where arithmetic is enough, in the scalar's
+/// [`Real`](Self::Real).
 ///
 /// ```
 /// use lyapunov_core::Scalar;
@@ -58,13 +57,13 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
-    /// What comparing two of these gives.
+    /// The outcome of a comparison.
     type Mask: Mask;
 
-    /// One value as construction computes with it: an `f64`, or the scalar itself where that has more digits.
+    /// The number of construction, for one lane: an `f64`, or the scalar itself where that has more digits.
     type Real: Scalar<Mask = bool, Real = Self::Real>;
 
-    /// How many values travel together.
+    /// The number of lanes.
     const LANES: usize;
 
     /// `value` in every lane, rounded to the element type.
@@ -85,7 +84,7 @@ pub trait Scalar:
     /// Lane `index` with all its digits; lanes past the last one are NaN.
     fn real(self, index: usize) -> Self::Real;
 
-    /// The smallest positive normal number: the least `v² T` that a stabilizer divides by.
+    /// The smallest positive normal number: the smallest `v² T` that a stabilizer divides by.
     fn smallest_normal() -> Self;
 
     /// The smallest positive number.
@@ -100,10 +99,10 @@ pub trait Scalar:
     /// The square root, correctly rounded.
     fn sqrt(self) -> Self;
 
-    /// Where `self < other`; false where either is NaN.
+    /// Whether `self < other`, lane by lane; false where either is NaN.
     fn below(self, other: Self) -> Self::Mask;
 
-    /// Where `self > other`; false where either is NaN.
+    /// Whether `self > other`, lane by lane; false where either is NaN.
     #[inline(always)]
     fn above(self, other: Self) -> Self::Mask {
         other.below(self)
@@ -243,7 +242,7 @@ macro_rules! real {
 
             #[inline(always)]
             fn finite(self) -> bool {
-                // Looks at the bits, in units of the processor that a step leaves idle.
+                // A test of the bits, which runs in processor units that a step leaves idle.
                 self.is_finite()
             }
         }

@@ -1,4 +1,4 @@
-//! What can stand at a port: one axis, or several.
+//! Signal: the value at a port, on one axis or several.
 
 use core::fmt::Debug;
 use core::ops::{Add, Sub};
@@ -8,8 +8,8 @@ use num_traits::Zero;
 
 use crate::Scalar;
 
-/// An effort, a flow, a position or a displacement at a port: every [`Scalar`], and nalgebra's
-/// `SVector<T, N>` of any scalar `T`.
+/// Effort, flow, position or displacement at a port: every [`Scalar`], and nalgebra's `SVector<T, N>` of any
+/// scalar `T`.
 ///
 /// ```
 /// use lyapunov_core::Signal;
@@ -20,16 +20,16 @@ use crate::Scalar;
 pub trait Signal:
     Copy + Debug + PartialEq + Zero + Add<Output = Self> + Sub<Output = Self> + 'static
 {
-    /// The number each axis is made of.
+    /// The number type of each axis.
     type Scalar: Scalar;
 
     /// `value` on every axis.
     fn splat(value: Self::Scalar) -> Self;
 
-    /// `f` of each axis of the two.
+    /// `f` of the two, axis by axis.
     fn zip(self, other: Self, f: impl FnMut(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self;
 
-    /// The sum over the axes: of several, the even ones plus the odd ones.
+    /// The sum over the axes; of several, the sum of the even ones plus the sum of the odd ones.
     fn sum(self) -> Self::Scalar;
 
     /// `yes` where `mask` is true, `no` elsewhere, on every axis. Both are evaluated.
@@ -69,10 +69,10 @@ pub trait Signal:
         })
     }
 
-    /// Where every axis is finite.
+    /// Whether every axis is finite, lane by lane.
     #[inline(always)]
     fn finite(self) -> <Self::Scalar as Scalar>::Mask {
-        // Zero times a finite number is zero, times anything else NaN, which is below nothing.
+        // Zero times a finite number is zero; zero times anything else is NaN, which compares as not below.
         self.scale(Self::Scalar::zero()).sum().below(Self::Scalar::smallest_normal())
     }
 }
@@ -92,7 +92,7 @@ impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
 
     #[inline(always)]
     fn sum(self) -> T {
-        // Two sums side by side, even and odd axes, fit the processor's vectors; one after the other does not.
+        // Two sums side by side, of even and odd axes, fit the processor's vectors; one running sum does not.
         let axes = self.data.0[0].as_slice();
         let (mut even, mut odd) = match axes {
             [] => return T::zero(),

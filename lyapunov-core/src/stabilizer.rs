@@ -1,16 +1,17 @@
-//! The trait of a stabilizer, and a port with one in front.
+//! Stabilizers: the trait, and a port with a stabilizer in front.
 
 use crate::{Correction, OnePort, PortSample, Signal};
 
-/// Watches a port and corrects its effort just enough, just in time, to keep the loop bounded.
+/// Stabilizer: it watches a port and corrects its effort just enough, just in time, to keep the loop bounded.
 ///
-/// Impedance causality: motion comes in, effort goes out. For admittance causality give it a [`AdmittanceSample`](crate::AdmittanceSample)
-/// as the sample and a flow as the effort; what it adds is then a velocity in proportion to the force.
+/// Impedance causality: motion comes in, effort goes out. For admittance causality give it an
+/// [`AdmittanceSample`](crate::AdmittanceSample) as the sample and a flow as the effort; it then adds a velocity in
+/// proportion to the force.
 ///
-/// A stabilizer never fails in the loop. A sample it cannot use gives a zero effort and `accepted` false.
+/// A stabilizer never fails in the loop. A sample that it cannot use gives a zero effort and `accepted` false.
 /// Check one of your own with [`laws::stabilizer`](crate::laws::stabilizer).
 pub trait Stabilizer<V: Signal> {
-    /// One tick: `sample` is what the other side did, `effort` what the port behind answers to it, N.
+    /// One tick: `sample` is what the other side did, `effort` the response of the port behind, N.
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V>;
 }
 
@@ -21,7 +22,7 @@ impl<V: Signal, S: Stabilizer<V> + ?Sized> Stabilizer<V> for &mut S {
     }
 }
 
-/// A port with a stabilizer in front: [`OnePort::stabilized`].
+/// Port with a stabilizer in front: [`OnePort::stabilized`].
 #[derive(Clone, Copy, Debug)]
 pub struct Stabilized<P, S, V: Signal> {
     port: P,
@@ -34,7 +35,7 @@ impl<P, S, V: Signal> Stabilized<P, S, V> {
         Self { port, stabilizer, correction: Correction::none(V::zero()) }
     }
 
-    /// The port that is watched.
+    /// The watched port.
     #[inline(always)]
     pub fn port(&self) -> &P {
         &self.port

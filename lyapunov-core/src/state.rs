@@ -1,4 +1,4 @@
-//! The state of a mechanical system.
+//! State of a mechanical system: position and velocity.
 
 use core::ops::{Add, Sub};
 
@@ -6,7 +6,7 @@ use num_traits::Zero;
 
 use crate::{Scalar, Signal};
 
-/// Where a mechanical system is and how it moves; or what both gain over an interval, or both per second.
+/// Position and velocity of a mechanical system; or the gain of both over an interval, or the rate of both, per s.
 ///
 /// It is a [`Signal`] with the axes of both, so that integrators add and scale it like any other state.
 #[derive(Clone, Copy, Debug, PartialEq)]

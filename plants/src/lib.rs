@@ -1,12 +1,16 @@
 //! Environments, bodies, exact propagation and the effects that act on a port.
 //!
-//! Environments answer a motion: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and the one-sided
-//! [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and [`VaryingSpring`], which swing
-//! with time; and, on several axes, [`Contact`] with a [`Solid`]. Each is a [`ForceLaw`]. A [`Body`] is what moves,
-//! exactly, and so is [`TwoMassBody`], which is two masses; [`IntegratedPlant`] moves either by an integrator, such as
-//! [`RungeKuttaNystrom4`]. What follows time by itself, a hand or a load, is a [`Trajectory`]. Effects are adaptors that own the
-//! port, chained by [`OnePortExt`], or the body, chained by [`PlantExt`], they act on; one that is not written costs nothing.
-//! A [`Channel`] carries messages between two loops.
+//! Environments respond to a motion with a force: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and
+//! the one-sided [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and
+//! [`VaryingSpring`], which oscillate in time; and, on several axes, [`Contact`] with a [`Solid`]. Each is a
+//! [`ForceLaw`].
+//!
+//! A [`Body`] is one mass on an operator's hand, a [`TwoMassBody`] two masses; both move exactly. [`IntegratedPlant`]
+//! moves either by an integrator, such as [`RungeKuttaNystrom4`]. A [`Trajectory`] gives a hand's motion or a load as a
+//! function of time.
+//!
+//! Effects are adaptors that own the port (chained by [`OnePortExt`]) or the plant (chained by [`PlantExt`]) on which
+//! they act; an effect that is absent costs nothing. A [`Channel`] carries messages between two loops.
 //!
 //! ```
 //! use lyapunov_core::{OnePort, ParameterError, Plant};

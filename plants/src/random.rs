@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use lyapunov_core::{Scalar, Signal};
 
-/// What draws random numbers. Each has a stream of its own, so that one seed serves all of them.
+/// A user of random numbers. Each has a stream of its own, so one seed serves all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// Noise on a measured position.
@@ -15,7 +15,7 @@ pub enum Source {
     Dropout = 3,
     /// Lost messages of a channel.
     Loss = 4,
-    /// How long a channel takes for a message.
+    /// Delay of a channel for a message.
     Lag = 5,
 }
 
@@ -23,8 +23,8 @@ pub enum Source {
 ///
 /// The generator is Philox4x32-10: a bijection of a counter of 128 bits under a key of 64 bits (Salmon, Moraes, Dror
 /// and Shaw, Parallel random numbers: as easy as 1, 2, 3, SC 2011). The seed is the key, and call, [`Source`] and axis
-/// are the counter, so that nothing is drawn twice under one seed, and a lane with seed `s` draws what a scalar
-/// run with seed `s` draws. `docs/effects/noise.md` has it word by word. Numbers are made in `f64` and rounded to
+/// are the counter, so no number is drawn twice under one seed, and a lane with seed `s` draws the same numbers as a
+/// scalar run with seed `s`. `docs/effects/noise.md` documents it in full. Numbers are computed in `f64` and rounded to
 /// the scalar.
 ///
 /// ```
@@ -35,14 +35,15 @@ pub enum Source {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Random<T> {
-    /// The seed of each lane in parts of 16 bits, least first: a lane holds such a number whole, but no `u64`.
+    /// The seed of each lane in parts of 16 bits, least significant first: a lane holds 16 bits exactly, but not a
+    /// `u64`.
     seeds: [T; 4],
     source: Source,
     calls: u64,
 }
 
 impl<T: Scalar> Random<T> {
-    /// Lane `i` draws from `seed(i)`; of one value at a time, `i` is 0.
+    /// Random numbers of which lane `i` draws from `seed(i)`; a scalar is lane 0.
     pub fn new(seed: impl Fn(usize) -> u64, source: Source) -> Self {
         let part =
             |index: usize| T::from_lanes(|lane| f64::from((seed(lane) >> (16 * index)) as u16));
@@ -62,7 +63,7 @@ impl<T: Scalar> Random<T> {
         drawn
     }
 
-    /// The next number that is uniform in `[0, 1)`, before it is rounded to the scalar.
+    /// The next uniform number, in `[0, 1)` before it is rounded to the scalar.
     #[inline]
     pub fn uniform(&mut self) -> T {
         let drawn = T::from_lanes(|lane| {
@@ -73,7 +74,7 @@ impl<T: Scalar> Random<T> {
         drawn
     }
 
-    /// Where an event of the given probability happens: never at 0, always at 1.
+    /// The lanes in which an event of the given probability happens: none at 0, all at 1.
     #[inline]
     pub fn chance(&mut self, probability: T) -> T::Mask {
         let happens = T::from_lanes(|lane| {
@@ -115,8 +116,8 @@ fn uniform(high: u32, low: u32) -> f64 {
     (bits >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// One of the two normal numbers that two uniform ones make (Box and Muller, A note on the generation of random
-/// normal deviates, 1958): the cosine's, so that every call costs the same.
+/// A normal number from two uniform ones (Box and Muller, A note on the generation of random normal deviates, 1958):
+/// only the cosine of the pair, so that every call costs the same.
 fn gaussian([a, b, c, d]: [u32; 4]) -> f64 {
     let radius = libm::sqrt(-2.0 * libm::log(1.0 - uniform(a, b)));
     radius * libm::cos(TAU * uniform(c, d))

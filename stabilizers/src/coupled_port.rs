@@ -1,8 +1,8 @@
-//! A spring and a damper between the device and what it touches.
+//! Virtual coupling: a spring and a damper between the device and what it touches.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// What a [`CoupledPort`] port is coupled by.
+/// Spring and dampers of a [`CoupledPort`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VirtualCoupling<T> {
     /// The spring between device and proxy, N/m.
@@ -94,7 +94,7 @@ impl<P, V: Signal> CoupledPort<P, V> {
         Ok(Self { port, coupling, deflection: V::zero(), answer: V::zero() })
     }
 
-    /// How far the device is ahead of the proxy, m.
+    /// Distance of the device ahead of the proxy, m.
     #[inline]
     pub fn deflection(&self) -> V {
         self.deflection

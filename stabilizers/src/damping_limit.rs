@@ -1,10 +1,10 @@
-//! How much damping a stabilizer may inject.
+//! Damping limit: the largest damping that a stabilizer may inject.
 
 use core::f64::consts::FRAC_PI_4;
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
-/// The most damping a stabilizer may inject, N·s/m.
+/// Largest damping that a stabilizer may inject, N·s/m.
 ///
 /// A held damper `α` on a mass `m` multiplies the velocity by about `1 − α T / m` on each tick: it removes at
 /// most `m v² / 2`, at `α = m / T`, and adds energy above `2 m / T`. Hence the limit is a share of `m / T`:
@@ -16,7 +16,7 @@ pub struct DampingLimit<T> {
 }
 
 impl<T: Scalar> DampingLimit<T> {
-    /// The limit `cap · mass / period`, with `mass` the least that moves with the port (kg) and `period` the
+    /// The limit `cap · mass / period`, with `mass` the smallest mass that moves with the port (kg) and `period` the
     /// time between two ticks (s). A cap of 0 makes a pure observer, an infinite one sets no limit.
     ///
     /// # Errors
@@ -29,10 +29,11 @@ impl<T: Scalar> DampingLimit<T> {
     }
 
     /// The limit of a mobility, `cap / (stiffness · period)` in m/(N·s), for admittance causality
-    /// ([`AdmittanceSample`](lyapunov_core::AdmittanceSample)): `stiffness` is the largest that the device is held with, N/m.
+    /// ([`AdmittanceSample`](lyapunov_core::AdmittanceSample)): `stiffness` is the largest stiffness that holds the
+    /// device, N/m.
     ///
-    /// A held velocity `β f` against a spring `k` multiplies its force by `1 − β k T` on each tick, as a held damper does
-    /// with the velocity of a mass: `1 / k` stands where `m` stood.
+    /// A held velocity `β f` against a spring `k` multiplies its force by `1 − β k T` on each tick, as a held damper
+    /// multiplies the velocity of a mass: `1 / k` takes the place of `m`.
     ///
     /// # Errors
     /// `cap` below 0 or NaN; `stiffness` or `period` not above 0 and finite.
@@ -51,17 +52,19 @@ impl<T: Scalar> DampingLimit<T> {
         Ok(Self::finite(Requirement::Limit.check("damping_limit", damping)?))
     }
 
-    /// The limit for a force that acts `ticks` periods late: the same share of the largest damper that a mass stands.
+    /// The limit for a force that acts `ticks` periods late: the same share of the largest damper under which a mass
+    /// stays stable.
     ///
-    /// A held damper that is told the backward difference and acts `d` ticks late leaves
-    /// `v(n+1) = v(n) − a (v(n−d) + v(n−d−1)) / 2` with `a = α T / m`, `v` the velocity at the instants. Its swing
-    /// grows from `a = 2 tan(π / (4 (d+1)))` on, where `z − 1 = −(a/2) z^(−d−1) (z + 1)` has a root on the unit
-    /// circle: 2, 0.828, 0.536, 0.398 for 0 to 3 ticks. (Told the velocity itself, from `2 sin(π / (2 (2d+1)))` on: 2, 1,
-    /// 0.618; the backward difference is half a tick late by itself, so its limit serves both.) Hence the factor
-    /// `tan(π / (4 (d+1)))`: of half of `m / T`, a quarter of what would grow, it leaves a quarter again.
+    /// A held damper that reads the backward difference and acts `d` ticks late leads to
+    /// `v(n+1) = v(n) − a (v(n−d) + v(n−d−1)) / 2` with `a = α T / m`, `v` the velocity at the instants. Its
+    /// oscillation grows from `a = 2 tan(π / (4 (d+1)))` on, where `z − 1 = −(a/2) z^(−d−1) (z + 1)` has a root on the
+    /// unit circle: 2, 0.828, 0.536, 0.398 for 0 to 3 ticks. (With the velocity itself, from `2 sin(π / (2 (2d+1)))`
+    /// on: 2, 1, 0.618; the backward difference is half a tick late by itself, so its limit serves both.) Hence the
+    /// factor `tan(π / (4 (d+1)))`: half of `m / T` is a quarter of the damping that makes the oscillation grow, and
+    /// with the factor it is a quarter again.
     ///
-    /// That no longer swings up by itself is all it promises: a wall that is as late as the damper gives out more, the
-    /// later it is, and the smaller damper burns less.
+    /// It promises only that the damper's own oscillation does not grow: a wall that is as late as the damper gives out
+    /// more energy the later it is, and the smaller damper dissipates less.
     ///
     /// ```
     /// use approx::assert_abs_diff_eq;
@@ -81,7 +84,7 @@ impl<T: Scalar> DampingLimit<T> {
         }
     }
 
-    /// The most damping, N·s/m: always finite.
+    /// The largest damping, N·s/m: always finite.
     #[inline(always)]
     pub fn most(self) -> T {
         self.most

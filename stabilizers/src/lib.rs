@@ -1,14 +1,15 @@
 //! The Lyapunov observer/controller, the passivity observer/controller, and their family.
 //!
-//! [`Lolc`] watches a candidate of one's choice, [`Popc`] is the same with the port's own energy. Start with
-//! `Popc`, or with `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes both keep one sum;
-//! [`PerAxis`] keeps one for each, [`DirectedDamping`] keeps one and burns along chosen directions. [`StabilizerExt`] adds to a stabilizer
-//! what it does not have: a bound on its credit, a gentler correction. [`LeastNorm`] looks a period ahead.
+//! [`Lolc`] watches a candidate of your choice; [`Popc`] is the same with the port's own energy. Start with `Popc`, or
+//! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
+//! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
+//! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit or a gentler correction.
+//! [`LeastNorm`] looks one period ahead.
 //!
-//! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping; they bound
-//! the effort by what can be paid for. Around an environment stand [`CoupledPort`], a spring and a damper, and [`InputToState`], which
-//! asks it a little before the device is there. At the ends of a channel stand two [`TwoPortSide`]s, two [`TwoLayer`]s, or
-//! a [`WaveTransform`] that codes what goes through it.
+//! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping;
+//! they reduce efforts whose energy is not covered. Around an environment stand [`CoupledPort`], a spring and a damper,
+//! and [`InputToState`], which asks it a little before the device is there. At the ends of a channel stand two
+//! [`TwoPortSide`]s, two [`TwoLayer`]s, or a [`WaveTransform`] that codes the signals that go through it.
 #![no_std]
 
 mod booked;

@@ -7,28 +7,28 @@ use lyapunov_core::{
 
 use crate::{DampingLimit, LimitCredit};
 
-/// The Lyapunov observer/controller of Jafari, Etoundi and Chong.
+/// Lyapunov observer/controller of Jafari, Etoundi and Chong.
 ///
 /// `α(n) = min(−L(n) / (v(n)² T), limit)` where `L(n) < 0` and `v(n)² T` is above the smallest normal
 /// number, else 0; effort out is effort in plus `α(n) v(n)`. (The paper's steps 4 to 6 and its equations 13
-/// and 18, which leave out `T` and the limit.) The observer sum `L` is that of the candidate, the kind of
-/// work and the accumulator it is built with.
+/// and 18, which leave out `T` and the limit.) The observed energy `L` follows from the candidate, the kind of
+/// work and the accumulator with which the stabilizer is built.
 ///
-/// Served sum: `L + α v² T`. Served sum plus shortfall is never negative, and the served sum is never
+/// The served energy is `L + α v² T`. Served energy plus shortfall is never negative, and the served energy is never
 /// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
-/// few units in the last place, so that whoever recomputes this as `α · ((v · v) · T)` finds it exactly, as
+/// few units in the last place, so that this holds exactly for a reader who recomputes it as `α · ((v · v) · T)`, as
 /// long as `α` and that product are normal numbers.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
-/// code. A sample is rejected where its sum, `v² T` and corrected effort do not add up to a finite number: it
-/// gives a zero effort, the correction says so, and the ledger books its decrease if that is finite, as the past it
-/// tells of did happen.
+/// code. A sample is rejected where `L`, `v² T` and the corrected effort do not add up to a finite number: the effort
+/// is then zero, the correction reports the sample as not accepted, and the ledger books its decrease if that is
+/// finite, as the past that the sample reports did happen.
 ///
 /// ```
 /// use lyapunov_core::{Dissipation, PortSample, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Lolc};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T
-/// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper burns
+/// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper dissipates
 /// let mut lolc = Lolc::new(candidate, limit);
 /// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm: a debt of 0.2 mJ
 /// let correction = lolc.stabilize(&sample, 0.5);
@@ -42,7 +42,7 @@ pub struct Lolc<T, C, W = Held, A = Plain<T>> {
 }
 
 impl<T: Scalar, C> Lolc<T, C> {
-    /// A stabilizer that watches `candidate` over held work, summed in one number.
+    /// The stabilizer that watches `candidate` over held work, summed in one number.
     pub fn new(candidate: C, limit: DampingLimit<T>) -> Self {
         Self { observer: Observer::of(candidate), limit }
     }
@@ -59,17 +59,17 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         self.summed_by(B::zero())
     }
 
-    /// The same stabilizer with its energies summed by `sum`, what is in there already included.
+    /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on.
     pub fn summed_by<B: Accumulator<T>>(self, sum: B) -> Lolc<T, C, W, B> {
         let candidate = self.observer.candidate;
         Lolc { observer: Observer { candidate, ledger: Ledger::in_sum(sum) }, limit: self.limit }
     }
 
-    /// The same stabilizer with `energy` more joules on its account: a budget for what is stored at the start.
+    /// The same stabilizer with `energy` more joules of stored credit: a budget for the energy stored at the start.
     ///
-    /// A loop that starts from rest in a compressed spring gives that energy away without having taken it first. With
-    /// `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and `L ≥ 0` bounds what the port gives by `E₀`. Of an energy that
-    /// the port does not store, the credit only delays the controller.
+    /// A loop that starts from rest in a compressed spring gives that energy away without having absorbed it first.
+    /// With `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and `L ≥ 0` bounds the energy that the port gives by `E₀`.
+    /// Credit for an energy that the port does not store only delays the controller.
     ///
     /// # Errors
     /// `energy` below 0, infinite or NaN.
@@ -139,7 +139,7 @@ where
     }
 }
 
-/// What one step works on.
+/// Quantities of one step.
 #[derive(Clone, Copy)]
 struct Terms<V: Signal> {
     decrease: V::Scalar,
@@ -159,8 +159,8 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         // Debts are negative here, and -0 where there is none, which makes alpha +0.
         let debt = sum.smaller(-T::zero());
         let paid = debt.larger(most);
-        // The margin rounds alpha up: it covers the rounding of the quotient, of the product that a reader
-        // checks it by, and of v² T in any order. The divisor stays normal: 0 would give NaN, and a subnormal one
+        // The margin rounds alpha up: it covers the rounding of the quotient, of the product by which a reader
+        // checks it, and of v² T in any order. The divisor stays normal: 0 would give NaN, and a subnormal one
         // takes several times as long.
         let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
         let alpha = (paid / (square * -margin).smaller(-T::smallest_normal())).smaller(limit);
@@ -169,10 +169,10 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         Correction { effort, observed_energy: sum, alpha, shortfall: paid - debt, accepted }
     }
 
-    /// The step again, with everything that is not sound left out.
+    /// The step for a rejected sample, without the quantities that are not sound.
     ///
-    /// A way of its own, because in the step it would be five more choices on every tick for what hardly ever
-    /// happens; inlined, because a call would keep the sum and the correction in memory instead of registers.
+    /// It is a path of its own, because within the step it would cost five more selects on every tick for a rare case;
+    /// it is inlined, because a call would keep the sum and the correction in memory instead of registers.
     #[inline(always)]
     fn reject<V: Signal<Scalar = T>>(
         &mut self,

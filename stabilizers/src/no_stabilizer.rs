@@ -2,14 +2,14 @@
 
 use lyapunov_core::{Correction, PortSample, Signal, Stabilizer};
 
-/// No stabilizer: every effort goes through as it came, one that is not finite too.
+/// Null stabilizer: every effort passes unchanged, even one that is not finite.
 ///
 /// ```text
 /// f_out(n) = f_in(n), L(n) = 0, alpha(n) = 0
 /// ```
 ///
-/// For wherever a stabilizer is asked for and none is wanted: what others are compared with. It watches nothing, so it accepts
-/// every sample and keeps no law that is about rejection.
+/// It serves as the baseline of comparisons, and wherever the code needs a stabilizer and the loop does not. It
+/// observes nothing, so it accepts every sample and keeps no law about rejection.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Stabilizer};

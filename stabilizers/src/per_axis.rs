@@ -1,23 +1,23 @@
-//! A sum for each axis.
+//! One stabilizer per axis.
 
 use lyapunov_core::{Correction, Mask, PortSample, Scalar, Stabilizer};
 use nalgebra::SVector;
 
 use crate::LimitCredit;
 
-/// A stabilizer for each axis of a port, each with a sum and a damping of its own.
+/// One stabilizer per axis of a port, each with an observed energy and a damping of its own.
 ///
-/// One stabilizer on several axes has one sum: what one axis absorbs pays for what another gives away, and
-/// `+1 mJ` on x hides `−0.9 mJ` on y. That is sound for the port as a whole, whose energy is the sum, and it
-/// injects the least. An axis that runs away under it stays unseen until the others' store is spent. Here no axis pays
-/// for another, which is right where the axes are motors of their own and their energies cannot pass from one
-/// to the other; where they can, through a surface that is not along an axis, it may act without need.
+/// A single stabilizer on several axes has one sum: the energy that one axis absorbs pays for the energy that another
+/// gives away, and `+1 mJ` on x hides `−0.9 mJ` on y. That is sound for the port as a whole, whose energy is the sum,
+/// and it injects the least damping; but an axis that runs away stays undetected until the stored credit of the others
+/// is spent. Here no axis pays for another, which is right where every axis has a motor of its own and energy cannot
+/// pass between them; where it can, through a surface that is not along an axis, the controller may act without need.
 ///
-/// The correction of a tick is that of all axes. `effort` is theirs, axis by axis. `sum` is the least of the sums, so
-/// that it is below 0 where any axis is in debt. `shortfall` adds theirs up. `alpha` is the damping that would burn
-/// on the whole motion what theirs burn, `Σ αᵢ vᵢ² / Σ vᵢ²`, and never more than the largest of them.
-/// `accepted` is true where every axis accepted; an axis whose sample is not sound gives no effort, the others do.
-/// [`axes`](Self::axes) lends the single ones.
+/// The correction of a tick joins those of all axes. `effort` is theirs, axis by axis. `observed_energy` is the
+/// smallest of theirs, so that it is below 0 where any axis is in debt. `shortfall` is the sum of theirs. `alpha` is
+/// the damping that would dissipate on the whole motion as much as theirs together, `Σ αᵢ vᵢ² / Σ vᵢ²`, and never more
+/// than the largest of them. `accepted` is true where every axis accepted; an axis whose sample is not sound gives no
+/// effort, the others do. [`axes`](Self::axes) lends the stabilizers.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
@@ -51,7 +51,7 @@ impl<S, const N: usize> PerAxis<S, N> {
     }
 }
 
-/// Each axis keeps `most`, so all of them N times that.
+/// Limit of the credit of each axis: each keeps `most`, all together N times that.
 impl<T: Scalar, S: LimitCredit<T>, const N: usize> LimitCredit<T> for PerAxis<S, N> {
     #[inline]
     fn limit_credit(&mut self, most: T) {
@@ -83,7 +83,7 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
             };
             let correction = stabilizer.stabilize(&sample, effort[axis]);
             out[axis] = correction.effort;
-            // Where a sample is not accepted nothing is burnt, and its velocity may be anything.
+            // A sample that is not accepted dissipates nothing, and its velocity may be anything.
             let moving = T::choose(correction.accepted, sample.velocity, T::zero());
             let own = moving * moving * sample.period;
             square += T::choose(correction.accepted, own, T::zero());
@@ -97,7 +97,7 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
     }
 }
 
-/// `burnt / square`, rounded up as the axes' dampings are, and no more than the `most` of them.
+/// Damping `burnt / square`, rounded up as the axes' dampings are, and no more than the `most` of them.
 #[inline]
 fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
     let margin = T::of(1.0) - T::of(4.0) * T::epsilon();

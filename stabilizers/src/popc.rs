@@ -4,7 +4,7 @@ use lyapunov_core::{Held, Plain, PortEnergy};
 
 use crate::Lolc;
 
-/// The passivity observer/controller of Hannaford and Ryu (IEEE Transactions on Robotics and Automation
+/// Passivity observer/controller of Hannaford and Ryu (IEEE Transactions on Robotics and Automation
 /// 18(1), 2002): the Lyapunov observer/controller whose candidate is the port's own energy and nothing else.
 ///
 /// ```

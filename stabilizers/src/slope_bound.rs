@@ -1,4 +1,4 @@
-//! Forces that change no faster with the displacement than a given slope.
+//! Slope bound: forces that change no faster with the displacement than a given slope.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
@@ -78,7 +78,7 @@ impl<V: Signal> SlopeBound<V> {
 }
 
 impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
-    /// The same bound with what is held back let through by `rate` N/s.
+    /// The same bound, which lets the held-back force through at `rate` N/s.
     ///
     /// # Errors
     /// `rate` below 0, infinite or NaN.
@@ -95,7 +95,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
 
 impl<V: Signal, A> StabilizerExt for SlopeBound<V, A> {}
 
-/// `value` as far as it is between 0 and `end`.
+/// `value`, limited to the range between 0 and `end`.
 #[inline(always)]
 fn within<T: Scalar>(value: T, end: T) -> T {
     value.larger(end.smaller(T::of(0.0))).smaller(end.larger(T::of(0.0)))

@@ -1,4 +1,4 @@
-//! Chaining: what changes a stabilizer owns it.
+//! Chaining of stabilizers: each adaptor owns the stabilizer that it changes.
 
 use lyapunov_core::{ParameterError, Scalar, Signal};
 
@@ -7,9 +7,9 @@ use crate::{
     VelocityThreshold,
 };
 
-/// What may be added to a stabilizer, chained like iterator adaptors; what is not written costs nothing.
+/// Adaptors of a stabilizer, chained like iterator adaptors; an adaptor that is absent costs nothing.
 ///
-/// What changes the account comes first, what shapes the correction after it:
+/// First come the adaptors that limit the credit, then those that shape the correction:
 ///
 /// ```
 /// use lyapunov_core::PortEnergy;
@@ -20,9 +20,9 @@ use crate::{
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 ///
-/// A stabilizer of one's own joins by `impl StabilizerExt for Mine {}`, and by [`LimitCredit`] if it has credit.
+/// A stabilizer of your own joins by `impl StabilizerExt for Mine {}`, and by [`LimitCredit`] if it has credit.
 pub trait StabilizerExt: Sized {
-    /// Carries at most `most` joules of credit from tick to tick.
+    /// The same stabilizer, which carries at most `most` joules of credit from tick to tick.
     ///
     /// # Errors
     /// `most` below 0 or NaN.
@@ -33,7 +33,7 @@ pub trait StabilizerExt: Sized {
         BoundedCredit::new(self, most)
     }
 
-    /// Forgets its credit wherever `gate` opens.
+    /// The same stabilizer, which forfeits its stored credit whenever `gate` opens.
     fn reset_at<G, T: Scalar>(self, gate: G) -> ContactReset<Self, G, T>
     where
         Self: LimitCredit<T>,
@@ -41,7 +41,7 @@ pub trait StabilizerExt: Sized {
         ContactReset::new(self, gate)
     }
 
-    /// Corrects only from `velocity` m/s on.
+    /// The same stabilizer, which corrects only from `velocity` m/s on.
     ///
     /// # Errors
     /// `velocity` below 0, infinite or NaN, or its square out of range.
@@ -52,7 +52,7 @@ pub trait StabilizerExt: Sized {
         VelocityThreshold::new(self, velocity)
     }
 
-    /// Pays a debt in `ticks` parts.
+    /// The same stabilizer, which pays a debt in `ticks` parts.
     ///
     /// # Errors
     /// `ticks` is 0.
@@ -60,7 +60,7 @@ pub trait StabilizerExt: Sized {
         Spread::new(self, ticks)
     }
 
-    /// Lets the correction rise over the first `ticks` ticks of each engagement.
+    /// The same stabilizer, with a correction that rises over the first `ticks` ticks of each engagement.
     ///
     /// # Errors
     /// `ticks` is 0.
@@ -68,7 +68,7 @@ pub trait StabilizerExt: Sized {
         SoftStart::new(self, ticks)
     }
 
-    /// Lets the correction grow by at most `rate` N/s on each axis.
+    /// The same stabilizer, with a correction that grows by at most `rate` N/s on each axis.
     ///
     /// # Errors
     /// `rate` below 0 or NaN.

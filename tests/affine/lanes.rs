@@ -1,4 +1,4 @@
-//! Each lane is its scalar run, bit for bit: models, port, observer and stabilizer.
+//! Lanes of models, port, observer and stabilizer: each equals its scalar run, bit for bit.
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::{
@@ -14,7 +14,7 @@ use nalgebra::SVector;
 
 use crate::{arm, device, leg, motor, pendulum};
 
-/// Every state, flattened, of a stabilized loop under a late controller, started by lane.
+/// Every state, flattened, of a stabilized loop under a late controller, with a start for each lane.
 fn path<T, P, F, const N: usize, const M: usize>(
     plant: P,
     function: F,

@@ -1,4 +1,4 @@
-//! The laws of a Lyapunov function: kept by those that ship, and broken by wrong ones.
+//! Laws of a Lyapunov function: kept by those that ship, and broken by wrong ones.
 
 use lyapunov::lanes::{AutoF32x8, WideF64x4};
 use lyapunov::laws::{self, Law};
@@ -46,21 +46,21 @@ fn the_functions_that_ship_keep_the_laws() {
 #[derive(Clone, Copy, Debug)]
 enum Wrong {
     Nothing,
-    /// A height above somewhere else.
+    /// Its value at rest is not 0.
     Offset,
     /// Negative along one direction.
     Saddle,
     /// Zero along one direction.
     Flat,
-    /// A sign in the gradient.
+    /// A wrong sign in the gradient.
     Sign,
-    /// A term that is missing in the gradient.
+    /// A term missing in the gradient.
     Cross,
     /// The gradient five per cent too large.
     Factor,
     /// Not finite far out.
     Overflow,
-    /// A slope at rest that is not there.
+    /// A false slope at rest in the gradient.
     Tilted,
 }
 
@@ -112,11 +112,11 @@ fn each_is_told<T: Scalar>() {
 }
 
 #[test]
-fn a_wrong_function_is_told_what_is_wrong() {
+fn each_wrong_function_breaks_its_law() {
     each_is_told::<f64>();
     each_is_told::<f32>();
     each_is_told::<WideF64x4>();
-    // Flat along an axis: seen only where the axis is visited.
+    // Flat along an axis: noticed only at a state on that axis.
     assert_eq!(told::<f64>(Wrong::Flat), None);
     let along = laws::lyapunov_function(&Wrong::Flat, [Vector2::new(0.0, 0.5)]);
     assert_eq!(along.expect_err("V = 0").law, Law::Positive);

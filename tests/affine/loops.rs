@@ -1,4 +1,4 @@
-//! Loops that lose their footing without a stabilizer and keep it with one, from many starts, in `f64` and `f32`.
+//! Loops that fail without a stabilizer and hold with one, from many starts, in `f64` and `f32`.
 
 use lyapunov::{
     Correction, DampingLimit, Lolc, OnePort, Plant, Scalar,
@@ -13,7 +13,7 @@ use nalgebra::SVector;
 
 use crate::{Draw, arm, device, leg, motor, pendulum};
 
-/// V over a run, by what it began with: the largest, and that at the end.
+/// V over a run as a share of its start: the largest, and that at the end.
 struct Run {
     largest: f64,
     last: f64,
@@ -23,9 +23,9 @@ struct Run {
 struct Loop<P, F> {
     plant: P,
     function: F,
-    /// Of the port.
+    /// Apparent mass of the port.
     mass: f64,
-    /// 1/s.
+    /// Rate of the decay, 1/s.
     decay: f64,
     period: f64,
     ticks: u32,
@@ -75,7 +75,7 @@ fn starts<T: Scalar, const N: usize>(size: f64) -> impl Iterator<Item = SVector<
     (0..12).map(move |_| draw.vector(size))
 }
 
-/// V may pass where it began by what one tick lets in before it is seen.
+/// V may exceed its start by what one tick adds before the observer sees it.
 const SLACK: f64 = 1.05;
 
 fn van_der_pol<T: Scalar>() {
@@ -108,7 +108,7 @@ fn upright<T: Scalar>() {
         let with = held.run(late(), start, 0.5);
         assert!(with.largest < SLACK && with.last < 0.3, "{} {}", with.largest, with.last);
         let on_time = held.run(StateFeedback::new(law), start, 0.0);
-        assert!(on_time.largest < 1.001, "nothing is wrong with the controller itself");
+        assert!(on_time.largest < 1.001, "the controller itself is right");
     }
 }
 
@@ -167,7 +167,7 @@ fn leg_on_its_stand<T: Scalar>() {
         let hip = x[0] * of(-300.0) - x[2] * of(4.0);
         holding + SVector::<T, 2>::from([hip, x[1] * of(-150.0) - x[3] * of(2.0)])
     };
-    // Lifted, so that the foot comes down.
+    // Lifted, so the foot comes down.
     let lifted = |start: SVector<T, 4>| start + SVector::from([0.3, -0.4, 0.0, 0.0].map(of));
     let late = || StateFeedback::new(law).delayed::<20>(20).expect("a delay");
     for start in starts(0.1).map(lifted) {

@@ -1,4 +1,4 @@
-//! Control-affine plants: what their port tells, the models, their Lyapunov functions, and loops that are stabilized.
+//! Control-affine plants: their ports, the models, their Lyapunov functions, and stabilized loops.
 
 mod lanes;
 mod laws;
@@ -50,7 +50,7 @@ fn motor<T: Scalar>() -> DcMotor<T> {
     DcMotor::new(parts).expect("a motor")
 }
 
-/// In a hand of 1 kN/m.
+/// A device in a hand of 1 kN/m.
 fn device<T: Scalar>() -> AdmittanceDevice<T> {
     AdmittanceDevice::new(T::of(1000.0)).expect("a device")
 }

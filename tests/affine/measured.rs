@@ -1,4 +1,4 @@
-//! Drives from what is measured of a plant, against those of the plant itself.
+//! Samples of a measured plant against those of the plant itself.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
@@ -11,7 +11,7 @@ use nalgebra::{Vector1, Vector2};
 use crate::{Draw, pendulum};
 
 #[test]
-fn measured_drives_are_the_plants_with_the_integral_by_trapezoids() {
+fn measured_samples_are_the_plants_with_the_integral_by_trapezoids() {
     let energy = UprightEnergy::new(pendulum(), 6.0).expect("an energy");
     let start = Vector2::new(0.2, 0.0);
     let period = 1e-3;
@@ -33,7 +33,7 @@ fn measured_drives_are_the_plants_with_the_integral_by_trapezoids() {
         let wanted = 6.0 * state[0] - 0.1 * state[1] + 0.1 * draw.next();
         let correction = one.stabilize(&told, WithState::of_input(Vector1::new(wanted)));
         let same = other.stabilize(&truth, WithState::of_input(Vector1::new(wanted)));
-        // Sums by differences of V see only the states, so the two stabilizers are one.
+        // Sums by differences of V use only the states, so the two stabilizers agree to the bit.
         assert_eq!(correction.observed_energy.to_bits(), same.observed_energy.to_bits());
         assert_eq!(correction.effort, same.effort);
         injected += usize::from(correction.alpha > 0.0);

@@ -1,4 +1,4 @@
-//! The models against closed forms, published numbers and what mechanics keeps.
+//! Models against closed forms, published numbers and the invariants of mechanics.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
@@ -15,7 +15,7 @@ use crate::{Draw, leg, motor};
 
 const GRAVITY: f64 = 9.80665;
 
-/// Its limit cycle at μ = 1 has amplitude 2.00862 and period 6.66329.
+/// Limit cycle at μ = 1: amplitude 2.00862 and period 6.66329.
 #[test]
 fn van_der_pol_goes_to_the_published_limit_cycle() {
     for start in [Vector2::new(0.01, 0.0), Vector2::new(0.0, -4.0)] {
@@ -59,8 +59,8 @@ fn the_pendulum_falls_as_its_linearisation_does() {
     assert_abs_diff_eq!(plant.state()[0] / exact, 1.0, epsilon = 1e-8);
 }
 
-/// Held over a tick, `x⁺ = x + T u` and `q⁺ = q − k (T x + T² u / 2)` with `u = q / m`: a map whose determinant is
-/// `1 + k T² / (2 m)`, so that it gains by holding alone.
+/// Held over a tick, `x⁺ = x + T u` and `q⁺ = q − k (T x + T² u / 2)` with `u = q / m`: a map with the determinant
+/// `1 + k T² / (2 m)`, so the hold alone makes it gain.
 #[test]
 fn the_admittance_device_moves_as_its_map_does() {
     let (stiffness, mass, period) = (1000.0_f64, 0.2, 1e-3);
@@ -134,7 +134,7 @@ fn points(state: Vector4<f64>, [one, two]: [(f64, f64); 2]) -> (f64, f64) {
 }
 
 #[test]
-fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_what_mechanics_keeps() {
+fn an_arm_of_points_has_the_energy_of_its_points_and_keeps_the_invariants() {
     let parts = [(1.5, 0.4), (0.8, 0.3)];
     let [upper, lower] = parts.map(|(mass, length)| RigidLink::point(mass, length));
     let hanging = TwoLinkArm::new(upper, lower).expect("an arm");
@@ -182,7 +182,7 @@ fn two_like_rods_in_line_are_one_rod() {
     let rate = Vector4::new(0.3, 0.0, 1.0, 0.0);
     let whole: f64 = 2.0 * 1.0 / 3.0; // kg·m²: m l² / 3
     assert_abs_diff_eq!(energy.value(rate), 0.5 * whole, epsilon = 1e-15);
-    // The least inertia against the least of the quadratic form over all directions and postures.
+    // The least inertia against the smallest value of the quadratic form over all directions and postures.
     let least = (0..200)
         .flat_map(|elbow| (0..2000).map(move |way| (elbow, way)))
         .map(|(elbow, way)| {
@@ -198,7 +198,7 @@ fn two_like_rods_in_line_are_one_rod() {
 }
 
 #[test]
-fn the_leg_stands_where_it_is_held_and_its_foot_is_where_geometry_has_it() {
+fn the_leg_stands_where_it_is_held_and_its_foot_is_where_geometry_puts_it() {
     let leg = leg::<f64>();
     let held = leg.rate(SVector::zeros(), leg.holding());
     assert!(held.norm() < 1e-12, "{held}");
@@ -211,9 +211,9 @@ fn the_leg_stands_where_it_is_held_and_its_foot_is_where_geometry_has_it() {
     }
 }
 
-/// On time, spring and damper take `q̇ᵀ D q̇` from V, and the ground never adds: in the air to the last digits.
+/// Without delay, spring and damper take `q̇ᵀ D q̇` from V, and the ground never adds: in the air to the last digits.
 #[test]
-fn the_ground_under_the_leg_only_burns() {
+fn the_ground_under_the_leg_only_dissipates() {
     let leg = leg::<f64>();
     let (stiffness, damping) = ([150.0, 80.0], 3.0);
     let energy = LegEnergy::new(leg, stiffness).expect("an energy");
@@ -234,7 +234,7 @@ fn the_ground_under_the_leg_only_burns() {
     assert!(standing > 1000);
 }
 
-/// In the air a leg is the arm, in other coordinates.
+/// A leg in the air is the arm, in other coordinates.
 #[test]
 fn in_the_air_the_leg_is_an_arm() {
     let leg = leg::<f64>();
@@ -245,7 +245,7 @@ fn in_the_air_the_leg_is_an_arm() {
 }
 
 #[test]
-fn along_its_spring_and_damper_the_motors_function_falls_by_hand() {
+fn along_its_spring_and_damper_the_motors_function_falls_as_by_hand() {
     // With i = i*, V̇ = −(b + d) ω² + L (i − i*) … = −(b + d) ω².
     let energy = MotorEnergy::new(motor(), 0.05, 0.004).expect("a function");
     let mut draw = Draw(8);
@@ -256,6 +256,6 @@ fn along_its_spring_and_damper_the_motors_function_falls_by_hand() {
         let rate_of_v = energy.gradient(state).dot(&motor().drift(state));
         assert_abs_diff_eq!(rate_of_v, -(1e-5 + 0.004) * rate * rate, epsilon = 1e-9);
         let flow = motor().flow(&energy, state + Vector3::new(0.0, 0.0, 0.7));
-        assert!(abs_diff_eq!(flow[0], 0.7, epsilon = 1e-12), "the flow is the current astray");
+        assert!(abs_diff_eq!(flow[0], 0.7, epsilon = 1e-12), "the flow is the current's error");
     }
 }

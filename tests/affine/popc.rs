@@ -1,4 +1,4 @@
-//! Without drift the port is that of the passivity observer.
+//! Port without drift, which is that of the passivity observer.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
@@ -13,7 +13,7 @@ use crate::Draw;
 
 const MASS: f64 = 0.3;
 
-/// A mass that nothing but its input moves; the state is its velocity.
+/// A mass that only its input moves; the state is its velocity.
 #[derive(Clone, Copy, Debug)]
 struct FreeMass;
 
@@ -27,7 +27,7 @@ impl ControlAffine<f64, 1, 1> for FreeMass {
     }
 }
 
-/// Driftless, with fields that turn with the state.
+/// A driftless plant whose fields turn with the state.
 #[derive(Clone, Copy, Debug)]
 struct Turning;
 
@@ -98,7 +98,7 @@ fn a_free_mass_is_the_body_that_moves_exactly() {
 }
 
 #[test]
-fn what_v_loses_is_the_work_of_the_input_where_there_is_no_drift() {
+fn without_drift_v_loses_the_work_of_the_input() {
     let start = Vector1::new(0.2);
     let mut plant = AffinePlant::new(FreeMass, kinetic(), RungeKutta4, 1e-3, 1)
         .expect("a plant")
@@ -112,9 +112,9 @@ fn what_v_loses_is_the_work_of_the_input_where_there_is_no_drift() {
     }
 }
 
-/// With curved fields only the integration of the flow errs: by its order in the step.
+/// With curved fields only the integral of the flow errs, by its order in the step.
 #[test]
-fn with_curved_fields_the_two_part_by_order_four() {
+fn with_curved_fields_the_two_differ_by_order_four() {
     let circle = QuadraticForm::<f64, 2>::sum_of_squares();
     let apart = |steps| {
         let start = Vector2::new(0.4, -0.3);
@@ -151,6 +151,6 @@ fn stabilized_by_both_the_same_free_mass_moves_the_same() {
     let by_v = run(&mut Lolc::new(decrease_of(kinetic(), start), limit()));
     let apart = by_work.iter().zip(&by_v).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(apart < 1e-9, "{apart:e}");
-    // A push that only gives energy, never takes any, is held at the energy it began with.
+    // A push that only feeds energy never raises the energy above its start.
     assert!(by_v.iter().all(|v| v.abs() < 0.21), "bounded");
 }

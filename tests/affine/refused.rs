@@ -1,4 +1,4 @@
-//! What cannot be is refused, by name.
+//! Refusal of invalid parameters, by name.
 
 use lyapunov::{
     ParameterError,

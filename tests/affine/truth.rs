@@ -1,4 +1,4 @@
-//! What the drives tell against fine integrations written here.
+//! Samples against fine integrations written here.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::laws::{self, Samples};
@@ -18,7 +18,7 @@ const STIFFNESS: f64 = 6.0;
 const GRAVITY: f64 = 9.80665;
 
 /// One period of the pendulum of [`pendulum`] under a held torque, by the explicit midpoint rule in many steps, with
-/// the integrals of the rate and of what the drift does to V.
+/// the integrals of the rate and of the drift's part of V̇.
 fn fine([mut angle, mut rate]: [f64; 2], torque: f64, period: f64) -> ([f64; 2], f64, f64) {
     let (inertia, weight, damping) = (0.5 * 0.4 * 0.4, 0.5 * GRAVITY * 0.4, 0.002);
     let turned = |angle: f64, rate: f64| (weight * angle.sin() - damping * rate + torque) / inertia;
@@ -68,7 +68,7 @@ fn flow_work_and_drift_of_a_pendulum_are_those_of_a_fine_integration() {
 }
 
 #[test]
-fn the_rate_of_v_gains_what_the_damper_takes() {
+fn a_damper_lowers_the_rate_of_v_by_what_it_takes() {
     let arm = arm();
     let energy = ArmEnergy::new(arm, [40.0, 10.0]).expect("an energy");
     let mut draw = Draw(2);
@@ -112,9 +112,9 @@ fn decreases_telescope_and_decay_is_a_debit() {
     assert!(abs_diff_eq!(told, by_hand, epsilon = 1e-12) && told < 0.0);
 }
 
-/// A candidate by rates keeps the law within its quadrature's error, and not within a tenth of it.
+/// A candidate by rates keeps the law within the error of its quadrature, and not within a tenth of it.
 #[test]
-fn a_rate_adds_up_as_well_as_it_is_integrated() {
+fn a_sum_of_rates_is_as_accurate_as_its_quadrature() {
     #[derive(Clone, Copy)]
     struct ByRate;
     impl LyapunovCandidate<WithState<f64, 2, 1>> for ByRate {

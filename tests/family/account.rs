@@ -1,4 +1,4 @@
-//! What is kept of a credit.
+//! Memory of a credit.
 
 use std::collections::VecDeque;
 

@@ -1,6 +1,6 @@
-//! An admittance device: it measures the hand's force and renders a mass by moving.
+//! Admittance device: it measures the hand's force and renders a mass by moving.
 //!
-//! The hand is a spring of 1 kN/m. The device moves exactly as it is told, one tick late, which is a loop that gains energy.
+//! The hand is a spring of 1 kN/m. The device moves exactly as commanded, one tick late; this loop gains energy.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{

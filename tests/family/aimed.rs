@@ -1,4 +1,4 @@
-//! As much is burnt, where it is wanted.
+//! Directed damping: the same energy dissipated, in chosen directions.
 
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF32x4;

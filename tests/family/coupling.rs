@@ -1,4 +1,4 @@
-//! A coupling is as passive as it would be alone, whatever stands behind it.
+//! Virtual coupling: as passive as it would be alone, whatever stands behind it.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::WideF64x4;

@@ -1,4 +1,4 @@
-//! The bound keeps the account, and no larger one would.
+//! Force bound: it keeps the account, and a larger one would not.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{

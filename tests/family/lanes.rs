@@ -1,4 +1,4 @@
-//! Lane by lane they equal the scalar run bit for bit.
+//! Lanes of the family, each equal to its scalar run bit for bit.
 
 use lyapunov::lanes::{AutoF32x4, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;

@@ -1,4 +1,4 @@
-//! All of them keep the shipped laws.
+//! Shipped laws, kept by the whole family.
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};

@@ -1,4 +1,4 @@
-//! What is set so that it does nothing changes no bit.
+//! Neutral settings, which change no bit.
 
 use lyapunov::laws::Samples;
 use lyapunov::{

@@ -1,4 +1,4 @@
-//! What was pressed in comes out place by place, and no more.
+//! Path memory: energy pressed in comes out cell by cell, and no more.
 
 use approx::abs_diff_eq;
 use lyapunov::{

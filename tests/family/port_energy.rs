@@ -1,5 +1,5 @@
-//! The port gives no more than its budget and the shortfall told: `E₀ + Σ −ΔV + α v² T + shortfall ≥ 0`, with the sum of
-//! the test's own.
+//! Energy bound of a port: it gives no more than its budget and the reported shortfall,
+//! `E₀ + Σ −ΔV + α v² T + shortfall ≥ 0`, by a sum of the test's own.
 
 use proptest::prelude::any;
 use proptest::prop_assert;

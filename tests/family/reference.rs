@@ -1,4 +1,4 @@
-//! Energy that follows a reference, on a held spring that is pressed and let go at a steady speed.
+//! Energy that follows a reference, on a held spring that is pressed and released at a steady speed.
 
 use approx::abs_diff_eq;
 use lyapunov::lanes::AutoF64x4;

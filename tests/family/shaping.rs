@@ -1,4 +1,4 @@
-//! How a added comes, at a port that is moved steadily and on which nothing but the added acts.
+//! Time course of an added damping, at a port that moves steadily and on which nothing else acts.
 
 use approx::relative_eq;
 use lyapunov::{PortSample, Signal, Stabilizer, stabilizers::StabilizerExt};

@@ -1,4 +1,4 @@
-//! A force that stays in its sector: what passes, what is held back, and what it may cost.
+//! Force within its sector: what passes, what is limited, and what it may cost.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! A tank gives what is in it, and not faster than it may.
+//! Energy tank: it gives what it holds, and no faster than allowed.
 
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF64x4;

@@ -1,4 +1,5 @@
-//! Two loops over a channel: whatever it does to the messages, the two ports together give no more than they took.
+//! Two loops over a channel: whatever the channel does to the messages, the two ports together give no more than they
+//! took.
 
 use approx::abs_diff_eq;
 use proptest::prelude::any;

@@ -1,4 +1,4 @@
-//! Waves come back as what they were, and store what is under way.
+//! Wave variables: they decode to what was sent, and store the energy under way.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::AutoF64x4;

@@ -1,4 +1,4 @@
-//! Steps by tolerance.
+//! Step size by tolerance.
 
 use core::cell::Cell;
 
@@ -15,7 +15,7 @@ use nalgebra::Vector2;
 
 use crate::{hand, moved, pair};
 
-/// A pendulum and what it costs: its acceleration, counted.
+/// A pendulum that counts the evaluations of its acceleration.
 struct Counted<'a>(&'a Cell<u32>);
 
 impl Mechanics<f64> for Counted<'_> {
@@ -31,7 +31,7 @@ fn adaptive<P>(pair: P, tolerance: f64) -> Adaptive<P, f64> {
     Adaptive::new(pair, tolerance).expect("a tolerance")
 }
 
-/// Where two seconds of a pendulum lead, and evaluations on the way.
+/// The end of two seconds of a pendulum, and the evaluations on the way.
 fn swung(
     mut integrator: impl Integrator<f64, Counted<'static>>,
     counted: &'static Cell<u32>,
@@ -58,14 +58,14 @@ fn the_error_follows_the_tolerance_and_so_does_the_work() {
     let eight = |tolerance| swung(adaptive(DormandPrince8, tolerance), counted);
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
         for (end, work) in [five(tolerance), eight(tolerance)] {
-            // Twenty intervals of a few steps each, whose errors a pendulum does not let grow by much.
+            // Twenty intervals of a few steps each, whose errors a pendulum barely amplifies.
             let error = distance(end, reference);
             assert!(error < 100.0 * tolerance, "{error:e} at {tolerance:e}");
             assert!(error > 1e-6 * tolerance || tolerance < 1e-8, "{error:e} at {tolerance:e}");
             assert!(work < 20_000, "{work} at {tolerance:e}");
         }
     }
-    // Of order p a tolerance a thousand times finer costs about 1000^(1/p) times more.
+    // At order p a tolerance a thousand times finer costs about 1000^(1/p) times as much.
     let ratio = f64::from(five(1e-10).1) / f64::from(five(1e-7).1);
     assert!(ratio > 2.0 && ratio < 6.0, "{ratio}");
     let ratio = f64::from(eight(1e-12).1) / f64::from(eight(1e-9).1);
@@ -73,13 +73,13 @@ fn the_error_follows_the_tolerance_and_so_does_the_work() {
 }
 
 #[test]
-fn the_length_of_steps_comes_back_after_a_stir() {
+fn steps_grow_again_after_a_stiff_motion() {
     let dynamics = Oscillator::new(hand::<f64>()).expect("parts");
     let stiff = Oscillator::new(Impedance { stiffness: 5e7, ..hand() }).expect("parts");
     let mut integrator = adaptive(DormandPrince5, 1e-9);
     let from = State { position: -0.004_f64, velocity: 0.05_f64 };
     integrator.step(&stiff, from, 0.0, 0.1);
-    // Steps that were short for a stiff motion grow again, and the end is as good as from long ones.
+    // Steps that were short for a stiff motion grow again, and the end is as accurate as with long ones.
     let after = integrator.step(&dynamics, from, 0.0, 0.1);
     let exact = Exact::new().step(&dynamics, from, 0.0, 0.1);
     assert_abs_diff_eq!(after.position, exact.position, epsilon = 1e-7);
@@ -100,11 +100,11 @@ fn ends<P: EmbeddedPair<f64, Oscillator<f64>> + Copy>(pair: P) {
     for effort in [f64::NAN, f64::INFINITY] {
         assert!(nan(integrator.step(&dynamics, sound, effort, 0.1)));
     }
-    // So large that stages leave the range, or so stiff that no number of steps will do.
+    // Values so large that stages leave the range, or so stiff that no number of steps is enough.
     integrator.step(&dynamics, at(1e308, 1e308), 0.0, 1e3);
     let stiff = Oscillator::new(Impedance { stiffness: 1e25, ..hand() }).expect("parts");
     assert!(nan(integrator.step(&stiff, sound, 0.0, 0.1)));
-    // And it goes on from what is sound, as if nothing had been.
+    // From a sound state it continues unaffected.
     let gain = integrator.step(&dynamics, sound, 0.0, 0.1);
     let exact = Exact::new().step(&dynamics, sound, 0.0, 0.1);
     assert!(abs_diff_eq!(gain.position, exact.position, epsilon = 1e-7), "{gain:?} {exact:?}");
@@ -131,7 +131,7 @@ fn a_tolerance_that_rounding_would_hide_is_refused() {
     let error = Adaptive::new(DormandPrince8, 1e-9_f32).expect_err("no tolerance");
     assert_eq!(error.requirement, Requirement::AtLeast(8.0 * f64::from(f32::EPSILON)));
     assert!(Adaptive::new(DormandPrince8, 1e-6_f32).is_ok());
-    // The finest there is can be kept, in either scalar, at the size of one and above.
+    // The finest allowed tolerance can be met, in either scalar, at a size of one and above.
     for size in [1e-3_f32, 1.0, 1e3] {
         let dynamics = Oscillator::new(hand::<f32>()).expect("parts");
         let finest = Adaptive::new(DormandPrince5, 8.0 * f32::EPSILON).expect("a tolerance");

@@ -1,4 +1,4 @@
-//! What each method keeps of the energy.
+//! Energy that each method keeps.
 
 use approx::abs_diff_eq;
 use lyapunov::{
@@ -38,9 +38,9 @@ fn symplectic_integrators_keep_the_energy_bounded_over_a_million_steps() {
     }
     let rounding = 1e6 * 16.0 * U;
     assert!(high < most * (1.0 + rounding) && low > (1.0 - rounding) / most, "{low} {high}");
-    // It does swing: x = v against x = −v.
+    // It does vary: x = v against x = −v.
     assert!(high - low > turn / 2.0, "{low} {high}");
-    // The midpoint rule keeps the energy itself. Without that it would lose h⁶ / 72 a step, as RK4 does.
+    // The midpoint rule keeps the energy itself. A method that did not would lose h⁶ / 72 a step, as RK4 does.
     for energy in energies(ImplicitMidpoint, 0.5, 1_000_000) {
         assert!(abs_diff_eq!(energy, 1.0, epsilon = rounding), "{energy}");
     }
@@ -67,7 +67,7 @@ fn the_midpoint_rule_never_gains_energy_at_a_thousand_radians_a_step() {
             assert!(energy <= before * (1.0 + 16.0 * 1e3 * U), "{damping} {before} {energy}");
             before = energy;
         }
-        // The energy stays where nothing burns, and falls where something does.
+        // The energy is constant without a damper, and falls with one.
         assert!(if damping == 0.0 { before > 0.99 } else { before < 0.99 }, "{damping} {before}");
     }
     let dynamics = CoupledOscillators::new(TwoMassParts {

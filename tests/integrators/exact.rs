@@ -1,4 +1,4 @@
-//! Exact steps are exact bodies.
+//! Exact steps against exact bodies.
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::laws::Samples;

@@ -1,4 +1,4 @@
-//! Equations of first order, and mechanics as one of them.
+//! First-order equations, and mechanics as one of them.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use lyapunov::{
@@ -39,7 +39,7 @@ impl LinearDynamics<f64> for Lag {
     }
 }
 
-/// Of prey and predator, whose number of states is not twice anything.
+/// Prey and predator: two states that are not a position and its velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Prey;
 
@@ -57,7 +57,7 @@ fn a_lag_follows_its_closed_form() {
     let after =
         |integrator: &mut dyn Integrator<f64, Lag>| 0.3 + integrator.step(&Lag, 0.3, 1.0, 0.05);
     assert_relative_eq!(after(&mut Exact::new()), truth, max_relative = 4.0 * U);
-    // A method of order 8 has the terms up to the eighth, and of the ninth, (h/τ)⁹ / 9!, some.
+    // A method of order 8 has the terms up to the eighth, and part of the ninth, (h/τ)⁹ / 9!.
     let ninth = (1.0 - 0.3) * (0.05f64 / TAU).powi(9) / 362_880.0;
     assert_abs_diff_eq!(after(&mut DormandPrince8), truth, epsilon = ninth);
     let mut adaptive = Adaptive::new(DormandPrince5, 1e-12).expect("a tolerance");
@@ -72,7 +72,7 @@ fn integrators_of_any_equation_keep_their_laws_on_first_order_ones() {
     laws::integrator(&Exact::new(), &Lag, [(0.3, 1.0), (-2.0, 0.5)], 0.1, 100).expect("exact");
 }
 
-/// The form that is for masses and the textbook's differ by rounding alone.
+/// Nyström's form for masses and the textbook's differ only by rounding.
 #[test]
 fn nystroms_form_is_the_classical_method() {
     let one = Oscillator::new(hand()).expect("parts");

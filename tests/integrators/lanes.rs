@@ -1,4 +1,4 @@
-//! A lane equals the scalar run.
+//! Lanes of integrators, each equal to its scalar run.
 
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::Samples;
@@ -65,7 +65,7 @@ fn lanes_are_scalars<T: Scalar, L: Scalar>() {
     }
     with!(1e-3: SemiImplicitEuler, ImplicitMidpoint, RungeKutta4, RungeKuttaNystrom4, Exact::new());
     with!(1e-3: DormandPrince5, DormandPrince8);
-    // Over which lanes take steps of their own, and some more of them than others.
+    // With this tolerance lanes take steps of their own, some more than others.
     let tolerance = 1e-5;
     with!(1.0: Adaptive::new(DormandPrince5, Scalar::of(tolerance)).expect("a tolerance"));
     with!(1.0: Adaptive::new(DormandPrince8, Scalar::of(tolerance)).expect("a tolerance"));

@@ -1,4 +1,4 @@
-//! The laws of an integrator: kept, and broken.
+//! Laws of an integrator: kept, and broken.
 
 use lyapunov::lanes::{AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
@@ -63,7 +63,7 @@ fn the_integrators_that_ship_keep_the_laws() {
 enum Broken {
     /// Explicit Euler, whose order is 1.
     OfOrderOne,
-    /// RK4 of a motion without damping.
+    /// RK4 of the motion without its damping.
     Undamped,
     /// RK4 that drifts by itself.
     Drifting,
@@ -101,7 +101,7 @@ impl<T: Scalar> Integrator<T, Oscillator<T>> for Broken {
 }
 
 #[test]
-fn an_integrator_that_breaks_a_law_is_told_which() {
+fn a_broken_law_of_an_integrator_is_named() {
     let broken = |integrator: Broken, order: u32| {
         let dynamics = Oscillator::<AutoF64x4>::new(hand()).expect("parts");
         let place = AutoF64x4::from_lanes(|lane| 0.01 * lane as f64 - 0.004);

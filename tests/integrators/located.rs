@@ -1,4 +1,4 @@
-//! Steps cut where the motion switches.
+//! Steps that end where the motion switches.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
@@ -16,14 +16,14 @@ use lyapunov::{
 use crate::orders::{damped, slope};
 use crate::{hand, moved};
 
-/// A hand without damping, before a wall that is 40 times as stiff and 1 mm away.
+/// A hand without damping, in front of a wall that is 40 times as stiff, with its surface at 1 mm.
 const FREE: Impedance<f64> = Impedance { mass: 0.3, damping: 0.0, stiffness: 50.0 };
 const WALL: f64 = 2000.0;
 const SURFACE: f64 = 0.001;
 const START: [f64; 2] = [-0.004, 0.05];
 const PERIOD: f64 = 0.5;
 
-/// When the closed form of one piece is first on the other side, by bisection between `near` and `far`.
+/// The instant at which the closed form of one piece is first on the other side, by bisection between `near` and `far`.
 fn crossing(beyond: impl Fn(f64) -> bool, mut near: f64, mut far: f64) -> f64 {
     for _ in 0..80 {
         let middle = 0.5 * (near + far);
@@ -32,7 +32,7 @@ fn crossing(beyond: impl Fn(f64) -> bool, mut near: f64, mut far: f64) -> f64 {
     far
 }
 
-/// Against the wall and back, piece by piece in closed form, and how often it touched.
+/// The motion against the wall and back, piece by piece in closed form, and the number of contacts.
 fn bounced(t: f64) -> ([f64; 2], u32) {
     let touching = Impedance { stiffness: FREE.stiffness + WALL, ..FREE };
     let (mut state, mut left, mut contact, mut touched) = (START, t, false, 0);
@@ -40,7 +40,7 @@ fn bounced(t: f64) -> ([f64; 2], u32) {
         let (parts, force) = if contact { (touching, -WALL * SURFACE) } else { (FREE, 0.0) };
         let at = |time: f64| damped(parts, state, force, time);
         let beyond = |time: f64| (at(time)[0] > SURFACE) != contact;
-        // Of a piece nothing is shorter than a millisecond, so that none is stepped over.
+        // No piece is shorter than a millisecond, so none is stepped over.
         let found = (1..).map(|n| 1e-3 * f64::from(n)).take_while(|&time| time < left + 1e-3);
         let Some(after) = found.into_iter().find(|&time| beyond(time)) else {
             return (at(left), touched);
@@ -54,7 +54,8 @@ fn bounced(t: f64) -> ([f64; 2], u32) {
     }
 }
 
-/// The order with which errors fall from one count of steps to the next, at many phases of the step to the wall.
+/// The order with which errors fall from one count of steps to the next, for many positions of the impact within a
+/// step.
 fn order(integrator: impl Integrator<f64, WalledOscillator<f64>> + Copy, counts: [u32; 4]) -> f64 {
     slope(counts.map(|steps| {
         let ends = [0.0, 0.013, 0.026, 0.039].map(|more| {
@@ -127,7 +128,8 @@ fn block<T: Scalar>() -> Impedance<T> {
     Impedance { mass: T::of(0.5), damping: T::of(0.4), stiffness: T::of(200.0) }
 }
 
-/// When within `period` a step from `from` first has the velocity that `ended` tells, by bisection.
+/// The instant within `period` at which a step from `from` first ends the motion in the direction `sense`, by
+/// bisection.
 fn first<I>(integrator: I, from: State<f64>, effort: f64, period: f64, sense: f64) -> f64
 where
     I: Integrator<f64, StickSlipOscillator<f64>> + Copy,
@@ -152,7 +154,8 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
     let mut before = State { position: 0.02_f64, velocity: 0.0_f64 };
     for tick in 0..20_000_u32 {
         let effort = 1.5 * (f64::from(tick) * 0.005).sin() + 0.7 * (f64::from(tick) * 0.023).sin();
-        // Each tick from the same state: friction that falls with speed is a negative damper, and lets what differs grow.
+        // Each tick starts from the same state: friction that falls with speed is a negative damper and amplifies
+        // differences.
         plant = plant.starting_from(before);
         let (one, other) = (plant.advance(effort), exact.advance(effort));
         assert!(abs_diff_eq!(one.position, other.position, epsilon = 1e-12), "{tick}");
@@ -185,7 +188,7 @@ fn it_sticks_and_slips_where_and_when_the_exact_body_does() {
 }
 
 #[test]
-fn what_sticks_does_not_move_by_a_bit_and_without_friction_nothing_rubs() {
+fn a_stuck_mass_does_not_move_by_a_bit_and_zero_friction_changes_nothing() {
     let rubbing = StickSlipOscillator::new(block::<f64>(), law()).expect("parts");
     let mut plant =
         moved(rubbing, EventLocating::new(ImplicitMidpoint), 1e-3, 3).starting(0.004, 0.0);
@@ -202,7 +205,7 @@ fn what_sticks_does_not_move_by_a_bit_and_without_friction_nothing_rubs() {
     let mut other = moved::<f64, _, _>(free, ImplicitMidpoint, 1e-3, 1).starting(0.004_f64, 0.1);
     for _ in 0..1000 {
         let (one, other) = (plant.advance(0.1), other.advance(0.1));
-        // Steps are cut where the motion turns, and so err otherwise, by (h ω)³ / 12 of the swing at each turn.
+        // Cutting a step where the motion turns changes its error, by (h ω)³ / 12 of the swing at each turn.
         assert_abs_diff_eq!(one.position, other.position, epsilon = 1e-6);
     }
 }

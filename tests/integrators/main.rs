@@ -1,4 +1,4 @@
-//! Integrators: their orders, what they keep, and the plant that any of them moves.
+//! Integrators: their orders, what they conserve, and the plant that each of them moves.
 
 mod adaptive;
 mod energy;

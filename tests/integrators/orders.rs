@@ -1,4 +1,4 @@
-//! The order of each method, by regression against closed forms.
+//! Order of each method, by regression against closed forms.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
@@ -12,7 +12,7 @@ use lyapunov::{
 
 use crate::{U, hand, moved, pair};
 
-/// The damped oscillation `x₀ → x(t)`, `v₀ → v(t)` about where the held force leaves it, in closed form.
+/// The damped oscillation `x₀ → x(t)`, `v₀ → v(t)` about its equilibrium under the held force, in closed form.
 pub(crate) fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64) -> [f64; 2] {
     let Impedance { mass, damping, stiffness } = parts;
     let (middle, decay) = (-force / stiffness, damping / (2.0 * mass));
@@ -25,7 +25,7 @@ pub(crate) fn damped(parts: Impedance<f64>, [x, v]: [f64; 2], force: f64, t: f64
     [middle + position, velocity]
 }
 
-/// By least squares, the slope of log error over log step.
+/// The slope of log error over log step, by least squares.
 pub(crate) fn slope(errors: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     let points: Vec<_> = errors.into_iter().map(|(step, error)| (step.ln(), error.ln())).collect();
     let mean =
@@ -39,7 +39,7 @@ const START: [f64; 2] = [-0.004, 0.05];
 const FORCE: f64 = 0.3;
 const PERIOD: f64 = 0.3;
 
-/// The order over one long period on the damped oscillation: errors of position and of velocity over ω together.
+/// The order over one long period on the damped oscillation, by the errors of position and of velocity divided by ω.
 fn order_of_one(integrator: impl Integrator<f64, Oscillator<f64>> + Copy, steps: [u32; 4]) -> f64 {
     let [x, v] = damped(hand(), START, FORCE, PERIOD);
     slope(steps.map(|steps| {
@@ -90,7 +90,7 @@ fn errors_fall_with_the_step_as_the_order_says() {
         (order_of_two(RungeKuttaNystrom4, coarse), 4.0),
         (order_of_one(DormandPrince5, [32, 64, 128, 256]), 5.0),
         (order_of_two(DormandPrince5, [64, 128, 256, 512]), 5.0),
-        // So few steps that rounding stays out, and so many that the next order does.
+        // Few enough steps that rounding stays out, and enough that the next order does.
         (order_of_one(DormandPrince8, [10, 12, 14, 16]), 8.0),
         (order_of_two(DormandPrince8, [16, 20, 24, 28]), 8.0),
     ] {

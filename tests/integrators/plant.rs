@@ -1,4 +1,4 @@
-//! The plant that any integrator moves.
+//! Plant moved by an integrator.
 
 use lyapunov::{
     Plant, Requirement, Signal,
@@ -14,7 +14,7 @@ use lyapunov::{
 use crate::{hand, moved, pair};
 
 #[test]
-fn what_cannot_be_is_refused_by_name() {
+fn invalid_parameters_are_refused_by_name() {
     let refused = |mass, damping, stiffness| {
         let error = Oscillator::new(Impedance { mass, damping, stiffness }).expect_err("no parts");
         (error.parameter, error.requirement)
@@ -41,7 +41,7 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!(refused(1e-3, 0), ("steps", Requirement::AtLeast(1.0)));
     assert_eq!(refused(0.0, 1), ("period", Requirement::Positive));
     assert_eq!(refused(f32::INFINITY, 1), ("period", Requirement::Positive));
-    // One step so long is out of range; ten microseconds are not, however many.
+    // A single step of that length is out of range; steps of ten microseconds are not, however many.
     assert_eq!(refused(1e30, 1), ("period", Requirement::InRange));
     assert!(stepped(1e30, u32::MAX).is_err());
     assert!(stepped(1e3, 100_000_000).is_ok());

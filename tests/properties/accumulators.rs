@@ -1,4 +1,4 @@
-//! Sums of a million energies against exact ones, made of whole numbers.
+//! Sums of a million energies against exact ones in whole numbers.
 
 use proptest::array::uniform4;
 use proptest::collection::vec;
@@ -28,7 +28,7 @@ impl Grains {
         }
     }
 
-    /// Signed, of very different sizes, with more on the side of `drift`.
+    /// A signed number, of very different sizes, positive with the probability `drift`.
     fn number(self, bits: Bits, drift: f64) -> i128 {
         let size = (bits >> 11) >> (53 - self.digits) >> (bits % 13);
         let sign = if unit(bits.wrapping_mul(0x9e37_79b9_7f4a_7c15)) < drift { 1 } else { -1 };
@@ -43,7 +43,7 @@ impl Grains {
         T::of(self.joules(number))
     }
 
-    /// The exact number of grains in a scalar that has such a whole number.
+    /// The exact number of grains in a scalar that is a whole number of them.
     fn count<T: Real>(self, value: T) -> i128 {
         (value.f64() * 2f64.powi(-self.grain)) as i128
     }
@@ -61,8 +61,8 @@ impl SplitMix {
     }
 }
 
-/// The sum is off by one rounding of itself, and by what the sum of the errors lost: a rounding of it per term. That is
-/// counted along an exact sum and the sum as the scalar rounds it.
+/// The error of the sum is one rounding of itself, plus what the sum of the errors lost: one of its roundings per term.
+/// The bound adds this up along an exact sum and the sum as the scalar rounds it.
 fn compensated<T: Real>(seed: u64, drift: f64) {
     let (grains, mut bits) = (Grains::of::<T>(), SplitMix(seed));
     let (mut exact, mut rounded, mut lost) = (0i128, T::of(0.0), 0.0);
@@ -78,7 +78,7 @@ fn compensated<T: Real>(seed: u64, drift: f64) {
         assert!(off <= bound, "off by {off:e} of {:e}, {bound:e} allowed", grains.joules(exact));
     }
     let gained = grains.joules(exact - grains.count(rounded)).abs() / (lost + 1e-300);
-    assert!(gained > 1.0, "one number would have done as well");
+    assert!(gained > 1.0, "a single number would be as good");
 }
 
 #[test]
@@ -95,8 +95,8 @@ fn compensated_f32() {
     }
 }
 
-/// Every term and every sum here is a whole number of grains that an `f64` holds: the wide sum is exact, and what it
-/// tells is the nearest `f32`.
+/// Every term and every sum here is a whole number of grains that an `f64` represents: the wide sum is exact, and its
+/// value is the nearest `f32`.
 #[test]
 fn wide_is_exact() {
     for (seed, drift) in [(1, 0.5), (2, 0.45), (3, 1.0), (4, 0.0)] {
@@ -136,7 +136,7 @@ fn wide_f32_does_not_stall() {
     assert!(off <= f32::unit() * exact + 70e6 * f64::unit() * 64.0, "{off:e}");
 }
 
-/// Two numbers have twice the digits: 48 bits, of which 70 million terms leave 21.
+/// Two numbers have twice the digits: 48 bits, of which the rounding of 70 million terms leaves 21.
 #[test]
 fn compensated_f32_does_not_stall() {
     let exact = 70e6 * f64::from(1e-6f32);
@@ -144,9 +144,9 @@ fn compensated_f32_does_not_stall() {
     assert!(off <= 4.0 * f32::unit() * exact, "off by {off:e} of {exact:e}");
 }
 
-/// The energy of a spring that is pressed and let go, up to half a joule in and out again: what is left is small against
-/// what went through, and is told to the digits of what is left. Each step may lose a unit of the second number, `u²` of
-/// the sum on the way; the reference, in `f64`, half a unit of its own.
+/// The energy of a spring that is pressed and released, up to half a joule in and out again: the remainder is small
+/// beside the energy that flowed, and the sum has the digits of the remainder. Each step may lose a unit of the second
+/// number, `u²` of the sum on the way; the reference, in `f64`, half a unit of its own.
 #[test]
 fn compensated_f32_keeps_what_flows_back_and_forth() {
     for seed in 1..4 {
@@ -167,7 +167,7 @@ fn compensated_f32_keeps_what_flows_back_and_forth() {
     }
 }
 
-/// What a large energy pushes out of the sum comes back when that energy leaves.
+/// Digits that a large energy pushes out of the sum come back when that energy leaves.
 #[test]
 fn compensated_gets_back_what_a_large_term_hides() {
     fn left<T: Real>(large: f64) -> f64 {
@@ -181,8 +181,8 @@ fn compensated_gets_back_what_a_large_term_hides() {
     assert_eq!(left::<f64>(1e17), 1.0);
 }
 
-/// Adding and then raising a debt towards zero, against whole numbers: the sum between is the exact one, a debt is
-/// raised by `most` or to zero, and what is no debt is left alone.
+/// Adding and then raising a debt towards zero, against whole numbers: the sum in between is the exact one, a debt is
+/// raised by `most` or to zero, and a stored credit stays.
 fn raises<T: Real, A: Accumulator<T>>(samples: &[[Bits; 4]]) -> TestCaseResult {
     let grains = Grains::of::<T>();
     let (mut exact, mut size, mut sum) = (0i128, 0i128, A::zero());

@@ -1,4 +1,4 @@
-//! The adaptive window is the longest that a line fits, found by trying every line against every sample.
+//! Adaptive window against the longest one that a line fits, found by testing every line against every sample.
 
 use approx::abs_diff_eq;
 use proptest::array::uniform16;
@@ -14,7 +14,7 @@ use crate::support::{
 
 const ROOM: usize = 16;
 
-/// The velocities that a port inside a window of up to `ticks` is told.
+/// The samples that a port inside a window of up to `ticks` receives.
 fn told<V: Port>(ticks: usize, band: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).windowed::<ROOM>(ticks, band).expect("a window");
@@ -24,7 +24,7 @@ fn told<V: Port>(ticks: usize, band: V::Scalar, drives: &[PortSample<V>]) -> Vec
     spy.asked
 }
 
-/// The drives of a motion through these positions.
+/// The samples of a motion through these positions.
 fn through<V: Port>(period: V::Scalar, positions: &[V]) -> Vec<PortSample<V>> {
     let before = |n: usize| positions[n.max(1) - 1];
     (0..positions.len())
@@ -34,7 +34,7 @@ fn through<V: Port>(period: V::Scalar, positions: &[V]) -> Vec<PortSample<V>> {
         .collect()
 }
 
-/// The window of the last of these counts, in whole numbers: every line against every count between.
+/// The window at the last of these counts, in whole numbers: every line against every count between.
 fn window(counts: &[i64], ticks: usize, band: i64) -> usize {
     let now = counts.len() - 1;
     let fits = |i: usize| {
@@ -68,7 +68,7 @@ fn walk(samples: &[[Bits; 16]], axis: usize) -> Vec<i64> {
 mod check {
     use super::*;
 
-    /// Counts of any resolution, with a band of some counts: lines just one band off are in, those beyond it out.
+    /// Counts of any resolution, with a band of some counts: lines just one band off are in, farther ones out.
     pub(super) fn windows_are_the_longest<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 1..40);
         hold(CASES / 4, (1..=ROOM, any::<Bits>(), samples), |(ticks, bits, samples)| {
@@ -124,8 +124,8 @@ mod check {
         });
     }
 
-    /// Straight motion in numbers without rounding uses the whole window with no band at all, and a kink in it cuts
-    /// the window there.
+    /// Straight motion in numbers without rounding uses the whole window without any band, and a kink in it cuts the
+    /// window there.
     pub(super) fn straight_motion_needs_no_band<V: Port>() {
         let (period, zero) = (V::Scalar::of(0.25), V::Scalar::of(0.0));
         let kink = 30;
@@ -152,7 +152,7 @@ crate::support::every_port!(
     straight_motion_needs_no_band,
 );
 
-/// A turn inside of the band: the line from one end to the other leaves it, shorter ones do not.
+/// A turn within the band: the line from one end to the other leaves it, shorter ones do not.
 #[test]
 fn a_bend_is_cut_where_it_leaves_the_band() {
     // A parabola: sample j lies j (i − j) off the chord over i ticks.
@@ -165,7 +165,7 @@ fn a_bend_is_cut_where_it_leaves_the_band() {
     }
 }
 
-/// What is not finite ends windows that would reach it and is forgotten with them.
+/// A position that is not finite ends the windows that would reach it and has no other effect.
 #[test]
 fn bad_positions_end_windows() {
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -1,4 +1,4 @@
-//! What acts on a port does what it says, and nothing at its neutral value.
+//! Effects of adaptors on a port, and none at their neutral values.
 
 use approx::abs_diff_eq;
 use proptest::array::{uniform4, uniform16};
@@ -22,7 +22,7 @@ fn samples() -> impl proptest::strategy::Strategy<Value = Samples> {
     vec(uniform16(any::<Bits>()), 1..24)
 }
 
-/// Drives and efforts of ordinary or of hostile numbers, with one period throughout.
+/// Samples and efforts of ordinary or of hostile numbers, with one period throughout.
 fn sequence<V: Port>(samples: &[[Bits; 16]]) -> (Vec<PortSample<V>>, Vec<V>) {
     let period = V::Scalar::of(1e-3);
     samples
@@ -75,7 +75,7 @@ mod check {
         });
     }
 
-    /// A hold asks on every n-th call, answers the same in between, and what it hands on adds up, axis by axis.
+    /// A hold asks on every n-th call and repeats the answer in between; the sums it passes on add up, axis by axis.
     pub(super) fn hold_hands_on_sums<V: Port>() {
         hold(CASES, (1..6u32, samples()), |(ticks, samples)| {
             let (drives, efforts) = sequence::<V>(&samples);
@@ -87,7 +87,7 @@ mod check {
             }
             prop_assert!(spy.asked.len() == drives.len().div_ceil(ticks as usize));
             for (call, whole) in spy.asked.iter().enumerate() {
-                // From the call before, not included, to this one.
+                // From the call before, excluded, to this one.
                 let now = call * ticks as usize;
                 let since = (now + 1).saturating_sub(ticks as usize);
                 let part = &drives[since..=now];
@@ -109,7 +109,7 @@ mod check {
         });
     }
 
-    /// The sum of a few terms is theirs up to a rounding of each sum on the way, all of which are below `Σ |term|`.
+    /// The sum of a few terms is exact up to a rounding of each sum on the way, all of which are below `Σ |term|`.
     fn adds_up<T: Real>(sum: T, terms: &[f64]) -> TestCaseResult {
         let exact: f64 = terms.iter().sum();
         let size: f64 = terms.iter().map(|term| term.abs()).sum();
@@ -118,7 +118,7 @@ mod check {
         Ok(())
     }
 
-    /// `f(n − d)`, and nothing for `n < d`, for every d that has room.
+    /// `f(n − d)`, and 0 for `n < d`, for every d within the capacity.
     pub(super) fn delay_shifts<V: Port>() {
         hold(CASES, (0..6usize, samples()), |(ticks, samples)| {
             let (drives, efforts) = sequence::<V>(&samples);
@@ -136,7 +136,7 @@ mod check {
         });
     }
 
-    /// Every axis for itself; a NaN is not taken for a force.
+    /// Each axis is clipped by itself; a NaN does not pass for a force.
     pub(super) fn saturation_clips<V: Port>() {
         hold(CASES, (any::<Bits>(), samples()), |(bits, samples)| {
             let force = hostile::<V::Scalar>(bits);
@@ -164,7 +164,7 @@ mod check {
         });
     }
 
-    /// `v = Δx / T` on each axis, rounded once, and nothing else changed.
+    /// `v = Δx / T` on each axis, rounded once, and no other change.
     pub(super) fn difference_divides<V: Port>() {
         hold(CASES, samples(), |samples| {
             let (drives, efforts) = sequence::<V>(&samples);
@@ -181,7 +181,7 @@ mod check {
         });
     }
 
-    /// Counts of the resolution, displacements between them, and the work of the effort over those.
+    /// Counts of the resolution, displacements between them, and the work of the effort over these.
     pub(super) fn encoder_counts<V: Port>() {
         hold(CASES, (any::<Bits>(), samples()), |(bits, samples)| {
             let (drives, efforts) = sequence::<V>(&samples);
@@ -194,7 +194,7 @@ mod check {
             let mut before = spy.asked[0].position;
             for (told, sample) in spy.asked.iter().zip(&drives) {
                 for axis in 0..V::AXES {
-                    // A power of two loses nothing, so this is the rounding of the standard library.
+                    // A power of two loses nothing, so the standard library rounds the same way.
                     let (x, step) = (sample.position.axis(axis).f64(), resolution.f64());
                     let counted = (x / step).round() * step;
                     prop_assert!(told.position.axis(axis).f64() == counted, "{x:e} at {step:e}");
@@ -210,7 +210,7 @@ mod check {
         });
     }
 
-    /// A stabilizer outside of a hold may act on every tick, one inside only when the environment is asked.
+    /// A stabilizer outside of a hold may correct on every tick, one inside only when the environment is asked.
     pub(super) fn order_matters<V: Port>() {
         hold(CASES / 10, uniform4(any::<Bits>()), |bits| {
             let of = |value: f64| V::Scalar::of(value);
@@ -240,7 +240,7 @@ mod check {
                 prop_assert!(!asked || (later != V::zero()) == (tick > 0), "inside, tick {tick}");
                 injected = later;
                 if asked {
-                    // Both have been told the same work by then.
+                    // By now both have received the same work.
                     let (a, b) = (
                         outside.correction().observed_energy.f64(),
                         inside.correction().observed_energy.f64(),
@@ -263,7 +263,7 @@ crate::support::every_port!(
     order_matters,
 );
 
-/// A round trip displaces nothing and still does work; a hold hands on that work.
+/// A round trip has no displacement and still does work; a hold passes that work on.
 #[test]
 fn hold_keeps_the_work_of_a_round_trip() {
     let mut spy = Spy::on(Scripted::of(vec![1.0; 3]));
@@ -276,7 +276,7 @@ fn hold_keeps_the_work_of_a_round_trip() {
 }
 
 mod rounding {
-    //! Whole numbers by the library and by the standard library.
+    //! Operations on whole numbers, in the library and in the standard library.
 
     use super::*;
     use crate::support::wild;
@@ -303,7 +303,7 @@ mod rounding {
     }
 
     fn bits_of<T: Real>(x: T) -> Bits {
-        // Which of the two it is shows in the bits of one.
+        // The bits of 1 tell `f32` from `f64`.
         let single = T::of_bits(u64::from(1f32.to_bits())).f64() == 1.0;
         if single { u64::from((x.f64() as f32).to_bits()) } else { x.f64().to_bits() }
     }

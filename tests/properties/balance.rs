@@ -1,5 +1,5 @@
-//! Energy by cause: what is stored is what came in by the port, the pushes, the moving rest and the changing grip, less
-//! what each damper burnt.
+//! Energy balance by cause: the stored energy is what came in by the port, the external forces, the moving rest and the
+//! changing grip, less what each damper dissipated.
 
 use lyapunov::{
     Plant, PortSample,
@@ -14,15 +14,15 @@ use crate::support::quadrature;
 
 const RATE: f64 = 1000.0;
 
-/// A body whose energies can be told from its sample.
+/// A body whose energies follow from its sample.
 trait Told: OperatedBody<f64> + Copy {
-    /// Where the operator is, and the stiffness of its spring.
+    /// The operator's position, and the stiffness of its spring.
     fn held(&self, sample: &PortSample<f64>, parts: Self::Parts) -> (f64, f64);
 
-    /// Kinetic energy and the link's, J.
+    /// Kinetic energy and that of the link, J.
     fn stored(&self, sample: &PortSample<f64>, parts: Self::Parts) -> f64;
 
-    /// What each damper burns just now, W.
+    /// The power that each damper dissipates now, W.
     fn burning(&self, sample: &PortSample<f64>, parts: Self::Parts) -> [f64; 3];
 }
 
@@ -63,7 +63,7 @@ impl Told for TwoMassBody<f64> {
     }
 }
 
-/// A wall that has a force of its own on each tick: what the port does is not the point here.
+/// A wall with an additional force on each tick: the law of the port does not matter here.
 fn effort(tick: u64, position: f64) -> f64 {
     400.0 * (position - 0.01).max(0.0) + 0.3 * ((tick * 7 % 5) as f64 - 2.0)
 }
@@ -72,7 +72,7 @@ fn at(course: &impl Trajectory<f64>, tick: u64) -> f64 {
     course.at(tick)
 }
 
-/// Each cause by itself, and the sum of their magnitudes.
+/// The energy of one cause, and the sum of its magnitudes.
 #[derive(Default)]
 struct Book {
     energy: f64,
@@ -86,7 +86,7 @@ impl Book {
     }
 }
 
-/// Runs `body` in the whole chain, and beside it by hand, tick by tick the same, with its energies.
+/// Runs `body` in the whole chain and, beside it, the same by hand, tick by tick, with its energies.
 fn closes<B: Told>(body: B, own: B::Parts, grips: [(u64, B::Parts); 2]) {
     let rows = [(0.0, 0.002), (0.1, 0.02), (0.25, -0.01), (0.5, 0.005)];
     let hand = Samples::new(rows, RATE).expect("a hand");
@@ -151,7 +151,7 @@ fn closes<B: Told>(body: B, own: B::Parts, grips: [(u64, B::Parts); 2]) {
 }
 
 #[test]
-fn one_mass_keeps_its_books() {
+fn the_energy_of_one_mass_balances() {
     let parts = |damping, stiffness| Impedance { mass: 0.3, damping, stiffness };
     let own = parts(0.2, 50.0);
     let body = Body::new(own, 1.0 / RATE).expect("a body").resting_at(0.002).starting(-0.004, 0.1);
@@ -159,7 +159,7 @@ fn one_mass_keeps_its_books() {
 }
 
 #[test]
-fn two_masses_keep_their_books() {
+fn the_energy_of_two_masses_balances() {
     for (mass, stiffness, damping) in [(0.2, 5000.0, 1.0), (0.01, 2e4, 0.0), (5.0, 1e5, 3.0)] {
         let parts = |hold, spring| TwoMassParts {
             operator: Impedance { mass: 0.1, damping: hold, stiffness: spring },

@@ -1,4 +1,4 @@
-//! Courses against the naive formulas of what they say.
+//! Trajectories against the formulas of their definitions.
 
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ fn at(course: &impl Trajectory<f64>, tick: u64) -> f64 {
     course.at(tick)
 }
 
-/// A rate as scenes have them, and an instant that is now and then on a tick but for its rounding.
+/// A servo rate as in scenes, and an instant that is sometimes on a tick except for its rounding.
 fn instant(bits: [Bits; 3]) -> (f64, f64) {
     let rate = [10.0, 100.0, 1000.0, 4000.0, 3.0, 7.3, log_between(bits[0], 0.1, 1e5)]
         [(bits[0] % 7) as usize];
@@ -83,7 +83,7 @@ fn steps_and_pulses_begin_with_their_tick() {
 }
 
 #[test]
-fn a_ramp_goes_there_and_no_further() {
+fn a_ramp_reaches_its_end_and_stops() {
     hold(CASES, uniform8(any::<Bits>()), |bits| {
         let (rate, start) = instant([bits[0], bits[1], bits[2]]);
         let (from, to) = (ordinary::<f64>(bits[3], 1.0), ordinary::<f64>(bits[4], 1.0));
@@ -122,7 +122,7 @@ fn a_sine_is_as_good_late_as_early() {
             let angle = 2.0 * PI * if part > 0.5 { part - 1.0 } else { part };
             let exact = about + amplitude * angle.sin();
             let found = at(&sine, tick);
-            // Both angles are up to π, each with two or three roundings.
+            // Both angles are at most π, each with two or three roundings.
             let bound = 2e-15 * amplitude.abs() + 2e-17;
             prop_assert!(
                 abs_diff_eq!(found, exact, epsilon = bound),
@@ -179,7 +179,7 @@ fn samples_are_joined_by_lines() {
 }
 
 #[test]
-fn courses_are_rounded_once() {
+fn trajectories_are_rounded_once() {
     let sine = Sine::new(0.1, 0.7, 3.0, 1000.0).expect("a sine");
     for tick in 0..1000 {
         let narrow: f32 = sine.at(tick);
@@ -191,9 +191,9 @@ fn courses_are_rounded_once() {
     assert_eq!(at(&|tick: u64| tick as f64, 3), 3.0);
 }
 
-/// Numbers at the ends of the range give numbers.
+/// Trajectories made of numbers at the ends of the range give numbers.
 #[test]
-fn hostile_courses_stay_finite() {
+fn hostile_trajectories_stay_finite() {
     let (huge, small) = (f64::MAX, f64::from_bits(1));
     for rate in [small, f64::MIN_POSITIVE, 1e-3, 1e3, huge] {
         for (big, speed) in [(huge, huge), (huge, small), (-huge, 0.0), (small, huge), (0.0, 0.0)] {
@@ -217,7 +217,7 @@ fn hostile_courses_stay_finite() {
 }
 
 #[test]
-fn what_no_course_can_be_made_of() {
+fn invalid_trajectories_are_refused() {
     use Requirement::{AtLeast, Finite, InRange, NonNegative, Positive};
     let of = |refused: Result<f64, lyapunov::ParameterError>| {
         let error = refused.expect_err("no course");

@@ -1,4 +1,4 @@
-//! How much damping a mass stands that is braked late.
+//! Damping that keeps a delayed loop of a mass stable.
 
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ use lyapunov::{
 const MASS: f64 = 0.2;
 const PERIOD: f64 = 1e-3;
 
-/// A damper that is always there, N·s/m.
+/// A damper that always acts, N·s/m.
 struct Damper(f64);
 
 impl OnePort<f64> for Damper {
@@ -21,8 +21,8 @@ impl OnePort<f64> for Damper {
     }
 }
 
-/// How a free mass swings after a long time under a damper of `share` of m / T that is `ticks` late, against a
-/// shorter one.
+/// The largest speed of a free mass in the second half of a long run over that in the first half, under a damper of
+/// `share` of m / T that is `ticks` late.
 fn growth(share: f64, ticks: usize, differenced: bool) -> f64 {
     let parts = Impedance { mass: MASS, damping: 0.0, stiffness: 0.0 };
     let mut plant = Body::new(parts, PERIOD).expect("a body").starting(0.0, 0.1);
@@ -71,7 +71,7 @@ fn the_limit_is_a_quarter_of_what_grows() -> Result<(), ParameterError> {
         assert_abs_diff_eq!(share, grows / 4.0, epsilon = 1e-15);
         assert!(growth(share, ticks as usize, true) < 1e-3);
     }
-    // A limit that is none stays finite; none at all stays none.
+    // An infinite limit becomes finite under a delay; a limit of 0 stays 0.
     let endless: DampingLimit<f32> = DampingLimit::at(f32::INFINITY)?;
     assert!(endless.delayed(3).most().finite() && endless.delayed(u32::MAX).most() >= 0.0);
     assert_eq!(DampingLimit::at(0.0_f64)?.delayed(3).most(), 0.0);

@@ -1,7 +1,7 @@
-//! A loop that is known to gain energy is seen, one that is known not to is left alone, and what is seen is bounded.
+//! Loops known to gain energy are detected, loops known not to are left alone, and the detected ones are bounded.
 //!
-//! The paper's wall of 8 kN/m and 2 N·s/m: a held spring contains a damper of `−k T / 2`, which is more than the wall's
-//! damping and the plant's together up to 2 kHz and less at 10 kHz.
+//! The paper's wall of 8 kN/m and 2 N·s/m: a held spring contains a damper of `−k T / 2`, which exceeds the damping of
+//! the wall and the plant together up to 2 kHz, and is below it at 10 kHz.
 
 use proptest::prelude::any;
 use proptest::prop_assert;
@@ -17,7 +17,7 @@ use crate::support::{Bits, CASES, Motion, Real, State, hold, unit};
 
 const START: f64 = 4e-3;
 
-/// The paper's plant: operator and device as one.
+/// The paper's plant: operator and device as one mass.
 fn body<T: Real>(start: f64, rate: f64) -> Body<T> {
     let of = T::of;
     let operator = Impedance { mass: of(0.1), damping: of(0.2), stiffness: of(50.0) };
@@ -39,7 +39,7 @@ fn start(bits: Bits) -> f64 {
     START * (0.9 + 0.2 * unit(bits))
 }
 
-/// The least observer sum up to the tick that ends the first contact, watched but not corrected.
+/// The least observed energy up to the tick that ends the first contact, observed but not corrected.
 fn least_in_first_contact<T: Real>(start: f64, rate: f64) -> f64 {
     let popc: Popc<T> = Popc::new(PortEnergy, limit(0.0, rate));
     let mut port = wall().stabilized(popc).differenced();
@@ -58,7 +58,7 @@ fn least_in_first_contact<T: Real>(start: f64, rate: f64) -> f64 {
     panic!("the wall was not reached, or not left, within a second");
 }
 
-/// The largest swing from 0, 1 and 9 seconds on until 10, over a wall at 100 Hz.
+/// The largest swing from 0, 1 and 9 seconds on until 10 s, over a wall at 100 Hz.
 fn swings<T: Real>(start: f64, rate: f64, candidate: impl LyapunovCandidate<T>) -> [f64; 3] {
     let hold = (rate / 100.0) as u32;
     let lolc = Lolc::new(candidate, limit(0.5, rate));
@@ -84,7 +84,7 @@ fn largest(rate: f64, mut next: impl FnMut() -> f64) -> [f64; 3] {
     swings
 }
 
-/// The same loop in straight code, after the tick contract, with the wall's damping credited or not.
+/// The same loop in straight code after the tick contract, with or without the credit of the wall's damping.
 fn straight_swings(start: f64, rate: f64, credit: bool) -> [f64; 3] {
     let (mass, period) = (0.3, 1.0 / rate);
     let motion = Motion { mass, damping: 0.201, stiffness: 50.0, rest: 0.0 };
@@ -155,7 +155,7 @@ mod check {
         bounded(CASES / 10, LOLC, |start| straight_swings(start, 100.0, true));
     }
 
-    /// Shares of the start that the swing stays within: always, after a second, in the tenth.
+    /// Bounds of the swing as shares of the start: always, after a second, in the tenth.
     const POPC: [f64; 3] = [1.0, 0.8, 0.1];
     const LOLC: [f64; 3] = [1.0, 0.85, 0.6];
 

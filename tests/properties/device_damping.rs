@@ -1,7 +1,7 @@
-//! The credit of a device's own damper is never more than what it burns.
+//! Credit of a device's own damper: never more than the damper dissipates.
 //!
-//! With the backward difference `v = Δx / T` the credit of a tick is `b Δx² / T`, and by the inequality of Cauchy and
-//! Schwarz `b ∫ v² dt` is at least that.
+//! With the backward difference `v = Δx / T` the credit of a tick is `b Δx² / T`, and by the Cauchy-Schwarz inequality
+//! `b ∫ v² dt` is at least that.
 
 use approx::abs_diff_eq;
 use proptest::array::uniform16;
@@ -19,7 +19,7 @@ use crate::support::{
     Bits, CASES, Gain, Motion, Port, Real, Scripted, Spy, State, hold, log_between, ordinary, unit,
 };
 
-/// The energy that the damper of one axis burns over a period.
+/// The energy that the damper of one axis dissipates over a period.
 fn burnt(motion: &Motion, nodes: &[(Gain, f64)], start: State, effort: f64) -> f64 {
     let power = |velocity: f64| motion.damping * velocity * velocity;
     let at =
@@ -27,8 +27,8 @@ fn burnt(motion: &Motion, nodes: &[(Gain, f64)], start: State, effort: f64) -> f
     nodes.iter().map(at).sum()
 }
 
-/// How much more may be credited because positions are rounded: `b ((|Δx| + δ)² − Δx²) / T` for a displacement that is
-/// off by `δ`, which is the rounding of both positions and of the three terms that move the body.
+/// Additional credit by the rounding of positions: `b ((|Δx| + δ)² − Δx²) / T` for a displacement with the
+/// error `δ`, the rounding of both positions and of the three terms that move the body.
 fn rounding<T: Real>(motion: &Motion, gain: &Gain, start: State, effort: f64, period: f64) -> f64 {
     let State { position, velocity } = start;
     let [by_position, by_velocity, by_effort] = gain.position;
@@ -39,7 +39,7 @@ fn rounding<T: Real>(motion: &Motion, gain: &Gain, start: State, effort: f64, pe
     motion.damping * off * (2.0 * moved.abs() + off) / period
 }
 
-/// What is told to a port that takes its velocities from displacements.
+/// The sample of a port that takes its velocities from displacements.
 fn told<V: Port>(sample: &PortSample<V>) -> PortSample<V> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     (&mut spy).differenced().respond(sample);
@@ -49,7 +49,7 @@ fn told<V: Port>(sample: &PortSample<V>) -> PortSample<V> {
 mod check {
     use super::*;
 
-    pub(super) fn is_at_most_what_burns<V: Port>() {
+    pub(super) fn is_at_most_what_dissipates<V: Port>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let of = |value: f64| V::Scalar::of(value);
             let impedance = Impedance {
@@ -89,8 +89,9 @@ mod check {
         });
     }
 
-    /// Where the velocity does not change, because the effort makes up for the damper, nothing is lost.
-    pub(super) fn is_all_that_burns_at_constant_speed<V: Port>() {
+    /// Where the velocity is constant, because the effort makes up for the damper, the credit is all that is
+    /// dissipated.
+    pub(super) fn is_all_that_dissipates_at_constant_speed<V: Port>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let of = |value: f64| V::Scalar::of(value);
             let (mass, damping) = (of(log_between(bits[0], 0.05, 2.0)), of(5.0 * unit(bits[1])));
@@ -116,4 +117,4 @@ mod check {
     }
 }
 
-crate::support::every_port!(is_at_most_what_burns, is_all_that_burns_at_constant_speed);
+crate::support::every_port!(is_at_most_what_dissipates, is_all_that_dissipates_at_constant_speed);

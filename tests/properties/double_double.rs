@@ -25,10 +25,10 @@ fn back(value: DoubleDouble) -> i128 {
     value.high() as i128 + value.low() as i128
 }
 
-/// The digits end with the thirtieth.
+/// The error of the thirtieth digit.
 const END: f64 = 1e-28;
 
-/// The number that the digits say, `digits / 10^30`, from two halves of fifteen digits.
+/// The number with these digits, `digits / 10^30`, from two halves of fifteen digits.
 fn digits(text: &str) -> DoubleDouble {
     let (point, text) = (text.find('.').expect("a point"), text.replace('.', ""));
     let (first, rest) = text.split_at(15);
@@ -119,7 +119,7 @@ fn exact_motion_has_thirty_digits() {
         digits("0.841470984807896506652502321630"),
         max_relative = END
     );
-    // Damped so that it just does not swing: x = (1 + t) exp(−t), at t = 1.
+    // Critically damped: x = (1 + t) exp(−t), at t = 1.
     let creep = Impedance { damping: of(2.0), ..swing };
     let body = Body::new(creep, of(1.0)).expect("a body");
     let sample = body.starting(of(1.0), of(0.0)).advance(of(0.0));
@@ -159,7 +159,7 @@ fn infinities_nan_and_zeros_are_those_of_f64() {
 }
 
 #[test]
-fn what_f64_cannot_tell_apart_is_compared_and_rounded() {
+fn numbers_closer_than_f64_resolves_are_compared_and_rounded() {
     let one = of(1.0);
     let more = one + of(2f64.powi(-80));
     assert!(one.below(more) && more.above(one) && more != one && !more.below(one));

@@ -1,4 +1,4 @@
-//! Answers are lost as often as asked, and what acts instead is what was asked for.
+//! Lost answers: as frequent as requested, and replaced by the policy.
 
 use proptest::array::uniform16;
 use proptest::collection::vec;
@@ -15,7 +15,7 @@ use crate::support::{Bits, CASES, Port, Scripted, Spy, bad, drive_of, hold, same
 
 const POLICIES: [Fallback; 2] = [Fallback::Hold, Fallback::Zero];
 
-/// What acts of these efforts, and that each was asked for with its own sample.
+/// The efforts that act in place of these, with a check that each was asked for with its own sample.
 fn acting<V: Port>(
     probability: f64,
     fallback: Fallback,
@@ -32,7 +32,7 @@ fn acting<V: Port>(
     acting
 }
 
-/// Which of `count` answers are lost: with efforts of 1 and [`Fallback::Zero`] it shows.
+/// The lost ones of `count` answers, which efforts of 1 and [`Fallback::Zero`] show.
 fn lost<V: Port>(probability: f64, seed: u64, count: usize) -> Vec<bool> {
     let one = V::from_axes(|_| V::Scalar::of(1.0));
     let still = PortSample::starting(V::Scalar::of(1e-3), V::zero(), V::zero());
@@ -44,7 +44,7 @@ fn lost<V: Port>(probability: f64, seed: u64, count: usize) -> Vec<bool> {
 mod check {
     use super::*;
 
-    /// Never: not a bit is changed. Always: nothing arrives.
+    /// At a probability of 0 no bit changes; at 1 nothing arrives.
     pub(super) fn certain_cases<V: Port>() {
         hold(CASES, (any::<Bits>(), vec(uniform16(any::<Bits>()), 1..24)), |(seed, samples)| {
             let of = |bits: &[Bits; 16]| drive_of::<V>(*bits, seed % 2 == 0, V::Scalar::of(1e-3));
@@ -59,8 +59,8 @@ mod check {
         });
     }
 
-    /// Which answers are lost depends on the seed alone, and what acts instead is the last that arrived, or nothing;
-    /// an answer that is not a number is one like any other.
+    /// The seed alone decides which answers are lost, and the last that arrived, or nothing, acts instead; a NaN is an
+    /// answer like any other.
     pub(super) fn policies_do_what_they_say<V: Port>() {
         hold(CASES, (any::<Bits>(), vec(uniform16(any::<Bits>()), 1..24)), |(seed, samples)| {
             let of = |bits: &[Bits; 16]| drive_of::<V>(*bits, true, V::Scalar::of(1e-3));
@@ -85,7 +85,7 @@ mod check {
 
 crate::support::every_port!(certain_cases, policies_do_what_they_say);
 
-/// As often as asked, each for itself: runs of losses are as long as a coin's.
+/// Losses have the requested probability and are independent: their runs are as long as a coin's.
 #[test]
 fn losses_are_independent() {
     const COUNT: usize = 400_000;
@@ -109,7 +109,7 @@ fn losses_are_independent() {
     assert!(lost::<f64>(0.5, 4, 64) != lost::<f64>(0.5, 5, 64), "one stream for two seeds");
 }
 
-/// One number a call, whatever the probability: what is lost with a small one is lost with a larger one too.
+/// One number per call, whatever the probability: an answer lost with a small one is lost with a larger one too.
 #[test]
 fn larger_probabilities_lose_the_same_and_more() {
     let least = lost::<f32>(0.1, 9, 10_000);
@@ -118,7 +118,8 @@ fn larger_probabilities_lose_the_same_and_more() {
     assert!(more.iter().filter(|lost| **lost).count() > least.iter().filter(|lost| **lost).count());
 }
 
-/// Inside of a hold the environment is asked at its own ticks only, and each of its answers lasts for all of them.
+/// Within a hold the environment is asked at its own ticks only, and each of its answers lasts for all ticks of the
+/// hold.
 #[test]
 fn a_hold_keeps_what_arrives() {
     const TICKS: usize = 5;

@@ -1,4 +1,4 @@
-//! Encode then filter against filter then encode: whether the filter sees counts.
+//! Encode then filter against filter then encode: does the filter see counts?
 
 use std::f64::consts::TAU;
 
@@ -11,10 +11,10 @@ const PERIOD: f64 = 1e-3;
 const SPEED: f64 = 0.01;
 /// One count in ten ticks of this motion.
 const RESOLUTION: f64 = 10.0 * SPEED * PERIOD;
-/// `ω T = 1 / 4`, so that a fifth of what is new passes on each tick.
+/// `ω T = 1 / 4`, so a fifth of the change passes on each tick.
 const CUTOFF: f64 = 0.25 / (TAU * PERIOD);
 
-/// The drives of steady motion, a quarter of a count off the edges.
+/// The samples of steady motion, a quarter of a count off the edges.
 fn steady() -> impl Iterator<Item = PortSample<f64>> {
     let at = |n: usize| (n as f64 / 10.0 + 0.025) * RESOLUTION;
     (0..500).map(move |n| PortSample::new(PERIOD, at(n), SPEED, at(n) - at(n.max(1) - 1), 0.0))
@@ -40,21 +40,21 @@ fn a_filter_of_counts_sees_steps() {
     let encoded = (&mut motion).encoded(RESOLUTION).expect("an encoder");
     settled(&mut encoded.low_passed(CUTOFF).expect("a low pass"));
 
-    // Positions are counts either way.
+    // Positions are counts in both.
     assert!(counts.asked.iter().zip(&motion.asked).all(|(a, b)| a.position == b.position));
 
-    // A filter outside of the encoder takes the true motion, which has come to 1 cm/s.
+    // A filter outside of the encoder sees the true motion, and its velocity has settled at 1 cm/s.
     let (least, most) = range(motion.asked[400..].iter().map(|sample| sample.velocity));
     assert!(
         abs_diff_eq!(least, SPEED, epsilon = 1e-12) && abs_diff_eq!(most, SPEED, epsilon = 1e-12)
     );
 
-    // One inside takes a count every ten ticks, ten times the speed for one tick. With p = 4 / 5 left per tick the
+    // A filter inside sees a count every ten ticks: ten times the speed for one tick. With p = 4 / 5 left per tick the
     // velocity peaks at 10 v (1 − p) / (1 − p^10) and has fallen by p^9 before the next count.
     let (least, most) = range(counts.asked[400..].iter().map(|sample| sample.velocity));
     let peak = 10.0 * SPEED * 0.2 / (1.0 - 0.8f64.powi(10));
     assert!(abs_diff_eq!(most, peak, epsilon = 1e-12), "{most} for {peak}");
     assert!(abs_diff_eq!(least, peak * 0.8f64.powi(9), epsilon = 1e-12), "{least}");
-    // In numbers: 1 cm/s told as 0.3 to 2.2 cm/s.
+    // In numbers: 1 cm/s reported as 0.3 to 2.2 cm/s.
     assert!((0.0030..0.0031).contains(&least) && (0.0224..0.0225).contains(&most));
 }

@@ -95,8 +95,8 @@ fn a_block_stops_when_and_where_it_must() {
     });
 }
 
-/// On a spring the turning points come every `π / ω`, each `2 F / k` nearer, until the spring no longer exceeds `F`;
-/// in small periods or in one.
+/// On a spring the turning points come every `π / ω`, each `2 F / k` nearer, until the spring force no longer exceeds
+/// `F`; in small periods or in one.
 #[test]
 fn an_oscillation_loses_two_f_over_k_on_each_swing() {
     hold(CASES / 10, uniform8(any::<Bits>()), |bits| {
@@ -176,7 +176,7 @@ fn stribeck_friction_stops_a_block_by_quadrature() {
     });
 }
 
-/// Every balance closes: kinetic and spring energy, the effort's work and the heat, without any damper.
+/// Energy balance: kinetic and spring energy, the effort's work and the heat, without a damper.
 #[test]
 fn energy_balances() {
     hold(CASES / 20, uniform8(any::<Bits>()), |bits| {
@@ -201,7 +201,7 @@ fn energy_balances() {
             now = [sample.position, sample.velocity];
             let burnt = plant.heat() - heat;
             work += sample.work;
-            // Each of the kinds of energy moves by itself.
+            // Each kind of energy varies by itself.
             sum += sample.work.abs() + burnt + energy([now[0], 0.0]).max(energy([before[0], 0.0]));
             sum += energy([0.0, now[1]]).max(energy([0.0, before[1]]));
             // Both ends of a displacement are positions that have been rounded.
@@ -214,7 +214,7 @@ fn energy_balances() {
     });
 }
 
-/// Held by static friction off the spring's rest, not by a bit moved in a million periods, in `f32` too.
+/// A device that static friction holds off the spring's rest does not move by a bit in 100 000 periods, in `f32` too.
 fn sticks_exactly<T: Real>() {
     let parts = Impedance { mass: T::of(0.3), damping: T::of(0.2), stiffness: T::of(50.0) };
     let start = T::of(0.0071);

@@ -1,4 +1,4 @@
-//! Dry friction where it is nothing, where numbers are bad, and on lanes.
+//! Dry friction of 0, with bad numbers, and on lanes.
 
 use approx::assert_abs_diff_eq;
 use proptest::array::uniform8;
@@ -16,7 +16,7 @@ use crate::support::{Bits, CASES, Port, Real, hold, hostile, log_between, ordina
 
 type StickSlipPhase<T> = Friction<Body<T>, T, 2>;
 
-/// A scene of ordinary size and its efforts, number by number.
+/// A scene of ordinary size and its efforts.
 struct Scene([f64; 9], [f64; 40]);
 
 impl Scene {
@@ -57,7 +57,7 @@ fn numbers<T: Scalar + Signal<Scalar = T>>(sample: &PortSample<T>, lane: usize) 
     [period, position, velocity, displacement, applied, work].map(|number| number.lane(lane))
 }
 
-fn without_is_absent<T: Real + Port<Scalar = T>>() {
+fn zero_changes_nothing<T: Real + Port<Scalar = T>>() {
     hold(CASES / 10, uniform8(any::<Bits>()), |bits| {
         let scene = Scene::of(&bits, 0.0);
         let (mut body, mut plant) = bodies::<T>(std::slice::from_ref(&scene));
@@ -71,9 +71,9 @@ fn without_is_absent<T: Real + Port<Scalar = T>>() {
 }
 
 #[test]
-fn without_static_friction_is_absent() {
-    without_is_absent::<f32>();
-    without_is_absent::<f64>();
+fn zero_static_friction_changes_nothing() {
+    zero_changes_nothing::<f32>();
+    zero_changes_nothing::<f64>();
 }
 
 /// Lanes with and without friction side by side.
@@ -109,7 +109,7 @@ fn lanes_equal_the_scalar_run() {
     lanes_are_alone::<AutoF32x4, f32>();
 }
 
-/// Any parameters that are accepted, any efforts: it ends, and friction takes energy where anything is finite.
+/// Any accepted parameters, any efforts: every period ends, and friction takes energy where anything is finite.
 #[test]
 fn hostile_numbers_end() {
     let (mut cut, mut moved) = (0, 0);
@@ -143,9 +143,9 @@ fn hostile_numbers_end() {
     assert!(cut > 0 && moved > 100, "{cut} cut, {moved} moved");
 }
 
-/// A body too fast for its period, at the mercy of the rough way, does not gain energy either.
+/// A body too fast for its period, moved over roughly, does not gain energy either.
 #[test]
-fn too_fast_a_body_gains_nothing() {
+fn a_body_too_fast_for_its_period_gains_no_energy() {
     for (stiffness, damping) in [(1e14, 0.0), (1e12, 3.0), (0.0, 1e7), (1e10, 1e7)] {
         let parts = Impedance { mass: 0.2, damping, stiffness };
         let body = Body::new(parts, 1e-2).expect("a body").starting(0.01, 0.3);
@@ -164,7 +164,7 @@ fn too_fast_a_body_gains_nothing() {
 }
 
 #[test]
-fn what_is_not_a_number_moves_to_what_is_not() {
+fn from_an_effort_that_is_not_finite_nothing_is_finite() {
     let parts = Impedance { mass: 0.2, damping: 0.1, stiffness: 50.0 };
     let body = Body::new(parts, 1e-3).expect("a body");
     let plant = Friction::new(body, parts, law(0.1, 0.2, 0.01)).expect("friction");
@@ -177,7 +177,7 @@ fn what_is_not_a_number_moves_to_what_is_not() {
     }
 }
 
-/// An interval of nothing moves nothing; a later one goes on, as if there had been one period.
+/// An interval of 0 moves nothing, and a later one continues as if there had been one period.
 #[test]
 fn intervals_may_vary() {
     let parts = Impedance { mass: 0.2, damping: 0.1, stiffness: 80.0 };

@@ -1,4 +1,4 @@
-//! Dry friction on a device that hangs on a moving operator: slip instants inside of a period.
+//! Dry friction on a device that hangs on a moving operator, with slip instants within a period.
 
 use approx::abs_diff_eq;
 use proptest::array::uniform8;
@@ -25,7 +25,7 @@ fn rubbing(body: TwoMasses, law: Stribeck<f64>) -> StickSlipPhase {
 }
 
 /// An operator on `x₁ = A sin ωt` pulls a device that sticks with `k x₁`: it slips at `asin(static / (k A)) / ω`, and
-/// not at all if the pull ends a little below static friction, however closely.
+/// not at all if the pull ends below static friction, however closely.
 #[test]
 fn a_pull_slips_when_it_exceeds_static_friction() {
     hold(CASES / 10, uniform8(any::<Bits>()), |bits| {
@@ -45,7 +45,7 @@ fn a_pull_slips_when_it_exceeds_static_friction() {
         let mut plant = rubbing(body, law(0.9 * below, below, 0.01));
         let first = transitions(&mut plant, 0.0, ticks).into_iter().next();
         let slip = (1.0 - short).asin() / pace;
-        // Near its top a sine is blunt: an error in the pull is magnified by the slope.
+        // Near its top a sine is flat: the slope magnifies an error in the pull.
         let blunt = 1e-13 / pace / (2.0 * short).sqrt();
         let found = matches!(first, Some((at, Slip)) if (at - slip).abs() < blunt.max(1e-13));
         prop_assert!(found, "{first:?} instead of {slip} within {blunt:e}");
@@ -56,7 +56,7 @@ fn a_pull_slips_when_it_exceeds_static_friction() {
     });
 }
 
-/// `python3 scripts/friction_reference.py`: 30 digits.
+/// References by `python3 scripts/friction_reference.py`: 30 digits.
 fn reference(
     law: Stribeck<f64>,
     ticks: usize,
@@ -136,9 +136,10 @@ fn stribeck_friction_agrees_with_30_digits() {
     }
 }
 
-/// Without dampers every joule is accounted for, and a device that sticks stays to the bit while the operator moves.
+/// Without dampers every joule is accounted for, and a stuck device keeps its place to the bit while the operator
+/// moves.
 #[test]
-fn energy_balances_and_what_sticks_stays() {
+fn energy_balances_and_a_stuck_device_stays() {
     hold(CASES / 20, uniform8(any::<Bits>()), |bits| {
         let parts = [
             impedance(log_between(bits[0], 0.05, 1.0), 0.0, log_between(bits[1], 1.0, 200.0)),

@@ -1,4 +1,4 @@
-//! Bad samples do not reach what is inside of a guard, and its ledger does not overstate what happened meanwhile.
+//! Guard: bad samples do not reach the port inside, and its ledger does not overstate what happened meanwhile.
 
 use proptest::array::uniform16;
 use proptest::prelude::any;
@@ -16,7 +16,7 @@ use crate::support::{Bits, CASES, Faulty, Port, Real, Spy, bad, hold, log_betwee
 
 const TICKS: usize = 40;
 
-/// A loop of a body and a spring, and which of its samples are bad.
+/// A loop of a body and a spring, and its bad samples.
 struct Scene<V: Port> {
     body: Body<V>,
     spring: Spring<V>,
@@ -26,7 +26,8 @@ struct Scene<V: Port> {
     bits: [Bits; 16],
 }
 
-/// One tick: what the plant really did, whether the guard was told so, what it answered, and what was inside.
+/// One tick: the plant's sample, whether it was sound, the sample that the guard received, its answer, and the ledger
+/// inside.
 struct Row<V: Port> {
     sample: PortSample<V>,
     sound: bool,
@@ -53,7 +54,7 @@ impl<V: Port> Scene<V> {
         }
     }
 
-    /// The sample with NaN or infinities in some of its fields; which ones changes from tick to tick.
+    /// The sample with NaN or infinities in some of its fields, different ones from tick to tick.
     fn spoilt(&self, sample: PortSample<V>, tick: usize) -> PortSample<V> {
         let bits = self.bits[9].rotate_left(7 * tick as u32) ^ self.bits[10];
         let fields = 1 + bits % 63;
@@ -73,7 +74,7 @@ impl<V: Port> Scene<V> {
         }
     }
 
-    /// Runs with bad samples at `bad`; also says what the spring was asked.
+    /// Runs with bad samples at `bad`; also returns the samples that the spring received.
     fn run(&self, bad: impl Fn(usize) -> bool) -> (Vec<Row<V>>, Vec<PortSample<V>>) {
         let mut spy = Spy::on(self.spring);
         let lolc = Lolc::new(PortEnergy, self.limit);
@@ -93,7 +94,7 @@ impl<V: Port> Scene<V> {
     }
 }
 
-/// Nothing that is not finite comes out, and the fallback is what it says.
+/// Every answer is finite, and the fallback is the one chosen.
 fn answers<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
     let mut last = V::zero();
     for row in rows {
@@ -108,7 +109,7 @@ fn answers<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
     Ok(())
 }
 
-/// The spring was asked once for every sound sample, and was told of the time and the way since the one before.
+/// The spring received one sample for every sound one, with the time and the displacement since the one before.
 fn spans<V: Port>(rows: &[Row<V>], asked: &[PortSample<V>], period: V::Scalar) -> TestCaseResult {
     let sound: Vec<usize> = (0..rows.len()).filter(|&tick| rows[tick].sound).collect();
     prop_assert!(asked.len() == sound.len(), "{} calls", asked.len());
@@ -125,7 +126,7 @@ fn spans<V: Port>(rows: &[Row<V>], asked: &[PortSample<V>], period: V::Scalar) -
             prop_assert!(*whole == measured, "a sound sample was changed");
             continue;
         }
-        prop_assert!(whole.displacement == way, "the way is not that of the two positions");
+        prop_assert!(whole.displacement == way, "not the way of the positions");
         for axis in 0..V::AXES {
             let mean = way.axis(axis).f64() / whole.period.f64();
             let (told, now) = (whole.velocity.axis(axis).f64(), measured.velocity.axis(axis).f64());
@@ -141,7 +142,7 @@ fn spans<V: Port>(rows: &[Row<V>], asked: &[PortSample<V>], period: V::Scalar) -
     Ok(())
 }
 
-/// Whether no axis turned round between the sound samples around each gap.
+/// Whether no axis reversed between the sound samples around each gap.
 fn monotone<V: Port>(rows: &[Row<V>]) -> bool {
     let one_way = |part: &[Row<V>]| {
         (0..V::AXES).all(|axis| {
@@ -149,7 +150,7 @@ fn monotone<V: Port>(rows: &[Row<V>]) -> bool {
             moved().all(|way| way >= 0.0) || moved().all(|way| way <= 0.0)
         })
     };
-    // The first sound sample after a gap tells of its end.
+    // The first sound sample after a gap shows its end.
     let gap_at = |tick: usize| {
         let in_gap = |at: &usize| !rows[*at].sound || (*at > 0 && !rows[*at - 1].sound);
         (tick..rows.len()).take_while(in_gap).count()
@@ -157,7 +158,7 @@ fn monotone<V: Port>(rows: &[Row<V>]) -> bool {
     (0..rows.len()).all(|tick| one_way(&rows[tick..tick + gap_at(tick)]))
 }
 
-/// On sound ticks the sum is at most the work that the plant knows of, and exactly that under a hold.
+/// On sound ticks the sum is at most the work that the plant knows of, and equal to it under a hold.
 fn ledger<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
     let (mut truth, mut size) = (0.0, 0.0);
     let one_way = monotone(rows);
@@ -166,7 +167,7 @@ fn ledger<V: Port>(rows: &[Row<V>], fallback: Fallback) -> TestCaseResult {
         for axis in 0..V::AXES {
             let (f, dx) = (applied.axis(axis).f64(), displacement.axis(axis).f64());
             truth += f * dx;
-            // The way over a gap is a difference of rounded positions.
+            // The displacement over a gap is a difference of rounded positions.
             size += f.abs() * (dx.abs() + position.axis(axis).f64().abs());
         }
         if !row.sound {
@@ -215,7 +216,7 @@ mod check {
         });
     }
 
-    /// An effort that is not finite is replaced like a bad sample, and the correction says so.
+    /// An effort that is not finite is replaced as after a bad sample, and the correction reports it.
     pub(super) fn replaces_bad_efforts<V: Port>() {
         hold(CASES, (0..8u8, 1..8u8, uniform16(any::<Bits>())), |(from, long, bits)| {
             let scene = Scene::<V>::from(bits);

@@ -1,4 +1,4 @@
-//! Hold then stabilize against stabilize then hold: how much leaks before the sum is looked at.
+//! Hold then stabilize against stabilize then hold: energy that leaks before the observer sees it.
 
 use approx::abs_diff_eq;
 use lyapunov::{
@@ -12,7 +12,8 @@ const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.3;
 const HOLD: u32 = 10;
 
-/// The hand and the device of `scenes/hold.toml`, for its 2 s: the most that came out beyond what went in, J.
+/// Largest energy, J, that came out beyond what went in, for the hand and the device of `scenes/hold.toml` over its 2
+/// s.
 fn leaked(mut port: impl OnePort<f64>) -> f64 {
     let parts = Impedance { mass: MASS, damping: 2.1, stiffness: 200.0 };
     let mut body = Body::new(parts, PERIOD).expect("a body").resting_at(0.01);
@@ -34,7 +35,7 @@ fn a_stabilizer_outside_of_the_hold_lets_less_leak() {
     let alone = wall.held(HOLD).expect("a hold");
     let outside = alone.stabilized(watcher(PERIOD));
     let inside = wall.stabilized(watcher(f64::from(HOLD) * PERIOD)).held(HOLD).expect("a hold");
-    // From a loop in straight code with the motion of a damped oscillator in closed form.
+    // Results of a loop in straight code with the motion of a damped oscillator in closed form.
     let expected = [8.741734489739379e-4, 6.936653689831192e-3, 1.6869589816569712];
     let found =
         [leaked(outside.differenced()), leaked(inside.differenced()), leaked(alone.differenced())];

@@ -1,4 +1,4 @@
-//! A lane equals the scalar run bit for bit, in every operation.
+//! Lanes against the scalar run, bit for bit, in every operation.
 
 use proptest::array::uniform8;
 use proptest::prelude::any;
@@ -10,7 +10,7 @@ use lyapunov::{Mask, Scalar, accumulators::Widen};
 
 use crate::support::{Bits, CASES, Real, bad, hold, hostile, ordinary, same, wild};
 
-/// Each kind of number to compute with, NaN and infinities among them.
+/// Numbers of each kind, NaN and infinities among them.
 fn number<T: Real>(bits: Bits) -> T {
     match bits >> 60 {
         0..=6 => hostile(bits << 4),
@@ -21,7 +21,7 @@ fn number<T: Real>(bits: Bits) -> T {
     }
 }
 
-/// Every operation that gives a number, of three.
+/// Every operation on three numbers that gives a number.
 fn numbers<T: Scalar>(a: T, b: T, c: T) -> Vec<T> {
     let mut assigned = [a, a, a];
     assigned[0] += b;

@@ -1,4 +1,4 @@
-//! A low pass changes the velocity as its equation says, and nothing else.
+//! Low pass: its equation for the velocity, and no other change.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use lyapunov::{OnePort, PortSample, Scalar, effects::OnePortExt, environments::S
 
 use crate::support::{Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, log_between};
 
-/// What a port behind a low pass is told.
+/// The samples that a port behind a low pass receives.
 fn told<V: Port>(cutoff: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).low_passed(cutoff).expect("a low pass");
@@ -25,7 +25,7 @@ fn told<V: Port>(cutoff: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<
 mod check {
     use super::*;
 
-    /// Against the sum that the recursion stands for, `v(n) = Σ a (1−a)^k u(n−k)` over the calls after the first.
+    /// Against the sum that the recursion represents, `v(n) = Σ a (1−a)^k u(n−k)` over the calls after the first.
     pub(super) fn velocity_is_the_weighted_sum<V: Port>() {
         hold(CASES, (any::<Bits>(), vec(uniform16(any::<Bits>()), 1..24)), |(bits, samples)| {
             let period = V::Scalar::of(1e-3);
@@ -54,7 +54,7 @@ mod check {
         });
     }
 
-    /// A call with something bad in it is told as it is, and the filter goes on from the call before.
+    /// A bad call passes through unchanged, and the filter continues from the call before.
     pub(super) fn bad_samples_are_forgotten<V: Port>() {
         hold(
             CASES / 10,
@@ -95,7 +95,7 @@ mod check {
 
 crate::support::every_port!(velocity_is_the_weighted_sum, bad_samples_are_forgotten);
 
-/// Steady motion from rest with `ω T = 1`: half of what is missing on every call.
+/// Steady motion from rest with `ω T = 1`: every call makes up half of the difference.
 #[test]
 fn steady_motion_is_approached() {
     let period = 1e-3;
@@ -112,7 +112,7 @@ fn steady_motion_is_approached() {
     }
 }
 
-/// A swing at the cutoff comes through with a gain of `1 / √2`, one far above or below it as `ω / (s + ω)` has it.
+/// The gain at the cutoff is `1 / √2`, and far above or below it that of `ω / (s + ω)`.
 #[test]
 fn gain_is_that_of_a_first_order_lag() {
     let (period, cutoff) = (1e-5, 50.0);

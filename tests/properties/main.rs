@@ -1,5 +1,5 @@
-//! Properties that a user of the library relies on, each against something that is not the library: a closed form, a
-//! fine integration, or the tick contract in straight code.
+//! Properties that a user of the library relies on, each against something outside the library: a closed form, a fine
+//! integration, or the tick contract in straight code.
 
 mod support;
 

@@ -1,5 +1,5 @@
-//! Filters, noise and dropout on lanes, with parameters and seeds of their own in each lane, equal the scalar runs bit
-//! for bit.
+//! Filters, noise and dropout on lanes, with parameters and seeds of their own in each lane: each lane equals its
+//! scalar run bit for bit.
 
 use nalgebra::SVector;
 use proptest::array::uniform8;
@@ -33,7 +33,7 @@ impl Parameters {
         T::from_lanes(|lane| log_between(self.spread(first + lane, which), least, most))
     }
 
-    /// What a damper behind the effects answers, to a walk of each axis and lane of its own.
+    /// The answers of a damper behind the effects, to a random walk of each axis and lane.
     fn run<V: Signal>(&self, first: usize) -> Result<Vec<V>, ParameterError> {
         let (mass, damping, stiffness) =
             (V::Scalar::of(0.0), self.each(first, 0, 0.1, 5.0), self.each(first, 1, 10.0, 1e3));

@@ -1,4 +1,4 @@
-//! Noise moves positions and what follows from them, by as much as is asked, and nothing else.
+//! Noise on positions and what follows from them, of the requested size, and no other change.
 
 use approx::abs_diff_eq;
 use proptest::array::uniform16;
@@ -16,7 +16,7 @@ use crate::support::{
     Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, log_between, same, same_axes,
 };
 
-/// What a port inside of noise is told.
+/// The samples that a port behind the noise receives.
 fn told<V: Port>(deviation: V::Scalar, seed: u64, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).noisy(deviation, |_| seed).expect("noise");
@@ -33,8 +33,8 @@ fn drives<V: Port>(tame: bool, samples: &[[Bits; 16]]) -> Vec<PortSample<V>> {
 mod check {
     use super::*;
 
-    /// No deviation changes no bit, of whatever is told, also of drives over several periods.
-    pub(super) fn no_deviation_changes_nothing<V: Port>() {
+    /// A deviation of 0 changes no bit of any sample, also over several periods.
+    pub(super) fn zero_deviation_changes_nothing<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 2..24);
         hold(CASES, (any::<Bits>(), samples), |(seed, samples)| {
             let mut drives = drives::<V>(seed % 2 == 0, &samples);
@@ -72,7 +72,7 @@ mod check {
         });
     }
 
-    /// What other efforts did within a sample of several periods stays in the work.
+    /// Work that other efforts did within a sample of several periods stays in the work.
     pub(super) fn work_of_other_efforts_is_kept<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 3);
         hold(CASES, (any::<Bits>(), samples), |(seed, samples)| {
@@ -80,7 +80,7 @@ mod check {
             let told = told(V::Scalar::of(1e-3), seed, &[first, later.spanning(&earlier)]);
             for axis in 0..V::AXES {
                 let of = |signal: V| signal.axis(axis).f64();
-                // The earlier effort over its own displacement, the later one over all the rest that was measured.
+                // The earlier effort over its own displacement, the later one over the rest of the measured one.
                 let rest = of(told[1].displacement) - of(earlier.displacement);
                 let exact =
                     of(earlier.applied) * of(earlier.displacement) + of(later.applied) * rest;
@@ -91,7 +91,7 @@ mod check {
         });
     }
 
-    /// A bad position is told where it stands and in the next displacement; noise and all else go on.
+    /// A bad position passes in its place and in the next displacement; noise and all else continue.
     pub(super) fn bad_positions_pass<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 4..24);
         hold(CASES / 10, (any::<Bits>(), samples), |(seed, samples)| {
@@ -116,15 +116,15 @@ mod check {
 }
 
 crate::support::every_port!(
-    no_deviation_changes_nothing,
+    zero_deviation_changes_nothing,
     positions_carry_the_noise,
     work_of_other_efforts_is_kept,
     bad_positions_pass,
 );
 
-/// The noise at a port is as wide as asked, white, and knows nothing of the motion.
+/// The noise at a port has the requested deviation, is white and does not depend on the motion.
 #[test]
-fn noise_is_as_wide_as_asked() {
+fn noise_has_the_requested_deviation() {
     let (count, deviation) = (200_000, 2e-5);
     let drives: Vec<PortSample<f64>> =
         (0..count).map(|n| PortSample::starting(1e-3, (f64::from(n) * 0.01).sin(), 0.0)).collect();
@@ -142,7 +142,7 @@ fn noise_is_as_wide_as_asked() {
     assert!(total(&mut with_motion.into_iter()).abs() < bound);
 }
 
-/// Noise comes before the encoder: what is told are counts, and by a small noise some are off by one.
+/// Noise comes before the encoder: positions are counts, and a small noise moves some by one.
 #[test]
 fn noise_comes_before_the_counts() {
     let resolution = 2f64.powi(-14);

@@ -1,4 +1,4 @@
-//! A sum for each axis: what it tells, and that every axis does what it would do alone.
+//! Sum for each axis: its reports, and every axis as it would be alone.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::{AutoF32x8, AutoF64x4};
@@ -28,7 +28,7 @@ fn keeps_the_laws<T: Scalar, const N: usize>(cap: f64) {
 }
 
 #[test]
-fn it_is_a_lawful_stabilizer() {
+fn a_sum_per_axis_keeps_the_laws() {
     for cap in [0.0, 0.5, f64::INFINITY] {
         keeps_the_laws::<f64, 1>(cap);
         keeps_the_laws::<f64, 3>(cap);
@@ -50,7 +50,7 @@ fn alone(sample: &PortSample<SVector<f64, 3>>, axis: usize) -> PortSample<f64> {
 }
 
 #[test]
-fn every_axis_does_what_it_would_do_alone() {
+fn every_axis_acts_as_it_would_alone() {
     let mut each = PerAxis::of([popc::<f64>(0.5); 3]);
     let mut single = [popc::<f64>(0.5); 3];
     let mut active = 0;
@@ -66,7 +66,7 @@ fn every_axis_does_what_it_would_do_alone() {
         let most = told.iter().map(|it| it.alpha).fold(0.0, f64::max);
         let owed: f64 = told.iter().map(|it| it.shortfall).sum();
         assert_eq!((correction.observed_energy, correction.shortfall), (least, owed));
-        // What it is said to burn is what the axes burn, no less, and more by a rounding at most.
+        // The reported dissipation is that of the axes, no less, and more by a rounding at most.
         let burns = |v: f64, alpha: f64| alpha * v * v;
         let burnt: f64 = (0..3).map(|axis| burns(sample.velocity[axis], told[axis].alpha)).sum();
         let said = correction.alpha * sample.velocity.norm_squared();
@@ -79,7 +79,7 @@ fn every_axis_does_what_it_would_do_alone() {
 
 /// +1 mJ on x, −0.9 mJ on y.
 #[test]
-fn one_sum_is_silent_where_a_sum_for_each_acts() {
+fn one_sum_is_silent_where_a_sum_per_axis_acts() {
     let axes = |x, y| SVector::from([x, y]);
     let sample =
         PortSample::new(1e-3, axes(0.0, 0.0), axes(0.1, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));

@@ -1,4 +1,4 @@
-//! What moves a body beside its port: motion, grip, jitter and pushes.
+//! Disturbances of a body beside its port: motion, grip, jitter and external forces.
 
 use approx::abs_diff_eq;
 use nalgebra::Vector2;
@@ -61,7 +61,7 @@ impl<V: Signal> Made<V> for TwoMassBody<V> {
     }
 }
 
-/// Numbers that look normal enough: their like for each lane, tick by tick.
+/// Stand-ins for normal numbers, different in each lane and tick.
 fn stub<T: Scalar>(seed: Bits) -> impl FnMut() -> T {
     let mut calls = 0u64;
     move || {
@@ -73,7 +73,7 @@ fn stub<T: Scalar>(seed: Bits) -> impl FnMut() -> T {
     }
 }
 
-/// Every number of a sample, after `-0.0 = 0.0`.
+/// Every number of a sample, with `-0.0` turned into `0.0`.
 fn numbers<V: Port>(sample: &PortSample<V>) -> Vec<f64> {
     let PortSample { period, position, velocity, displacement, applied, work } = sample;
     let signals = [position, velocity, displacement, applied, work];
@@ -88,7 +88,7 @@ fn numbers<V: Port>(sample: &PortSample<V>) -> Vec<f64> {
 mod check {
     use super::*;
 
-    /// Each at its neutral value, alone and all of them: the same bits as without.
+    /// Each disturbance at its neutral value, alone and all together: the same bits as without.
     pub(super) fn neutral_values_change_nothing<V: Port>() {
         hold(300, uniform16(any::<Bits>()), |bits| {
             neutral::<V, Body<V>>(bits);
@@ -137,7 +137,7 @@ mod check {
         }
     }
 
-    /// The whole chain on lanes, each of its own parts: lane by lane the scalar run.
+    /// The whole chain on lanes with parts of their own: each lane equals its scalar run.
     pub(super) fn lanes_equal_scalars<T: Scalar, R: Real + Port<Scalar = R>>() {
         hold(100, uniform16(any::<Bits>()), |bits| {
             lanes::<T, R, Body<T>, Body<R>>(bits)?;
@@ -156,7 +156,7 @@ mod check {
         });
         for lane in 0..T::LANES {
             let one = chain::<R, C>(bits, |at, least, most| R::of(draw(at, lane, least, most)));
-            // Each lane's own normal numbers are those of the first with another seed.
+            // The normal numbers of each lane are those of the first with another seed.
             let one = one(bits[15] + 31 * lane as u64);
             for (many, one) in many(bits[15]).into_iter().zip(one) {
                 for (many, one) in many.into_iter().zip(one) {
@@ -167,7 +167,7 @@ mod check {
         Ok(())
     }
 
-    /// The drives of a body in a chain of everything, as a function of the seed.
+    /// The samples of a body in a chain of everything, as a function of the seed.
     fn chain<T: Scalar, B: Made<T>>(
         bits: [Bits; 16],
         number: impl Fn(usize, f64, f64) -> T,
@@ -207,7 +207,7 @@ fn lanes_equal_scalars() {
     check::lanes_equal_scalars::<AutoF32x4, f32>();
 }
 
-/// The effort of the references.
+/// Effort of the references.
 fn effort(tick: usize) -> f64 {
     0.5 * ((tick * 7 % 5) as f64 - 1.5)
 }
@@ -216,7 +216,7 @@ fn sine() -> Sine {
     Sine::new(0.002, 0.01, 3.0, RATE).expect("a sine")
 }
 
-/// A load of 1.5 N, a pulse of 4 N, a hand that goes to and fro, and a grip that changes at 0.12 s and at 0.2 s.
+/// A load of 1.5 N, a pulse of 4 N, a hand that moves to and fro, and a grip that changes at 0.12 s and at 0.2 s.
 fn scene<B: OperatedBody<f64>>(body: B, grips: [B::Parts; 3]) -> impl Plant<f64> {
     let [own, firm, loose] = grips;
     body.led_by(sine())
@@ -246,7 +246,7 @@ fn compare(mut plant: impl Plant<f64>, third: [f64; 2], end: [f64; 2], most: [f6
     }
 }
 
-/// With 150 digits, by `scripts/body_references.py`.
+/// References of 150 digits, by `scripts/body_references.py`.
 #[test]
 fn scenes_equal_their_references() {
     let one = |damping, stiffness| Impedance { mass: 0.3, damping, stiffness };
@@ -275,7 +275,7 @@ fn scenes_equal_their_references() {
     );
 }
 
-/// Each true interval by the series in double-double, and the nominal one in the sample.
+/// Each true interval against the series in double-double, and the nominal one in the sample.
 #[test]
 fn a_jittered_body_moves_for_the_true_interval() {
     hold(500, uniform16(any::<Bits>()), |bits| {
@@ -305,7 +305,7 @@ fn a_jittered_body_moves_for_the_true_interval() {
     });
 }
 
-/// No time passes where the jitter takes all of it, or tells no number.
+/// No time passes where the jitter takes all of it, or is not a number.
 #[test]
 fn hostile_jitter_stops_the_body() {
     let parts = Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 };
@@ -321,7 +321,7 @@ fn hostile_jitter_stops_the_body() {
     assert!(sample.finite());
 }
 
-/// A grip around a jitter is heard; of rows of one tick the last counts; what the table says of tick 0 holds at once.
+/// A grip around a jitter takes effect; of rows with one tick the last counts; a row at tick 0 holds at once.
 #[test]
 fn a_grip_takes_hold_at_its_tick() {
     let loose = Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 };
@@ -341,7 +341,7 @@ fn a_grip_takes_hold_at_its_tick() {
     }
 }
 
-/// Along x and nowhere else.
+/// A load acts along x only.
 #[test]
 fn a_load_pushes_along_the_first_axis() {
     let parts = Impedance { mass: 0.5, damping: 0.0, stiffness: 0.0 };
@@ -355,7 +355,7 @@ fn a_load_pushes_along_the_first_axis() {
 }
 
 #[test]
-fn what_cannot_be_done_to_a_body() {
+fn invalid_disturbances_are_refused() {
     let parts = Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 };
     let wrong = Impedance { stiffness: -1.0, ..parts };
     let body = Body::<f64>::new(parts, 1.0 / RATE).expect("a body");

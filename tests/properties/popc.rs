@@ -13,13 +13,13 @@ use lyapunov::{
 use crate::support::{Bits, Port, Real, Stream, log_between, ordinary, power, same, same_axes};
 
 /// Hannaford and Ryu, IEEE Transactions on Robotics and Automation 18(1), 2002, in impedance causality: the observed
-/// energy with what the controller has burnt so far, and the damping that brings it back to zero.
+/// energy including what the controller has dissipated so far, and the damping that brings it back to zero.
 #[derive(Default)]
 struct PassivityController {
     energy: f64,
     alpha: f64,
     flow_squared: f64,
-    /// All the energy that went through the sum, to scale its roundings by.
+    /// The magnitudes of all energies in the sum, to scale its roundings by.
     size: f64,
 }
 
@@ -35,7 +35,7 @@ impl PassivityController {
     }
 }
 
-/// The energy of a port, summed by hand: what the paper's example 1 makes of its spring.
+/// The energy of a port, summed by hand: the spring candidate of the paper's example 1.
 struct SpringCandidate;
 
 impl<V: Port> LyapunovCandidate<V> for SpringCandidate {
@@ -64,7 +64,7 @@ mod check {
     use super::*;
     use crate::support::{CASES, drive_of, hold, stream};
 
-    /// Sampled and without a limit, on ordinary numbers.
+    /// With sampled work and without a limit, on ordinary numbers.
     pub(super) fn is_hannaford_and_ryu<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 1..32);
         hold(CASES, (any::<Bits>(), samples), |(rate, samples)| {
@@ -99,7 +99,7 @@ mod check {
             let mut sound = true;
             for (sample, effort) in samples {
                 let correction = popc.stabilize(&sample, effort);
-                // Without a credit a bad velocity does no harm to the decrease.
+                // Without a credit a bad velocity does not affect the decrease.
                 sound &=
                     power(sample.velocity).f64().is_finite() && sample.period.f64().is_finite();
                 if sound {
@@ -117,7 +117,7 @@ mod check {
         });
     }
 
-    /// The same on closed loops: the paper's example 1 under both.
+    /// The same on closed loops, with the environment of the paper's example 1.
     pub(super) fn closes_the_same_loop<V: Port>() {
         hold(CASES, uniform8(any::<Bits>()), |bits| {
             let of = V::Scalar::of;

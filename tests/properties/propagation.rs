@@ -51,12 +51,12 @@ fn series<const N: usize>(matrix: SMatrix<f64, N, N>) -> [[Double; N]; N] {
     increment
 }
 
-/// A body's increments over one period, taken out of it one by one.
+/// The increments of a body over one period, read off one by one.
 fn increments<T: Real + Port<Scalar = T>>(impedance: Impedance<T>, period: T) -> Gain {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let body = Body::new(impedance, period).expect("a body");
     let moved = |from: T, velocity: T, effort: T| {
-        // At the origin with its rest a metre behind, a body's new position is its increment.
+        // For a body at the origin with its rest a metre behind, the new position is the increment.
         let sample = body.resting_at(-from).starting(zero, velocity).advance(effort);
         (sample.position.f64(), (sample.velocity - velocity).f64())
     };
@@ -67,7 +67,7 @@ fn increments<T: Real + Port<Scalar = T>>(impedance: Impedance<T>, period: T) ->
 mod check {
     use super::*;
 
-    /// Over many masses, dampings, stiffnesses and rates, at the edge of critical damping and without either.
+    /// Many masses, dampings, stiffnesses and rates, also at critical damping and without damping or stiffness.
     pub(super) fn body_moves_exactly<T: Real + Port<Scalar = T>>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let mass = T::of(log_between(bits[0], 0.01, 100.0));
@@ -91,16 +91,17 @@ mod check {
             }
             let exact = Motion { mass: m, damping: b, stiffness: k, rest: 0.0 }.over(t);
             let found = increments(Impedance { mass, damping, stiffness }, period);
-            // A few units of the terms that the increments are summed from.
+            // A few units of the summands of the increments.
             let bound = 1e-14f64.max(2.0 * T::unit());
             let sizes = [[k / m * t * t, t, t * t / m], [k / m * t, (b + k * t) / m * t, t / m]];
             let rows = [(found.position, exact.position), (found.velocity, exact.velocity)];
             for (row, ((found, exact), sizes)) in rows.into_iter().zip(sizes).enumerate() {
                 for column in 0..3 {
                     let off = (found[column] - exact[column]).abs();
-                    // The velocity's gain per velocity is read off a velocity of one, which has been rounded.
+                    // The velocity's gain per velocity is read off a velocity of one, which is rounded.
                     let read = if (row, column) == (1, 1) { T::unit() } else { 0.0 };
-                    // The first entry takes up what they all lose: of the size three units, and half of one when that is rounded.
+                    // The first entry absorbs what the others lose: about three units, and half of one when that is
+                    // rounded.
                     let bound = if (row, column) == (0, 0) { 2.0 * bound } else { bound };
                     let allowed = bound * sizes[column] + read;
                     prop_assert!(off <= allowed, "{} is not {}", found[column], exact[column]);
@@ -113,7 +114,7 @@ mod check {
 
 crate::support::every_real!(body_moves_exactly);
 
-/// Axes move by themselves: each like the scalar body.
+/// Axes move independently, each like the scalar body.
 #[test]
 fn axes_move_alone() {
     hold(CASES, uniform16(any::<Bits>()), |bits| {
@@ -135,8 +136,8 @@ fn axes_move_alone() {
     });
 }
 
-/// The amplitude `√(x² + v² / ω²)` of an undamped body of 0.3 kg over `steps` steps in `f32`, looked at now and then: the
-/// most that it is off by, as a share of the first.
+/// The amplitude `√(x² + v² / ω²)` of an undamped body of 0.3 kg over `steps` steps in `f32`, sampled now and then: its
+/// largest error, as a share of the first.
 fn drift(start: f32, stiffness: f32, rate: f32, steps: u32) -> f64 {
     let mass = 0.3;
     let impedance = Impedance { mass, damping: 0.0, stiffness };
@@ -153,7 +154,7 @@ fn drift(start: f32, stiffness: f32, rate: f32, steps: u32) -> f64 {
     most
 }
 
-/// The increment form does not let rounding gain energy: within a ten-thousandth after a million steps.
+/// The increment form gains no energy by rounding: within a ten-thousandth after a million steps.
 #[test]
 fn undamped_f32_keeps_its_amplitude() {
     for (stiffness, rate) in [(50.0, 1000.0), (2000.0, 4000.0), (7.0, 10_000.0)] {
@@ -162,8 +163,8 @@ fn undamped_f32_keeps_its_amplitude() {
     }
 }
 
-/// Over ten million steps of 1 ms on 50 N/m what each step rounds wanders, to where depends on the start: within a
-/// ten-thousandth at every one.
+/// Over ten million steps of 1 ms on 50 N/m the rounding of the steps is a random walk that depends on the start:
+/// within a ten-thousandth at every one.
 #[test]
 fn undamped_f32_keeps_its_amplitude_for_hours() {
     for start in [1.0, 0.7, 0.1, 0.0123, 0.01, 0.004, 0.003] {
@@ -172,7 +173,7 @@ fn undamped_f32_keeps_its_amplitude_for_hours() {
     }
 }
 
-/// With few steps to an oscillation it is the rounding of the increments themselves that counts, each by half a unit:
+/// With few steps per oscillation the rounding of the increments themselves matters, each by half a unit:
 /// `E₁₁ + E₂₂ ≈ −(ω T)²` and `E₁₂ E₂₁ ≈ −(ω T)²` change the determinant by up to `3 u (ω T)²` on each step, and the
 /// amplitude by half of that.
 #[test]
@@ -185,7 +186,7 @@ fn coarse_undamped_f32_drifts_by_its_increments_only() {
     }
 }
 
-/// Entries of any sign and size up to 8 in a row, against the series.
+/// Entries of any sign, with rows of up to 8 in sum, against the series.
 #[test]
 fn held_input_equals_the_series() {
     hold(CASES, uniform16(any::<Bits>()), |bits| {
@@ -194,7 +195,7 @@ fn held_input_equals_the_series() {
             |at: usize| if bits[10] >> at & 1 == 0 { ordinary(bits[at], scale) } else { 0.0 };
         let matrix = SMatrix::<f64, 3, 3>::from_fn(|row, column| entry(3 * row + column));
         let (found, exact) = (held_input(matrix), series(matrix));
-        // What the terms add up to without their signs.
+        // The sum of the terms without their signs.
         let terms = series(matrix.map(f64::abs));
         for row in 0..3 {
             for column in 0..3 {
@@ -212,7 +213,7 @@ fn held_input_equals_the_series() {
 
 /// A rotation, a shear and a growth have closed forms.
 #[test]
-fn held_input_of_what_is_known() {
+fn held_input_equals_closed_forms() {
     hold(CASES, proptest::array::uniform2(any::<Bits>()), |bits| {
         let angle = log_between(bits[0], 1e-9, 3.0);
         let turned = held_input(SMatrix::<f64, 2, 2>::new(0.0, -angle, angle, 0.0));

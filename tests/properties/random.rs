@@ -1,4 +1,4 @@
-//! Random numbers: the documented ones, and such as a test of distribution or of independence lets pass.
+//! Random numbers: the documented ones, against tests of distribution and of independence.
 
 use nalgebra::Vector3;
 
@@ -10,7 +10,7 @@ use lyapunov::{
 
 const MANY: usize = 1_000_000;
 
-/// How many standard deviations a statistic may be off: of some hundred statistics, none is by chance.
+/// Standard deviations that a statistic may be off: among some hundred statistics, none exceeds this by chance.
 const SIGMAS: f64 = 4.8;
 
 fn normals(seed: u64, source: Source) -> Vec<f64> {
@@ -35,7 +35,7 @@ fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     values.sum::<f64>() / count
 }
 
-/// What is wrong with numbers that should be independent and of the standard normal distribution.
+/// The fault of numbers that should be independent and standard normal, if any.
 fn fault(numbers: &[f64]) -> Option<String> {
     let count = numbers.len() as f64;
     let moment = |power| mean(numbers.iter().map(|x: &f64| x.powi(power)));
@@ -75,16 +75,16 @@ fn normal_numbers_are_normal() {
     }
 }
 
-/// The test above finds what is nearly right.
+/// The test above detects numbers that are nearly right.
 #[test]
-fn wrong_numbers_are_found_out() {
+fn wrong_numbers_are_detected() {
     let right = normals(2, Source::Noise);
     let of = |change: fn((usize, f64)) -> f64| -> Vec<f64> {
         right.iter().copied().enumerate().map(change).collect()
     };
     let sums = right.chunks(2).map(|pair| pair.iter().sum::<f64>() / 2f64.sqrt());
     let overlapping = right.windows(2).map(|pair| pair[0] * 0.99995 + pair[1] * 0.01);
-    // Six uniform numbers less three: a normal distribution to the eye.
+    // Six uniform numbers less three: normal to the eye.
     let six = right
         .chunks_exact(6)
         .map(|some| (some.iter().map(|x| distribution(*x)).sum::<f64>() - 3.0) * 2f64.sqrt());
@@ -103,7 +103,7 @@ fn wrong_numbers_are_found_out() {
     assert_eq!(fault(&sums.collect::<Vec<_>>()), None, "half as many right ones");
 }
 
-/// Streams of neighbouring seeds, of sources and of axes have nothing in common.
+/// Streams of neighbouring seeds, of sources and of axes are independent.
 #[test]
 fn streams_are_independent() {
     let mut vectors = Random::<f64>::new(|_| 5, Source::Noise);
@@ -135,7 +135,7 @@ fn streams_are_independent() {
     }
 }
 
-/// Numbers that another language makes from the page on noise, with its own logarithm and cosine.
+/// Numbers that another language computes from the page on noise, with its own logarithm and cosine.
 #[test]
 fn numbers_are_the_documented_ones() {
     let expected = [
@@ -164,7 +164,7 @@ fn numbers_are_the_documented_ones() {
     }
 }
 
-/// A lane draws what a scalar run with its seed draws, and `f32` what `f64` draws, rounded.
+/// A lane draws the numbers of a scalar run with its seed, and `f32` those of `f64`, rounded.
 #[test]
 fn lanes_draw_like_scalars() {
     let seed = |lane: usize| 0xfedc_ba98_7654_3210 + 3 * lane as u64;
@@ -200,7 +200,7 @@ fn lanes_draw_like_scalars() {
 }
 
 #[test]
-fn chances_are_what_is_asked() {
+fn events_have_the_requested_probability() {
     let mut random = Random::<f32>::new(|_| 11, Source::Dropout);
     for probability in [0.0, 1e-4, 0.1, 0.5, 0.9, 1.0f32] {
         let happened = (0..MANY).filter(|_| random.chance(probability)).count() as f64;

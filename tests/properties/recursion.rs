@@ -1,4 +1,4 @@
-//! The ledger against the recursion of the tick contract in straight code, carried in double-double.
+//! Ledger against the recursion of the tick contract in straight code, carried in double-double.
 
 use approx::abs_diff_eq;
 use proptest::prop_assert;
@@ -36,7 +36,7 @@ fn follows<V: Port>(
             prop_assert!(short <= tick.error, "shortfall {short} off {tick:?}");
             continue;
         }
-        // α is known as well as the debt is, and rounded to within a few units.
+        // α is as accurate as the debt, and rounded to within a few units.
         let square = tick.square.f64();
         let slack = tick.error + 16.0 * unit * sum.abs();
         let least = V::Scalar::smallest_positive().f64() * square;

@@ -1,4 +1,4 @@
-//! Whole rollouts on lanes, with parameters of their own in each lane, equal the scalar runs bit for bit.
+//! Rollouts on lanes, with parameters of their own in each lane: each lane equals its scalar run bit for bit.
 
 use nalgebra::SVector;
 use proptest::array::uniform32;
@@ -19,7 +19,7 @@ use crate::support::{Bits, CASES, Faulty, Real, hold, log_between, same, unit};
 
 const TICKS: usize = 30;
 
-/// The parameters of up to eight rollouts, and what they have in common.
+/// The parameters of up to eight rollouts, and their common ones.
 struct Parameters {
     bits: [Bits; 32],
 }
@@ -34,7 +34,7 @@ impl Parameters {
         T::from_lanes(|lane| log_between(bits(first + lane), least, most))
     }
 
-    /// Efforts that are NaN on some ticks in some lanes: from which call until which.
+    /// The calls from which and until which efforts are NaN, in some lanes.
     fn fault<T: Scalar>(&self, first: usize) -> (T, T) {
         let faulty = |lane: usize| self.bits[31] >> lane & 1 == 1;
         let from = |lane: usize| if faulty(lane) { 5.0 + lane as f64 } else { 1e3 };
@@ -57,7 +57,7 @@ impl Parameters {
         (body.starting(start, flow), limit)
     }
 
-    /// All effects around `environment`; returns every number that the run shows, and which samples were accepted.
+    /// All effects around `environment`; returns every number of the run, and which samples were accepted.
     fn run<V, S>(
         &self,
         first: usize,
@@ -140,7 +140,7 @@ impl Parameters {
     }
 }
 
-/// Lane by lane the same as one after the other.
+/// Every lane equals its run alone.
 fn agree<L, T, A, B>()
 where
     L: Scalar,
@@ -174,10 +174,10 @@ where
     });
 }
 
-/// The runs are worth comparing: the controller acts, samples are turned away in some lanes and not in others, and
-/// nothing blows up.
+/// The runs are worth comparing: the controller acts, samples are rejected in some lanes and not in others, and nothing
+/// blows up.
 #[test]
-fn rollouts_show_something() {
+fn rollouts_are_worth_comparing() {
     let seen = std::cell::Cell::new([0usize; 3]);
     hold(500, uniform32(any::<Bits>()), |bits| {
         let parameters = Parameters { bits };

@@ -1,4 +1,4 @@
-//! The laws of the served sum, `L + α v² T`, recomputed from what a stabilizer reports.
+//! Laws of the served energy, `L + α v² T`, recomputed from what a stabilizer reports.
 
 use proptest::prelude::any;
 use proptest::prop_assert;
@@ -11,7 +11,7 @@ use lyapunov::{
 
 use crate::support::{Port, Real, Stream, power};
 
-/// What the laws are about, on one tick.
+/// The quantities of the laws, on one tick.
 struct Seen<V: Port> {
     sample: PortSample<V>,
     effort: V,
@@ -20,7 +20,7 @@ struct Seen<V: Port> {
 }
 
 impl<V: Port> Seen<V> {
-    /// `α` is rounded to a few units in the last place only where it and what it burns are normal numbers.
+    /// `α` is rounded to a few units in the last place only where it and the energy it dissipates are normal numbers.
     fn roundable(&self) -> bool {
         let tiny = V::Scalar::smallest_normal();
         self.correction.alpha >= tiny && self.correction.alpha * self.square() >= tiny
@@ -30,7 +30,7 @@ impl<V: Port> Seen<V> {
         power(self.sample.velocity) * self.sample.period
     }
 
-    /// Everything that holds for every sample, sound or not.
+    /// The bounds that hold for every sample, sound or not.
     fn bounds(&self) -> TestCaseResult {
         let Correction { effort, observed_energy: sum, alpha, shortfall, accepted } =
             self.correction;
@@ -49,7 +49,7 @@ impl<V: Port> Seen<V> {
         Ok(())
     }
 
-    /// What the contract says of a sample that was accepted.
+    /// The contract for an accepted sample.
     fn served(&self) -> TestCaseResult {
         let Correction { observed_energy: sum, alpha, shortfall, .. } = self.correction;
         let (zero, tiny) = (V::Scalar::of(0.0), V::Scalar::smallest_normal());
@@ -68,8 +68,8 @@ impl<V: Port> Seen<V> {
                 self.in_any_order()?;
             }
         } else {
-            // The best that a subnormal α, or one of which the burnt energy is subnormal, can do: a few of their steps
-            // are lacking.
+            // A subnormal α, or one with a subnormal dissipation, does no better than this: a few of their steps are
+            // missing.
             let lacking = -(sum + burnt + shortfall).f64();
             let step = V::Scalar::smallest_positive().f64();
             prop_assert!(lacking <= 4.0 * step * (1.0 + square.f64()), "{lacking:e}");
@@ -77,7 +77,7 @@ impl<V: Port> Seen<V> {
         Ok(())
     }
 
-    /// The served sum is not negative for readers who multiply in another order either, as long as none of their
+    /// Readers who multiply in another order also find the served energy not negative, as long as none of their
     /// products is too small to be rounded to a unit in the last place.
     fn in_any_order(&self) -> TestCaseResult {
         let (alpha, period) = (self.correction.alpha, self.sample.period);
@@ -91,7 +91,7 @@ impl<V: Port> Seen<V> {
         Ok(())
     }
 
-    /// No axis is pushed the way it moves away from the environment's effort.
+    /// The correction pushes no axis in the direction of its motion.
     fn opposes(&self) -> TestCaseResult {
         for axis in 0..V::AXES {
             let (before, after) = (self.effort.axis(axis), self.correction.effort.axis(axis));
@@ -158,7 +158,7 @@ mod check {
         hold(CASES, stream::<V>(true), |stream| each_sum(&stream));
     }
 
-    /// Near the end of the scalar's range: what fits is accepted as it is.
+    /// Near the end of the scalar's range: values that fit are accepted as they are.
     pub(super) fn fits_the_range<V: Port>() {
         hold(CASES, uniform8(any::<Bits>()), |bits| {
             let of = |value: f64| V::Scalar::of(value);
@@ -200,7 +200,7 @@ mod wide {
 }
 
 mod any_bits {
-    //! Numbers of every bit pattern: nothing that is not finite comes out.
+    //! Numbers of every bit pattern: every result is finite.
 
     use proptest::array::uniform16;
     use proptest::collection::vec;

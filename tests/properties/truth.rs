@@ -1,4 +1,4 @@
-//! Held work is the energy that really crossed the port: `∫ f(t) v(t) dt` over the motion between the ticks.
+//! Held work against the energy that really crossed the port: `∫ f(t) v(t) dt` over the motion between the ticks.
 
 use proptest::array::uniform16;
 use proptest::prelude::any;
@@ -18,7 +18,7 @@ use crate::support::{
 
 const TICKS: usize = 100;
 
-/// A loop: who moves, and from where.
+/// A loop: its body, and where it starts.
 struct Loop<V: Port> {
     motion: Motion,
     period: V::Scalar,
@@ -61,7 +61,7 @@ impl<V: Port> Loop<V> {
         (Motion { rest: self.rest.axis(axis).f64(), ..self.motion }, State { position, velocity })
     }
 
-    /// Runs the loop closed by `port`: on each tick the effort that then applied, the sample, and the observer sum
+    /// Runs the loop closed by `port`: for each tick the effort that then applied, the sample, and the observed energy
     /// inside of saturation and delay.
     fn run(&self, mut port: impl OnePort<V>) -> Vec<(V, PortSample<V>, V::Scalar)> {
         let (mut plant, mut sample) = (self.body(), self.body().start());
@@ -76,7 +76,7 @@ impl<V: Port> Loop<V> {
     }
 
     /// The work of the recorded efforts up to each tick over the motion that they cause, and the sum of magnitudes:
-    /// nothing but the efforts is taken from the run.
+    /// only the efforts come from the run.
     fn true_work(&self, run: &[(V, PortSample<V>, V::Scalar)]) -> Vec<(f64, f64)> {
         let period = self.period.f64();
         let nodes = self.motion.nodes(period);
@@ -104,13 +104,13 @@ impl<V: Port> Loop<V> {
     }
 }
 
-/// The observer at the plant and the one inside both tell the true work.
+/// The observer at the plant and the one inside both report the true work.
 fn is_true<V: Port>(run: &[(V, PortSample<V>, V::Scalar)], truth: &[(f64, f64)]) -> TestCaseResult {
     let share = if V::Scalar::unit() < 1e-10 { 1e-10 } else { 1e-5 };
     let mut observer = Observer::of(PortEnergy);
     let mut rounding = 0.0;
     for ((effort, sample, inside), (work, size)) in run.iter().zip(truth) {
-        // Both ends of a displacement are positions that the scalar has rounded.
+        // Both ends of a displacement are rounded positions.
         let ends =
             sample.applied.times(sample.position).axes().map(|fx| fx.f64().abs()).sum::<f64>();
         rounding += 2.0 * V::Scalar::unit() * ends;
@@ -126,7 +126,7 @@ fn is_true<V: Port>(run: &[(V, PortSample<V>, V::Scalar)], truth: &[(f64, f64)])
     Ok(())
 }
 
-/// Hold, stabilizer, saturation, delay and velocity as `bits` say, around `environment`.
+/// Hold, stabilizer, saturation, delay and velocity by `bits`, around `environment`.
 fn closed<V: Port>(
     bits: &[Bits; 16],
     looped: &Loop<V>,
@@ -181,7 +181,7 @@ mod walls {
     fn wall<T: Port<Scalar = T> + Real>(bits: &[Bits; 16]) -> Wall<T> {
         let (stiffness, damping) = (log_between(bits[11], 500.0, 2e4), 4.0 * unit(bits[10]));
         let wall = Wall::new(T::of(stiffness), T::of(damping)).expect("a wall");
-        // Deep enough in contact to push from the start, however fast the mass leaves.
+        // Deep enough in contact to push from the start, however fast the mass recedes.
         wall.at(Loop::<T>::from(bits).start - T::of(2e-3))
     }
 
@@ -203,7 +203,7 @@ mod walls {
         check::<f64>();
     }
 
-    /// The same truth by a method that knows no closed form, on fewer loops.
+    /// The same truth by a method without a closed form, on fewer loops.
     #[test]
     fn by_runge_kutta() {
         hold(100, uniform16(any::<Bits>()), |bits| {
@@ -222,7 +222,7 @@ mod walls {
         });
     }
 
-    /// What an encoder hides is less than its resolution times the effort on each tick.
+    /// An encoder hides less than its resolution times the effort on each tick.
     fn with_an_encoder<T: Port<Scalar = T> + Real>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let looped = Loop::<T>::from(&bits);

@@ -1,4 +1,4 @@
-//! The Lyapunov observer and controller: the device's own damper is credited.
+//! Lyapunov observer/controller by hand, which credits the device's own damper.
 
 macro_rules! lolc {
     ($real:ident) => {

@@ -1,4 +1,4 @@
-//! The loops: a mass, a wall, and what stands between.
+//! Loops by hand: a mass, a wall, and the stabilizer between them.
 
 macro_rules! loops {
     ($real:ident) => {
@@ -30,7 +30,7 @@ macro_rules! loops {
                 }
             }
 
-            /// The same on copies that end with it: what nobody asks for need not be computed.
+            /// The same run on copies that are dropped with it, so that unused results need not be computed.
             #[inline(never)]
             pub(crate) fn roll(&self, positions: &mut [$real]) {
                 let Self { mut mass, mut wall, mut passivity } = *self;

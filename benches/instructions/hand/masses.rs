@@ -1,8 +1,8 @@
-//! What moves, exactly or by steps.
+//! Masses by hand, moved exactly or by steps.
 
 macro_rules! masses {
     ($real:ident) => {
-        /// A mass on a spring, moved exactly.
+        /// Mass on a spring, moved exactly.
         #[derive(Clone, Copy, Debug)]
         struct Mass {
             period: $real,
@@ -15,7 +15,7 @@ macro_rules! masses {
 
         impl Mass {
             fn new() -> Self {
-                // The same sums and roundings that a user of the library meets.
+                // The same sums and roundings as for a user of the library.
                 let (mass, damping) = (
                     f64::from(OPERATOR_MASS as $real + DEVICE_MASS as $real),
                     f64::from(OPERATOR_DAMPING as $real + DEVICE_DAMPING as $real),
@@ -44,7 +44,7 @@ macro_rules! masses {
                 }
             }
 
-            /// How far it moves in a period under `effort`.
+            /// The displacement over a period under `effort`.
             #[inline(always)]
             fn advance(&mut self, effort: $real) -> $real {
                 let gain = |gain: [$real; 3], deflection: $real, velocity: $real| {
@@ -89,7 +89,7 @@ macro_rules! masses {
                 }
             }
 
-            /// How far it moves in a period under `effort`.
+            /// The displacement over a period under `effort`.
             #[inline(always)]
             fn advance(&mut self, effort: $real) -> $real {
                 let before = self.position;

@@ -1,8 +1,8 @@
-//! What corrects, and what each tells of its last tick.
+//! Stabilizers by hand, each with its last correction.
 
 macro_rules! stabilizers {
     ($real:ident) => {
-        /// The passivity observer and controller, and what it tells of its last tick.
+        /// The passivity observer/controller, and its last correction.
         #[derive(Clone, Copy, Debug)]
         struct Passivity {
             sum: $real,
@@ -11,7 +11,7 @@ macro_rules! stabilizers {
         }
 
         #[derive(Clone, Copy, Debug)]
-        #[expect(dead_code, reason = "told to whoever looks, and here nobody does")]
+        #[expect(dead_code, reason = "part of a correction, unused here")]
         struct Told {
             effort: $real,
             sum: $real,
@@ -64,7 +64,7 @@ macro_rules! stabilizers {
             }
         }
 
-        /// A force bound, and what it tells of its last tick.
+        /// A force bound, and its last correction.
         #[derive(Clone, Copy, Debug)]
         struct Bound {
             damping: $real,
@@ -91,7 +91,7 @@ macro_rules! stabilizers {
             }
         }
 
-        /// An energy tank, and what it tells of its last tick.
+        /// An energy tank, and its last correction.
         #[derive(Clone, Copy, Debug)]
         struct Tank {
             energy: $real,

@@ -1,4 +1,4 @@
-//! What it runs into, on every tick or on some.
+//! Walls by hand, called on every tick or on some.
 
 macro_rules! walls {
     ($real:ident) => {
@@ -22,8 +22,8 @@ macro_rules! walls {
             }
         }
 
-        /// A wall that is asked on every `ticks`-th tick, with the motion and the work meanwhile, which any
-        /// port that may stand there needs.
+        /// A wall that is called on every `ticks`-th tick, with the motion and the work of the ticks between, which
+        /// any port in its place needs.
         #[derive(Clone, Copy, Debug)]
         struct Slow {
             wall: Wall,
@@ -41,7 +41,7 @@ macro_rules! walls {
                 Self { wall, ticks, left: 0, elapsed: 0.0, moved: 0.0, work: 0.0, force: 0.0 }
             }
 
-            /// Adds up what the wall is not told of.
+            /// Sums the samples between two calls of the wall.
             #[inline(always)]
             fn book(&mut self, period: $real, moved: $real, work: $real) {
                 self.elapsed += period;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sets up target/peers-python with the packages of requirements.txt. One that cannot be had is told and left out;
-# its rows are then SKIPPED.
+# Sets up target/peers-python with the packages of requirements.txt. A package that cannot be installed is reported and
+# left out; its rows are then SKIPPED.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 environment=$here/../../../target/peers-python

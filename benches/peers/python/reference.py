@@ -1,11 +1,11 @@
-"""Computes ../reference.txt: the positions of the scene at its 201 instants, in metres.
+"""Reference ../reference.txt: the positions of the scene at its 201 instants, in metres.
 
     benches/peers/python/install.sh
     target/peers-python/bin/python benches/peers/python/reference.py > benches/peers/reference.txt
 
-The parameters are the decimal numbers of scenes/paper-8k-none.toml, the velocity is the plant's own. Each period is the Taylor series of the matrix
-exponential under the held force. Everything is computed with 60 and again with 120 digits; what is printed agrees to
-40 digits. Nothing of lyapunov is used.
+The parameters are the decimal numbers of scenes/paper-8k-none.toml, the velocity is the plant's own. Each period is
+the Taylor series of the matrix exponential under the held force. Everything is computed with 60 and again with 120
+digits; the printed digits agree to 40. Nothing of lyapunov is used.
 """
 
 import sys
@@ -21,7 +21,7 @@ def positions(digits):
     mass, damping, stiffness = mpf("0.1") + mpf("0.2"), mpf("0.2") + mpf("0.001"), mpf(50)
     wall_stiffness, wall_damping = mpf(8000), mpf(2)
     period = 1 / mpf(100)
-    # Position, velocity and the force that is held.
+    # Position, velocity and the held force.
     rate = mpmath.matrix([[0, 1, 0], [-stiffness / mass, -damping / mass, -1 / mass], [0, 0, 0]])
     over_a_period = mpmath.expm(rate * period, method="taylor")
     state = mpmath.matrix([mpf("-0.004"), 0, 0])

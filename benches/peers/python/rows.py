@@ -1,6 +1,7 @@
-"""What the scripts of this folder have in common: the loop of scenes/paper-8k-none.toml over 2 s with the plant's own velocity, and how rows are asked for.
+"""Common parts of the scripts: the loop of scenes/paper-8k-none.toml over 2 s with the plant's own velocity, and the
+protocol of rows.
 
-A script prints one line of JSON that tells its rows, or why there are none:
+A script prints one line of JSON that lists its rows, or says why there are none:
 
     {"package": "scipy", "version": "1.17.1", "rows": [{"method": "...", "steps": null, "tolerance": 1e-06}]}
     {"package": "scipy", "skipped": "No module named 'scipy'"}
@@ -22,12 +23,12 @@ PERIOD, PERIODS = 0.01, 200
 
 
 def rate(position, velocity, force):
-    """What position and velocity change by per second under the held force."""
+    """Rates of position and velocity under the held force."""
     return velocity, (-STIFFNESS * position - DAMPING * velocity - force) / MASS
 
 
 def rollout(advance):
-    """The sampled loop: `advance` answers a state and the held force with the state a period later."""
+    """Sampled loop around `advance`, which takes a state and the held force and returns the state a period later."""
     position, velocity = START, 0.0
     positions = [position]
     for _ in range(PERIODS):
@@ -46,17 +47,17 @@ def tell(**line):
 
 
 def serve(package, load):
-    """Answers for `package`; `load` imports it, and gives its version and its rows."""
+    """Serves the rows of `package`; `load` imports it, and returns its version and its rows."""
     try:
         version, rows = load()
-    except Exception as error:  # Whatever keeps it from loading, its rows are SKIPPED for that reason.
+    except Exception as error:  # Whatever the reason, the rows of a package that does not load are SKIPPED.
         tell(package=package, skipped=str(error))
         return
     tell(package=package, version=version, rows=[{key: it[key] for key in it if key != "run"} for it in rows])
     for line in sys.stdin:
         try:
             run = rows[int(line)]["run"]
-            # A row takes many slices of the scheduler; the processor's time does not count what others do in between.
+            # A row takes many slices of the scheduler; processor time leaves out the other processes in between.
             start = time.process_time_ns()
             positions = run()
             elapsed = time.process_time_ns() - start

@@ -1,16 +1,16 @@
-//! All rows in turn, round by round.
+//! Contest of all rows, in turn and round by round.
 
 use indicatif::ProgressBar;
 
 use crate::reference::Reference;
 use crate::row::{NOWHERE, Origin, Row, Setting};
 
-/// A row that has been measured.
+/// Measured row.
 pub(crate) struct Line {
     pub(crate) origin: Origin,
     pub(crate) method: String,
     pub(crate) setting: Setting,
-    /// The largest distance from the truth, m.
+    /// The largest error against the reference, m.
     pub(crate) error: f64,
     /// ns per simulated second, of each round.
     pub(crate) times: Vec<f64>,
@@ -32,7 +32,7 @@ impl Line {
         quartiles(self.times.clone())
     }
 
-    /// How many times longer than `other` it takes: the median over rounds, so that a machine that slows down slows both.
+    /// The time as a multiple of `other`'s: the median over rounds, so that a machine that slows down slows both.
     pub(crate) fn over(&self, other: &Self) -> f64 {
         let ratios = self.times.iter().zip(&other.times).map(|(mine, others)| mine / others);
         quartiles(ratios.collect())[1]
@@ -44,15 +44,15 @@ fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
     [1, 2, 3].map(|quarter| values[(values.len() - 1) * quarter / 4])
 }
 
-/// What has been measured.
+/// Measured rows, and the failed ones.
 pub(crate) struct Contest {
     pub(crate) lines: Vec<Line>,
-    /// Rows that failed when they were first run, and why.
+    /// Rows that failed in their first run, and why.
     pub(crate) skipped: Vec<[String; 2]>,
 }
 
 impl Contest {
-    /// Runs every row once for its error, then all that differ in turn for `rounds` rounds.
+    /// The contest of `rows`: each runs once for its error, then all that differ run in turn for `rounds` rounds.
     pub(crate) fn held(rows: Vec<Row>, rounds: usize, bar: &ProgressBar) -> Result<Self, String> {
         let reference = Reference::new();
         let (mut rivals, mut lines, mut skipped) = (Vec::new(), Vec::<Line>::new(), Vec::new());
@@ -65,7 +65,7 @@ impl Contest {
                 skipped.push([format!("{} {}", row.method, row.setting), reason]);
                 continue;
             }
-            // A tighter tolerance that takes the same steps is no setting of its own.
+            // A tighter tolerance that takes the same steps does not count as a setting.
             let same_method = lines.last().is_some_and(|line| line.method == row.method);
             if same_method && positions == last {
                 continue;

@@ -1,7 +1,7 @@
-//! What exact propagation is worth: accuracy and time on the paper's 8 kN/m scene, next to integrators written by
-//! hand, crates and Python packages. `docs/peers.md` has the story.
+//! Comparison of exact propagation with integrators written by hand, crates and Python packages: accuracy and time on
+//! the paper's 8 kN/m scene. `docs/peers.md` discusses the results.
 //!
-//! All rows take turns in one run, so that what slows the machine down slows all of them.
+//! All rows take turns in one run, so that a slower machine slows all of them.
 
 mod contest;
 mod crates;
@@ -57,7 +57,7 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &arguments.json {
-        // A place that cannot be written to is told before minutes are spent.
+        // An unwritable place is reported before minutes are spent.
         let opened = File::options().append(true).create(true).open(path);
         opened.map_err(|error| OutputError::new(path, error))?;
     }
@@ -79,7 +79,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// This library, and what is written by hand. The exact row is the first.
+/// Rows of this library and of the methods by hand. The exact row is the first.
 fn own_rows() -> Vec<Row> {
     const STEPS: &[u32] = &[1, 2, 5, 10, 20, 50, 100];
     let valid = "the scene is valid";

@@ -1,17 +1,17 @@
-//! What exact propagation is held to.
+//! Marks: the demands on exact propagation.
 
 use serde::Serialize;
 
 use crate::contest::Line;
 use crate::row::{Origin, Setting};
 
-/// A demand, and what was found.
+/// Demand, and the measured value.
 #[derive(Serialize)]
 pub(crate) struct Mark {
     pub(crate) demand: String,
     /// The row that decided, by its name in reports.
     pub(crate) by: Option<String>,
-    /// None where the row that decides was not run.
+    /// None if the row that decides was not run.
     pub(crate) found: Option<f64>,
     pub(crate) met: Option<bool>,
 }
@@ -26,7 +26,7 @@ impl Mark {
         }
     }
 
-    /// All of them; the first line is the exact one.
+    /// All marks; the first of `lines` is the exact one.
     pub(crate) fn all(lines: &[Line]) -> Vec<Self> {
         let exact = &lines[0];
         let over = |line: &'_ Line| line.over(exact);

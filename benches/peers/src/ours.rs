@@ -1,4 +1,4 @@
-//! This library: plants and ports composed by type.
+//! Rows of this library: plants and ports composed by type.
 
 use lyapunov::{
     OnePort, ParameterError, Plant,
@@ -25,13 +25,13 @@ fn rollout(positions: &mut Positions, mut plant: impl Plant<f64>) -> Result<(), 
     Ok(())
 }
 
-/// Exact, by the map over a period, which is worked out in every run.
+/// Exact propagation by the map over a period, which every run computes anew.
 #[inline(never)]
 pub(crate) fn exact(positions: &mut Positions) -> Result<(), ParameterError> {
     rollout(positions, Body::new(HAND, PERIOD)?.starting(START, 0.0))
 }
 
-/// The classical method of order 4, generic over dynamics, port and scalar.
+/// Classical method of order 4, generic over dynamics, port and scalar.
 #[inline(never)]
 pub(crate) fn runge_kutta_4(positions: &mut Positions, steps: u32) -> Result<(), ParameterError> {
     let hand = Oscillator::new(HAND)?;

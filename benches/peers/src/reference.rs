@@ -1,4 +1,4 @@
-//! What is true: `reference.txt`, which `python/reference.py` computes with 60 digits and more.
+//! Reference: `reference.txt`, which `python/reference.py` computes with 60 digits and more.
 
 use crate::scene::Positions;
 
@@ -11,10 +11,10 @@ impl Reference {
         Self([0.0; _].map(|_: f64| lines.next().expect("201 lines").expect("a number")))
     }
 
-    /// The largest distance from the truth, m.
+    /// The largest error of `positions` against the reference, m.
     pub(crate) fn error(&self, positions: &[f64]) -> f64 {
         let apart = self.0.iter().zip(positions).map(|(truth, at)| (truth - at).abs());
-        // Not `max`, which passes over what is not a number.
+        // Not `max`, which ignores NaN.
         apart.fold(0.0, |largest, apart| if apart <= largest { largest } else { apart })
     }
 }

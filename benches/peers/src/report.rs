@@ -1,4 +1,4 @@
-//! The table for the terminal, and the same as JSON.
+//! Report of a run: a table for the terminal, and the same as JSON.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -8,7 +8,7 @@ use crate::contest::{Contest, Line};
 use crate::marks::Mark;
 use crate::row::{Origin, Setting};
 
-/// What a run tells.
+/// Report of a run.
 pub(crate) struct Report {
     contest: Contest,
     marks: Vec<Mark>,
@@ -21,7 +21,7 @@ pub(crate) struct Report {
 const LEVELS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-11];
 
 impl Report {
-    /// The report of `contest` of so many rounds, with packages that were found, and those that were not.
+    /// The report of `contest` over so many rounds, with the packages that were found and those that were not.
     pub(crate) fn new(
         mut contest: Contest,
         rounds: usize,
@@ -64,7 +64,7 @@ impl Report {
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
     }
 
-    /// The lines to show: all of ours and by hand, and of each peer's method the fastest under each level of error.
+    /// The lines to show: all of ours and by hand, and of each peer's method the fastest below each level of error.
     fn shown(&self) -> impl Iterator<Item = &Line> {
         let fastest = |line: &Line| {
             let better = |level: f64| {
@@ -143,7 +143,7 @@ impl Display for Report {
     }
 }
 
-/// Three digits.
+/// `value` with three digits.
 fn ratio(value: f64) -> String {
     let decimals = (2.0 - value.abs().log10().floor()).clamp(0.0, 2.0) as usize;
     format!("{value:.decimals$}")

@@ -1,4 +1,4 @@
-//! One line of the table.
+//! Row of the table: a method at a setting.
 
 use std::fmt::{self, Display, Formatter};
 use std::hint::black_box;
@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 
 use crate::scene::{DURATION, PERIODS, Positions};
 
-/// What a method is turned by.
+/// Setting of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Setting {
-    /// Nothing.
+    /// No setting.
     None,
     /// Steps of equal length per period.
     Steps(u32),
@@ -28,20 +28,20 @@ impl Display for Setting {
     }
 }
 
-/// Whose a method is.
+/// Origin of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// This library's.
+    /// This library.
     Ours,
     /// Written by hand for this comparison.
     Hand,
-    /// A crate's.
+    /// A crate.
     Crate,
-    /// A Python package's.
+    /// A Python package.
     Python,
 }
 
-/// A method at a setting.
+/// Method at a setting.
 pub(crate) struct Row {
     pub(crate) origin: Origin,
     pub(crate) method: String,
@@ -49,7 +49,7 @@ pub(crate) struct Row {
     pub(crate) run: Run,
 }
 
-/// Moves the mass through the positions, and tells the ns that it took per simulated second, or why it could not.
+/// Run of the mass through the positions; it returns the ns per simulated second, or the reason of its failure.
 pub(crate) type Run = Box<dyn FnMut(&mut Positions) -> Result<f64, String>>;
 
 impl Row {
@@ -89,7 +89,7 @@ impl Row {
     }
 }
 
-/// Runs often enough that the clock is read rarely; the first call only runs once, to see how often that is.
+/// `run` repeated often enough that reading the clock does not matter; the first call runs once, to find how often.
 fn repeated(run: impl Fn(&mut Positions) + 'static) -> Run {
     const BLOCK: Duration = Duration::from_millis(1);
     let mut times = 1;
@@ -104,5 +104,5 @@ fn repeated(run: impl Fn(&mut Positions) + 'static) -> Run {
     })
 }
 
-/// Positions before anything has moved.
+/// Positions before a run.
 pub(crate) const NOWHERE: Positions = [f64::NAN; PERIODS + 1];

@@ -1,39 +1,38 @@
-//! The loop that all methods move: `scenes/paper-8k-none.toml` over its first 2 s, with the plant's own velocity.
+//! Scene of all methods: `scenes/paper-8k-none.toml` over its first 2 s, with the plant's own velocity.
 
-/// kg, operator and device as one.
+/// Mass of operator and device as one, kg.
 pub(crate) const MASS: f64 = 0.1 + 0.2;
-/// N·s/m, operator and device.
+/// Damping of operator and device, N·s/m.
 pub(crate) const DAMPING: f64 = 0.2 + 0.001;
-/// N/m, the operator's, at rest at the wall.
+/// Stiffness of the operator, at rest at the wall, N/m.
 pub(crate) const STIFFNESS: f64 = 50.0;
-/// m.
+/// Initial position, m.
 pub(crate) const START: f64 = -0.004;
-/// N/m.
+/// Stiffness of the wall, N/m.
 pub(crate) const WALL_STIFFNESS: f64 = 8000.0;
-/// N·s/m.
+/// Damping of the wall, N·s/m.
 pub(crate) const WALL_DAMPING: f64 = 2.0;
-/// s; the wall's force is held over it.
+/// Period over which the wall's force is held, s.
 pub(crate) const PERIOD: f64 = 0.01;
 /// Periods of the run.
 pub(crate) const PERIODS: usize = 200;
-/// s.
+/// Length of the run, s.
 pub(crate) const DURATION: f64 = PERIODS as f64 * PERIOD;
 
-/// Where the mass is at each instant, m.
+/// Position of the mass at each instant, m.
 pub(crate) type Positions = [f64; PERIODS + 1];
 
 /// Position, m, and velocity, m/s.
 pub(crate) type State = [f64; 2];
 
-/// The equation of motion under the held `force`: what position and velocity change by per second, without a division.
+/// Equation of motion under the held `force`: the rates of position and velocity, without a division.
 #[inline(always)]
 pub(crate) fn rate([position, velocity]: State, force: f64) -> State {
     const OF: [f64; 3] = [-STIFFNESS / MASS, -DAMPING / MASS, -1.0 / MASS];
     [velocity, OF[0] * position + OF[1] * velocity + OF[2] * force]
 }
 
-/// The sampled loop around `advance`, which is given a state and the held force and answers with the state a period
-/// later.
+/// Sampled loop around `advance`, which takes a state and the held force and returns the state a period later.
 #[inline(always)]
 pub(crate) fn rollout(positions: &mut Positions, mut advance: impl FnMut(State, f64) -> State) {
     let mut state = [START, 0.0];

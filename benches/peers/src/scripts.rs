@@ -1,5 +1,5 @@
-//! The peers that are Python packages: scripts that run a row whenever they are asked, between the rows of this program.
-//! `python/rows.py` tells what is said.
+//! Peers that are Python packages: scripts that run a row on request, between the rows of this program. The protocol is
+//! in `python/rows.py`.
 
 use std::cell::RefCell;
 use std::io::{BufRead, BufReader, Lines, Write};
@@ -11,16 +11,16 @@ use serde::Deserialize;
 
 use crate::row::{Origin, Row, Setting};
 
-/// The packages, each with a script.
+/// Python packages, each with a script.
 const PACKAGES: [&str; 3] = ["scipy", "mujoco", "drake"];
 
-/// What the scripts offer.
+/// Scripts that could be started, with their rows.
 #[derive(Default)]
 pub(crate) struct Offers {
     pub(crate) rows: Vec<Row>,
     /// Packages and their versions.
     pub(crate) versions: Vec<[String; 2]>,
-    /// Packages that cannot be run here, and why.
+    /// Packages that cannot run here, and why.
     pub(crate) skipped: Vec<[String; 2]>,
 }
 
@@ -99,7 +99,7 @@ struct Answer {
     positions: Vec<f64>,
 }
 
-/// A script that waits for the number of a row.
+/// Running script that waits for the number of a row.
 struct Script {
     name: PathBuf,
     process: Child,
@@ -108,7 +108,7 @@ struct Script {
 }
 
 impl Script {
-    /// The script of `package`, and the first line that it says.
+    /// The script of `package`, and its first line of output.
     fn started(package: &str) -> Result<(Self, String), String> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         let python = folder.join("../../target/peers-python/bin/python");
@@ -118,7 +118,7 @@ impl Script {
         let name = folder.join("python").join(format!("{package}_rows.py"));
         let command = Command::new(python)
             .arg(&name)
-            // Matrices of three rows are not worth waking threads for.
+            // Threads do not pay for matrices of three rows.
             .env("OPENBLAS_NUM_THREADS", "1")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -159,7 +159,7 @@ impl Script {
 }
 
 impl Drop for Script {
-    /// It has nothing to lose, and would wait for questions otherwise.
+    /// Ends the script, which has no state to save and would otherwise wait for requests.
     fn drop(&mut self) {
         let _ = self.process.kill();
         let _ = self.process.wait();

@@ -1,4 +1,4 @@
-//! That the rows compute what they say.
+//! Tests that the rows compute what they claim.
 
 use std::path::Path;
 
@@ -37,12 +37,12 @@ fn the_loop_is_the_shipped_scene() {
 }
 
 #[test]
-fn a_position_that_is_no_number_is_no_small_error() {
+fn a_nan_position_gives_a_nan_error() {
     assert!(Reference::new().error(&NOWHERE).is_nan());
 }
 
 #[test]
-fn both_exact_rows_are() {
+fn both_exact_rows_match_the_reference() {
     let errors = [moved(|at| ours::exact(at).unwrap()), moved(hand::exact)];
     let errors = errors.map(|positions| Reference::new().error(&positions));
     assert!(errors.iter().all(|error| *error < 1e-12), "{errors:?}");
@@ -63,7 +63,7 @@ fn the_pair_by_hand_follows_its_tolerance() {
     assert!(loose < 1e-7 && tight < 1e-9, "{loose}, {tight}");
 }
 
-/// A step too many or too few, or an end that is not the period's, would be told by the error.
+/// A step too many or too few, or a run that does not end with the period, would show in the error.
 #[test]
 fn crates_of_equal_steps_agree_with_the_method_by_hand() {
     let mut compared = 0;
@@ -79,7 +79,7 @@ fn crates_of_equal_steps_agree_with_the_method_by_hand() {
     assert!(compared > 40);
 }
 
-/// An end that is not the period's would be told by an error of 1e-5 m and more.
+/// A run that does not end with the period would show as an error of 1e-5 m or more.
 #[test]
 fn adaptive_crates_follow_their_tolerance() {
     for mut row in crates::rows() {

@@ -1,4 +1,4 @@
-//! A stabilizer written outside the workspace: it passes the laws, and meets the others on a scene.
+//! A stabilizer written outside the workspace: checked by the laws, and compared with the others on a scene.
 
 use std::error::Error;
 use std::path::Path;
@@ -7,7 +7,7 @@ use lyapunov::{Correction, PortSample, Signal, Stabilizer, laws};
 use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Comparison, Contestants};
 
-/// A virtual coupling damper that is always there: `f_out = f + b v`.
+/// A virtual coupling damper that always acts: `f_out = f + b v`.
 #[derive(Clone, Copy)]
 struct CouplingDamper<T> {
     damping: T, // N·s/m

@@ -3,7 +3,7 @@
 use crate::laws::{Law, Tick, Violation};
 use crate::{Correction, OnePort, PortSample, Scalar, Signal};
 
-/// A port that tells of an correction that nothing else tells of: what [`adaptor`] puts inside of one.
+/// Port with a correction that no other port reports, which [`adaptor`] puts inside the adaptor under test.
 #[derive(Clone, Copy, Debug)]
 pub struct Probe<V: Signal> {
     correction: Correction<V>,
@@ -33,14 +33,14 @@ impl<V: Signal> OnePort<V> for Probe<V> {
     }
 }
 
-/// Checks that the adaptor that `wrap` makes around a port keeps the law [`HandsOn`](Law::HandsOn) over the drives of
-/// `samples`: its [`OnePort::correction`] is that of the port it owns.
+/// Check of the law [`HandsOn`](Law::HandsOn) on the adaptor that `wrap` makes around a port, over `samples`: its
+/// [`OnePort::correction`] is that of the port it owns.
 ///
-/// [`Stabilized`](crate::Stabilized) is no adaptor in this sense: it tells of its own correction.
+/// [`Stabilized`](crate::Stabilized) is no adaptor in this sense: it reports its own correction.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, OnePort, Signal, laws};
-/// /// Turns the effort round, and forgets to hand on what the stabilizer inside did.
+/// /// Reverses the effort, and forgets to hand on the correction of the port inside.
 /// struct Turned<P>(P);
 /// impl<V: Signal, P: OnePort<V>> OnePort<V> for Turned<P> {
 ///     fn respond(&mut self, sample: &PortSample<V>) -> V {
@@ -52,7 +52,7 @@ impl<V: Signal> OnePort<V> for Probe<V> {
 /// ```
 ///
 /// # Errors
-/// The first sample after which the correction is another.
+/// The first sample after which the correction differs.
 pub fn adaptor<V: Signal, P: OnePort<V>>(
     wrap: impl FnOnce(Probe<V>) -> P,
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,

@@ -3,8 +3,8 @@
 use crate::laws::{Law, Tick, Violation};
 use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
-/// Checks that `candidate` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
-/// [`NothingForNothing`](Law::NothingForNothing) and [`Recovers`](Law::Recovers) over `samples`.
+/// Check of a `candidate` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
+/// [`NothingForNothing`](Law::NothingForNothing) and [`Recovers`](Law::Recovers).
 ///
 /// # Errors
 /// The first law that is broken.

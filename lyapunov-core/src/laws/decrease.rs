@@ -1,17 +1,17 @@
-//! The law that a candidate loses what its function loses.
+//! The law of a candidate's decrease: its sum is the decrease of its function.
 
 use crate::laws::{Law, Tick, Violation};
 use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
-/// Checks that the decreases that `candidate` tells over `drives` keep the law [`AddsUp`](Law::AddsUp): from the first
-/// sample on they sum to `V(start) − V(n)`, where `value` tells `V` at a sample.
+/// Check of the law [`AddsUp`](Law::AddsUp) on a `candidate` over the samples `drives`: from the first sample on its
+/// decreases sum to `V(start) − V(n)`, where `value` gives `V` at a sample.
 ///
-/// They may be apart by `share` of all the ups and downs of `V` so far, and by rounding. A candidate by differences
-/// keeps the law with a share of 0; one by rates, `−V̇ T`, with as much as its quadrature errs, which is of the order of
-/// the period.
+/// The two may differ by `share` of all the rises and falls of `V` so far, and by rounding. A candidate by differences
+/// keeps the law with a share of 0; one by rates, `−V̇ T`, with a share as large as its quadrature error, which is of
+/// the order of the period.
 ///
 /// # Errors
-/// [`Finite`](Law::Finite), or [`AddsUp`](Law::AddsUp) with what the sum is off by.
+/// [`Finite`](Law::Finite), or [`AddsUp`](Law::AddsUp) with the error of the sum.
 pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
     candidate: &C,
     value: impl Fn(&PortSample<V>) -> V::Scalar,

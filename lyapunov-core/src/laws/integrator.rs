@@ -7,25 +7,25 @@ use crate::{Dynamics, Integrator, Scalar, Signal};
 
 /// Steps of the coarse runs over the interval.
 const COARSE: [u32; 4] = [8, 16, 32, 64];
-/// Where runs are compared: at one place alone errors of different signs may cancel.
+/// Number of places at which runs are compared: at a single one, errors of different signs may cancel.
 const PLACES: usize = 8;
-/// Steps of the run that they are compared with.
+/// Steps of the reference run.
 const FINE: u32 = 2048;
-/// How far below its order a regressed slope may lie.
+/// Allowed distance of a regressed slope below the order.
 const SLACK: f64 = 0.25;
 
-/// Checks that `integrator` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
-/// [`NothingForNothing`](Law::NothingForNothing) (over no time it gains exactly nothing),
-/// [`LaneByLane`](Law::LaneByLane) and [`Converges`](Law::Converges) on `dynamics`, from each of the `starts` under
-/// its held input over `interval` s.
+/// Check of an `integrator` on `dynamics`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
+/// [`NothingForNothing`](Law::NothingForNothing) (over an interval of 0 the gain is exactly 0),
+/// [`LaneByLane`](Law::LaneByLane) and [`Converges`](Law::Converges), from each of the `starts` under its held input
+/// over `interval` s.
 ///
-/// Its errors over the interval in 8, 16, 32 and 64 steps are taken against 2048 steps of Kutta's 3/8 rule, and the
-/// slope of their logarithms over that of the step must be `order` or more, less a quarter. Errors of the size of
+/// Runs of 8, 16, 32 and 64 steps over the interval are compared with 2048 steps of Kutta's 3/8 rule; the slope of the
+/// logarithm of their errors over that of the step must be at least `order` less a quarter. Errors of the size of
 /// rounding are left out, so that an exact integrator has any order. An error is the sum over eight places and over all
 /// axes, each relative to its largest magnitude. Choose an interval in which the fastest motion turns about one radian.
 ///
 /// # Errors
-/// The first law that is broken, the start as its sample; for [`Converges`](Law::Converges) the slope.
+/// The first law that is broken, with the start as its sample; for [`Converges`](Law::Converges), with the slope.
 pub fn integrator<U, D, I>(
     integrator: &I,
     dynamics: &D,
@@ -63,7 +63,7 @@ fn spread<X: Signal>(signal: X, lane: usize) -> X {
     signal.map(|axis| X::Scalar::of(axis.lane(lane)))
 }
 
-/// Where `steps` steps lead: at the end of each of [`PLACES`] equal parts of the interval.
+/// States of a run of `steps` steps, at the end of each of [`PLACES`] equal parts of the interval.
 fn follow<X: Signal>(
     from: X,
     interval: X::Scalar,
@@ -125,7 +125,7 @@ where
         }
         error
     });
-    // Each axis is rounded once a step, by half a unit in the last place at most.
+    // Each step rounds each axis once, by at most half a unit in the last place.
     let axes = D::State::splat(U::Scalar::of(1.0)).sum();
     let rounding = axes * U::Scalar::epsilon() * U::Scalar::of(f64::from(FINE));
     for lane in 0..U::Scalar::LANES {
@@ -138,7 +138,7 @@ where
     Ok(())
 }
 
-/// By least squares, `d log error / d log step` over the errors that are above `rounding`, if there are two.
+/// Least-squares slope `d log error / d log step` over the errors above `rounding`, if there are at least two.
 fn slope(errors: [f64; COARSE.len()], rounding: f64) -> Option<f64> {
     let (mut count, mut x, mut y, mut xx, mut xy) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for (steps, error) in

@@ -1,4 +1,4 @@
-//! The laws of a stabilizer's account.
+//! The laws of a stabilizer's ledger.
 
 use crate::laws::{Law, Tick, Violation};
 use crate::{
@@ -6,14 +6,14 @@ use crate::{
     Stabilizer,
 };
 
-/// Checks that `stabilizer` keeps the laws [`WithinLimit`](Law::WithinLimit) and [`Balances`](Law::Balances) over
-/// `samples`, if it books held work under `candidate` and injects at most `limit` N·s/m.
+/// Check of a `stabilizer` that books held work under `candidate` and injects at most `limit` N·s/m: the laws
+/// [`WithinLimit`](Law::WithinLimit) and [`Balances`](Law::Balances) over `samples`.
 ///
-/// What `candidate` says of the drives is summed beside the stabilizer, with its rounding errors. At the end of every
-/// tick `supplied = stored − dissipated − shortfall`: that sum is the store (the sum told, where it is above 0), or it
-/// is the debt, which is what `α v² T` is to burn and what is left over. Allowed are
-/// `4 u (Σ |−ΔV| + ticks · largest stored)`, with `u` half the distance from one to the next number, and what
-/// numbers below the normal ones round.
+/// The check sums the decreases of `candidate` beside the stabilizer, with compensation of rounding errors. At the end
+/// of every tick `supplied = stored − dissipated − shortfall`: that sum is the stored credit (the observed energy
+/// reported, where it is above 0), or it is the debt, of which `α v² T` is to dissipate a part and the shortfall is the
+/// rest. Allowed are `4 u (Σ |−ΔV| + ticks · largest stored)`, with `u` half the distance from one to the next number,
+/// and the rounding of subnormal numbers.
 ///
 /// # Errors
 /// The first law that is broken.
@@ -27,7 +27,7 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
     let zero = V::Scalar::of(0.0);
     let mut supplied = Compensated::<V::Scalar>::zero();
     let (mut absolute, mut largest, mut ticks) = (zero, zero, zero);
-    // A limit that is not one is told as a breach of it on the first tick.
+    // A limit that is not valid shows as a breach of it on the first tick.
     let limit = Requirement::Limit.check("limit", limit).unwrap_or(zero);
     for (tick, (sample, effort)) in samples.into_iter().enumerate() {
         let now = Tick(tick);

@@ -5,20 +5,20 @@ use num_traits::Float;
 use crate::laws::{Law, Tick, Violation};
 use crate::{LyapunovFunction, Scalar, Signal};
 
-/// Checks that `function` keeps the laws [`Finite`](Law::Finite), [`ZeroAtRest`](Law::ZeroAtRest),
-/// [`Positive`](Law::Positive) and [`Slope`](Law::Slope) on the `states` visited, and at rest.
+/// Check of a `function` at the `states` visited and at rest: the laws [`Finite`](Law::Finite),
+/// [`ZeroAtRest`](Law::ZeroAtRest), [`Positive`](Law::Positive) and [`Slope`](Law::Slope).
 ///
-/// The gradient is taken against central differences on each axis, `D(h) = (V(x + h) − V(x − h)) / 2h`, with
-/// `h = ε^⅓` of the state's largest axis. They may be apart by twice `|D(2h) − D(h)|`, six times the error that
-/// differences of a smooth function make; by half of what the slopes ahead and behind are apart by, the error at a kink
-/// of the gradient, as of a contact; by the rounding of `V` over `h`; and by `ε^⅓` of the gradient. In all, a gradient is
-/// seen to be wrong from about 1e-5 of it in `f64` and from a few hundredths in `f32`. A `V` that loses its digits by
-/// cancellation near rest is told too, as it should be; write `1 − cos θ` as `2 sin²(θ/2)`.
+/// The gradient is compared with central differences on each axis, `D(h) = (V(x + h) − V(x − h)) / 2h`, with
+/// `h = ε^⅓` of the state's largest axis. The two may differ by the sum of four terms: twice `|D(2h) − D(h)|`, six
+/// times the error of such differences for a smooth function; half the difference of the slopes ahead and behind, the
+/// error at a kink of the gradient, as at a contact; the rounding of `V` over `h`; and `ε^⅓` of the gradient. In all,
+/// the check finds errors of a gradient from about 1e-5 of it in `f64` and from a few hundredths in `f32`. A `V` that
+/// loses its digits by cancellation near rest fails too, as it should; write `1 − cos θ` as `2 sin²(θ/2)`.
 ///
-/// Only the states given are looked at. That `V` falls along the motion is for a run to show.
+/// Only the given states are checked. Whether `V` falls along the motion, only a run can show.
 ///
 /// # Errors
-/// The first law that is broken, the state as its sample; at rest, sample 0.
+/// The first law that is broken, with the state as its sample; at rest, sample 0.
 pub fn lyapunov_function<X: Signal, F: LyapunovFunction<X>>(
     function: &F,
     states: impl IntoIterator<Item = X>,
@@ -39,7 +39,7 @@ pub fn lyapunov_function<X: Signal, F: LyapunovFunction<X>>(
     Ok(())
 }
 
-/// The gradient on each axis against differences of the value.
+/// Comparison of the gradient with differences of the value, axis by axis.
 fn slopes<X: Signal>(
     now: Tick,
     function: &impl LyapunovFunction<X>,
@@ -51,7 +51,7 @@ fn slopes<X: Signal>(
     let size = X::Scalar::choose(size.above(of(0.0)), size, of(1.0));
     let step = share * size;
     let (here, gradient) = (function.value(state), function.gradient(state));
-    // What V would be, were every axis its own summand: the size of what may cancel in it.
+    // The size of the terms that may cancel in V, taking every axis as a term of its own.
     let steepness = gradient.times(state).map(Scalar::magnitude).sum() / size;
     for axis in 0..axes(state) {
         let at = |steps: f64| function.value(moved(state, axis, step * of(steps)));

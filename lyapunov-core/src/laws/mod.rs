@@ -1,11 +1,11 @@
-//! Laws that every part must keep, to be run on parts of one's own.
+//! Laws that every part must keep, with checks to run on parts of your own.
 //!
-//! The same functions check the parts of this workspace. Each drives a part through [`Samples`] (or any other
-//! samples) and answers with the first law that is broken, the tick and the number that broke it.
+//! The same functions check the parts of this workspace. Each feeds a part [`Samples`] (or any other samples) and
+//! returns the first law that is broken, the tick and the number that broke it.
 //!
 //! ```
 //! use lyapunov_core::{Correction, PortSample, Stabilizer, laws};
-//! /// A damper that is always there.
+//! /// A damper that always acts.
 //! #[derive(Clone)]
 //! struct Damper(f64);
 //! impl Stabilizer<f64> for Damper {
@@ -45,7 +45,7 @@ use core::fmt;
 
 use crate::{Mask, Scalar, Signal};
 
-/// What a part must keep.
+/// Property that every implementation of a trait must have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Law {
@@ -53,32 +53,32 @@ pub enum Law {
     Finite,
     /// Two copies that see the same do the same: all state is in the value.
     Repeatable,
-    /// The damping and the shortfall told are not below 0.
+    /// The reported damping and shortfall are not below 0.
     NoNegativeDamping,
     /// The correction feeds no power into the motion it sees: `(f_out − f_in) · v >= 0` up to rounding.
     Opposes,
-    /// The effort is between 0 and what it was, axis by axis and up to rounding.
+    /// The corrected effort is between 0 and the uncorrected one, axis by axis and up to rounding.
     NoLarger,
     /// `L + α v² T + shortfall >= 0` up to rounding.
     Served,
     /// The correction is no more than the limit times the velocity.
     WithinLimit,
-    /// What was supplied is what is stored, dissipated and owed.
+    /// The supplied energy is the stored, less the dissipated and the shortfall.
     Balances,
-    /// A sample that is not finite gives a finite effort and is told as not accepted.
+    /// A sample that is not finite gives a finite effort and is reported as not accepted.
     Rejects,
-    /// After a sample that was not finite, what follows is finite again.
+    /// After a sample that was not finite, the effort is finite again.
     Recovers,
-    /// Where nothing moves and nothing acts, nothing is credited.
+    /// Where nothing moves and no effort is applied, nothing is credited.
     NothingForNothing,
-    /// The sample tells the motion: displacements lead from position to position, the work is the effort's over
-    /// them, and the effort told is the one applied.
+    /// The sample reports the motion: displacements lead from position to position, the work is that of the effort
+    /// over them, and the effort reported is the one applied.
     TellsTheTruth,
-    /// An adaptor tells what the stabilizer inside did.
+    /// An adaptor reports the correction of the port it owns.
     HandsOn,
-    /// No lane depends on what the others hold.
+    /// No lane depends on the values of the others.
     LaneByLane,
-    /// The error falls with the step as the order says, towards the solution of the equation of motion.
+    /// The error falls with the step as the order says, towards the solution of the differential equation.
     Converges,
     /// `V(0) = 0`.
     ZeroAtRest,
@@ -86,7 +86,7 @@ pub enum Law {
     Positive,
     /// The gradient is the slope of `V`.
     Slope,
-    /// The decreases told sum to the difference of `V`.
+    /// The candidate's decreases sum to the difference of `V`.
     AddsUp,
 }
 
@@ -116,7 +116,7 @@ impl fmt::Display for Law {
     }
 }
 
-/// A law that a part breaks, and where.
+/// Breach of a law: which law, at which sample, with which number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
     /// The law.
@@ -135,12 +135,12 @@ impl fmt::Display for Violation {
 
 impl core::error::Error for Violation {}
 
-/// Collects what a law looks at on one tick.
+/// Index of the tick that is being checked.
 #[derive(Clone, Copy)]
 struct Tick(usize);
 
 impl Tick {
-    /// Breaks `law` where `kept` is false, telling that lane of `value`.
+    /// Breaks `law` where `kept` is false, and reports that lane of `value`.
     fn require<T: Scalar>(self, law: Law, kept: T::Mask, value: T) -> Result<(), Violation> {
         match (0..T::LANES).find(|&lane| !kept.lane(lane)) {
             Some(lane) => Err(Violation { law, tick: self.0, value: value.lane(lane) }),
@@ -158,7 +158,7 @@ impl Tick {
         self.require(law, !value.below(-rounding), value)
     }
 
-    /// Breaks `law` where two signals that must be one differ; two NaN are alike.
+    /// Breaks `law` where two signals that must be equal differ; two NaN are equal.
     fn same<V: Signal>(self, law: Law, one: V, other: V) -> Result<(), Violation> {
         let apart = one.zip(other, |a, b| {
             let zero = V::Scalar::of(0.0);

@@ -3,8 +3,7 @@
 use crate::laws::{Law, Tick, Violation};
 use crate::{OnePort, PortSample, Signal};
 
-/// Checks that `port` keeps the laws [`Finite`](Law::Finite) and [`Repeatable`](Law::Repeatable) over the
-/// drives of `samples`.
+/// Check of a `port` over `samples`: the laws [`Finite`](Law::Finite) and [`Repeatable`](Law::Repeatable).
 ///
 /// # Errors
 /// The first law that is broken.

@@ -3,8 +3,8 @@
 use crate::laws::{Law, Tick, Violation};
 use crate::{Plant, PortSample, Scalar, Signal};
 
-/// Checks that `plant` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable) and
-/// [`TellsTheTruth`](Law::TellsTheTruth) under the efforts of `samples`.
+/// Check of a `plant` under the efforts of `samples`: the laws [`Finite`](Law::Finite),
+/// [`Repeatable`](Law::Repeatable) and [`TellsTheTruth`](Law::TellsTheTruth).
 ///
 /// # Errors
 /// The first law that is broken.

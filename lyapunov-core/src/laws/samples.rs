@@ -1,13 +1,13 @@
-//! What the laws sample a part through.
+//! Test samples for the laws.
 
 use crate::{PortSample, Scalar, Signal};
 
-/// How many samples there are.
+/// Number of samples.
 const COUNT: usize = 2000;
 
 /// Motions and efforts of many sizes: strokes to and fro, rests, and forces for and against them.
 ///
-/// The same on every machine: the numbers come from splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
+/// They are the same on every machine: the numbers come from splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
 #[derive(Clone, Copy, Debug)]
 pub struct Samples<V: Signal> {
     period: V::Scalar,

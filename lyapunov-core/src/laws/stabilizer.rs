@@ -3,13 +3,13 @@
 use crate::laws::{Law, Tick, Violation};
 use crate::{Correction, PortSample, Scalar, Signal, Stabilizer};
 
-/// Checks that `stabilizer` keeps the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
+/// Check of a `stabilizer` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
-/// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers) over `samples`.
+/// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers).
 ///
-/// They check honesty (finite, passive, with debts told), not that a loop becomes stable: run a scene for that.
-/// What a stabilizer tells of its damping is taken on trust. A limit of the actuator belongs outside of it, where
-/// the next sample tells what applied: an effort clipped inside may feed power into the motion by what it cuts off.
+/// The laws check honesty (finite, passive, with debts reported), not that a loop becomes stable: run a scene for that.
+/// They take the reported damping on trust. A limit of the actuator belongs outside the stabilizer, where the next
+/// sample reports the applied effort: an effort clipped inside may feed power into the motion by what it cuts off.
 ///
 /// # Errors
 /// The first law that is broken.
@@ -20,11 +20,11 @@ pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
     check(stabilizer, samples, opposes)
 }
 
-/// Checks that a `stabilizer` that makes efforts smaller, and adds no damping, keeps the laws of a
-/// [`stabilizer`] over `samples`, with [`NoLarger`](Law::NoLarger) in the place of [`Opposes`](Law::Opposes).
+/// Check of a `stabilizer` that makes efforts smaller and adds no damping: the laws of [`stabilizer()`] over
+/// `samples`, with [`NoLarger`](Law::NoLarger) in the place of [`Opposes`](Law::Opposes).
 ///
-/// An effort that opposed the motion and was cut off is missed by the motion it would have braked; what such a
-/// stabilizer keeps instead is its account.
+/// Where such a stabilizer cuts off an effort that opposed the motion, it takes away braking, so it cannot keep
+/// [`Opposes`](Law::Opposes); it keeps its ledger instead.
 ///
 /// # Errors
 /// The first law that is broken.
@@ -35,7 +35,7 @@ pub fn limiter<V: Signal, S: Stabilizer<V> + Clone>(
     check(stabilizer, samples, no_larger)
 }
 
-/// What a correction has to be like.
+/// Requirement on a correction.
 type Manner<V> = fn(Tick, &PortSample<V>, V, &Correction<V>) -> Result<(), Violation>;
 
 fn check<V: Signal, S: Stabilizer<V> + Clone>(
@@ -93,7 +93,7 @@ fn opposes<V: Signal>(
     now.not_below_zero(Law::Opposes, power, size.inner(sample.velocity.map(Scalar::magnitude)))
 }
 
-/// On every axis between 0 and the effort it was given.
+/// Check that the effort is between 0 and the given effort on every axis.
 fn no_larger<V: Signal>(
     now: Tick,
     _drive: &PortSample<V>,
@@ -109,7 +109,7 @@ fn no_larger<V: Signal>(
     now.not_below_zero(Law::NoLarger, -beyond.sum(), size)
 }
 
-/// Each field of the sample bad, and then a sound sample.
+/// Check of samples with one bad field each, every one followed by a sound sample.
 fn survives<V: Signal, S: Stabilizer<V> + Clone>(
     now: Tick,
     stabilizer: &S,
@@ -135,7 +135,7 @@ fn survives<V: Signal, S: Stabilizer<V> + Clone>(
     Ok(())
 }
 
-/// One bad effort, and then the same sample sound.
+/// Check of one bad effort, followed by the same sample with a sound one.
 fn rejects<V: Signal>(
     now: Tick,
     mut stabilizer: impl Stabilizer<V>,

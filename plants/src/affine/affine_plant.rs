@@ -16,9 +16,9 @@ use crate::{ControlAffine, WithFlow, WithState};
 /// V̇ = L_f V − e · y        so e · ∫ y dt is what V loses to the effort, on each input exactly
 /// ```
 ///
-/// The sample tells `y`, `∫ y dt` over the period and the state ([`WithState`]). Summed over
-/// [`PortEnergy`](lyapunov_core::PortEnergy) that is what the input took from `V`, the drift left out; over
-/// [`decrease_of`](crate::decrease_of) it is all that `V` lost.
+/// The sample reports `y`, `∫ y dt` over the period and the state ([`WithState`]). Summed by
+/// [`PortEnergy`](lyapunov_core::PortEnergy), it gives what the input took from `V`, without the drift; summed by
+/// [`decrease_of`](crate::decrease_of), all that `V` lost.
 ///
 /// ```
 /// use lyapunov_core::{OnePort, ParameterError, Plant};
@@ -33,7 +33,7 @@ use crate::{ControlAffine, WithFlow, WithState};
 /// for _ in 0..1000 {
 ///     sample = plant.advance(port.respond(&sample));
 /// }
-/// assert!(plant.state().norm() < 0.01); // more damping than the oscillator's own feeds
+/// assert!(plant.state().norm() < 0.01); // the feedback damps more than the oscillator feeds
 /// # Ok::<(), ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -76,13 +76,13 @@ where
         Self { at: WithState { input: SVector::zeros(), state }, ..self }
     }
 
-    /// `x`.
+    /// The state `x`.
     #[inline]
     pub fn state(&self) -> SVector<T, N> {
         self.at.state
     }
 
-    /// `V(x)`.
+    /// The value `V(x)` of the function.
     #[inline]
     pub fn value(&self) -> T {
         self.dynamics.function.value(self.at.state)

@@ -1,13 +1,13 @@
-//! The trait of a plant that is affine in its input.
+//! `ControlAffine` trait: a plant that is affine in its input.
 
 use lyapunov_core::{LyapunovFunction, Scalar, Signal};
 use nalgebra::SVector;
 
 /// A plant of `N` states that is affine in its `M` inputs: `ẋ = f(x) + g(x) u`.
 ///
-/// The state is counted from where the plant is to rest, in SI units; `u` is what its actuators do. With a
-/// [`LyapunovFunction`] `V` the plant has a port: `V̇ = L_f V + L_g V u`, so that `u` feeds `V` along the flow
-/// `y = L_g V`, as a force feeds an energy along a velocity.
+/// The state is relative to the rest of the plant, in SI units; `u` is the output of its actuators. With a
+/// [`LyapunovFunction`] `V` the plant has a port: `V̇ = L_f V + L_g V u`, so `u` feeds `V` along the flow `y = L_g V`,
+/// as a force feeds an energy along a velocity.
 ///
 /// ```
 /// use lyapunov_plants::ControlAffine;
@@ -24,13 +24,13 @@ use nalgebra::SVector;
 /// }
 /// ```
 pub trait ControlAffine<T: Scalar, const N: usize, const M: usize> {
-    /// `f(x)`: how the state changes by itself, per s.
+    /// `f(x)`: the rate of the state without input, per s.
     fn drift(&self, state: SVector<T, N>) -> SVector<T, N>;
 
-    /// The columns of `g(x)`: how the state changes per unit of each input, per s.
+    /// The columns of `g(x)`: the rate of the state per unit of each input, per s.
     fn input_fields(&self, state: SVector<T, N>) -> [SVector<T, N>; M];
 
-    /// `f(x) + g(x) u`, per s.
+    /// The rate of the state, `f(x) + g(x) u`, per s.
     #[inline]
     fn rate(&self, state: SVector<T, N>, input: SVector<T, M>) -> SVector<T, N> {
         let fields = self.input_fields(state);

@@ -1,4 +1,4 @@
-//! What makes boundedness convergence, as a term of a candidate.
+//! Required decay of a Lyapunov function, as a term of a candidate.
 
 use lyapunov_core::{
     LyapunovCandidate, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar,
@@ -7,14 +7,14 @@ use nalgebra::SVector;
 
 use crate::WithState;
 
-/// The debit `c V(x) T`: beside [`decrease_of`](crate::decrease_of) it asks that `V` not only stay below where it
-/// began but decay at the rate `c`, 1/s.
+/// The debit `c V(x) T`: together with [`decrease_of`](crate::decrease_of) it requires `V` not only to stay below its
+/// initial value but to decay at the rate `c`, 1/s.
 ///
 /// The sum of both is `L(n) = V(0) − V(n) − c Σ V T`. While `L ≥ 0`, `V` is not above `V(0)`, and the integral of `V`
-/// not above `V(0) / c` however long the loop runs: so `V` goes to 0. Where something holds the plant away from rest
-/// for good, a load say, no damping can serve this debt and it grows; leave the term out there. And more damping is not
-/// always faster: far above critical damping a plant creeps, `V` falls more slowly than is asked, and the debt that
-/// grows keeps the damping where it is. Beside this term a limit near critical damping is the better one.
+/// is not above `V(0) / c` however long the loop runs: so `V` goes to 0. If something holds the plant away from rest
+/// for good, such as a load, no damping can serve this debt and it grows; leave the term out there. More damping is not
+/// always faster: far above critical damping a plant creeps, `V` falls more slowly than required, and the growing debt
+/// keeps the damping where it is. With this term, a limit near critical damping is the better one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decay<F, T> {
     function: F,

@@ -1,14 +1,15 @@
-//! All that a Lyapunov function of the state loses, as a candidate.
+//! Total decrease of a Lyapunov function of the state, as a candidate.
 
 use lyapunov_core::{LyapunovFunction, Scalar, StorageFunction};
 use nalgebra::SVector;
 
 use crate::WithState;
 
-/// The candidate that sums all that `function` loses from `state` on, `L(n) = V(x(0)) − V(x(n))`, by its differences.
+/// The candidate that sums the total decrease of `function` from `state` on, `L(n) = V(x(0)) − V(x(n))`, by its
+/// differences.
 ///
-/// It counts what the drift feeds or burns as well as what the input does, needs neither `f` nor an integral, and is
-/// exact whatever is held, delayed or clipped in between. `L ≥ 0` says that `V` is not above where it began.
+/// It counts what the drift feeds or dissipates as well as the work of the input, needs neither `f` nor an integral,
+/// and is exact whatever is held, delayed or clipped in between. `L ≥ 0` means that `V` is not above its initial value.
 ///
 /// ```
 /// use lyapunov_core::Stabilizer;

@@ -1,17 +1,18 @@
-//! A real plant's port, from what is measured of its state.
+//! Port of a real plant, from measurements of its state.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
 use crate::{ControlAffine, WithState};
 
-/// The drives of a plant that is not simulated but measured: for a stabilizer in one's own loop.
+/// The samples of a plant that is measured rather than simulated: for a stabilizer in your own loop.
 ///
-/// Of the model only `g` is used, for the flow `y = L_g V(x)`. The integral of the flow is taken by the trapezoidal
-/// rule, `∫ y dt ≈ T/2 (y(n−1) + y(n))`, off by `T³ ÿ / 12` at most: of concern to
-/// [`PortEnergy`](lyapunov_core::PortEnergy) only. [`decrease_of`](crate::decrease_of) needs no integral.
+/// Only `g` of the model is used, for the flow `y = L_g V(x)`. The trapezoidal rule integrates the flow,
+/// `∫ y dt ≈ T/2 (y(n−1) + y(n))`, with an error of `T³ ÿ / 12` at most. This matters only to
+/// [`PortEnergy`](lyapunov_core::PortEnergy); [`decrease_of`](crate::decrease_of) needs no integral.
 ///
-/// A state that is not finite is told as it is, to be turned away; the next one that is spans the gap.
+/// A state that is not finite goes into its sample as it is, for the stabilizer to reject; the next finite one spans
+/// the gap.
 ///
 /// ```
 /// use lyapunov_core::ParameterError;
@@ -30,7 +31,7 @@ pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
     plant: P,
     function: F,
     period: T,
-    /// Since the last sound sample, s.
+    /// Time since the last sound sample, s.
     elapsed: T,
     at: WithState<T, N, M>,
     flow: SVector<T, M>,

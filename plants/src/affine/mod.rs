@@ -1,4 +1,4 @@
-//! Plants that are affine in their input, seen from the port at which a Lyapunov function is pushed.
+//! Plants that are affine in their input, with the port through which the input feeds a Lyapunov function.
 
 mod affine_plant;
 mod control_affine;

@@ -1,12 +1,12 @@
-//! The commonest Lyapunov function.
+//! Quadratic Lyapunov function.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
-/// `V = ½ xᵀ P x`, `∇V = P x`.
+/// The quadratic form `V = ½ xᵀ P x`, with `∇V = P x`.
 ///
-/// For a linear plant `P` solves the Lyapunov equation `AᵀP + P A = −Q` of a loop that is stable, or is what linear
-/// quadratic design gives.
+/// For a linear plant `P` solves the Lyapunov equation `AᵀP + P A = −Q` of a stable loop, or comes from linear
+/// quadratic design.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadraticForm<T, const N: usize> {
     rows: [SVector<T, N>; N],
@@ -34,14 +34,14 @@ impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
         Ok(Self { rows })
     }
 
-    /// `V = ½ |x|²`.
+    /// The form `V = ½ |x|²`.
     pub fn sum_of_squares() -> Self {
         let one = |i, j| if i == j { T::of(1.0) } else { T::of(0.0) };
         Self { rows: core::array::from_fn(|i| SVector::from_fn(|j, _| one(i, j))) }
     }
 }
 
-/// Gauss's elimination without exchange: the pivots are the squares of the Cholesky factor's diagonal.
+/// Gaussian elimination without row exchange: the pivots are the squares of the Cholesky factor's diagonal.
 fn positive_definite<const N: usize>(mut rows: [[f64; N]; N]) -> Result<(), ParameterError> {
     for i in 0..N {
         let row = rows[i];

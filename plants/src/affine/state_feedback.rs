@@ -1,14 +1,14 @@
-//! The nominal controller.
+//! State feedback as a port.
 
 use lyapunov_core::{OnePort, PortSample, Scalar};
 use nalgebra::SVector;
 
 use crate::WithState;
 
-/// A state feedback `u = k(x)` as what stands at the port: it answers with the effort `e = −k(x)`.
+/// A state feedback `u = k(x)` as a port: it answers with the effort `e = −k(x)`.
 ///
-/// Any `Fn(SVector<T, N>) -> SVector<T, M>` will do. What acts on a port acts on it: held, delayed, saturated,
-/// stabilized.
+/// Any `Fn(SVector<T, N>) -> SVector<T, M>` will do. Everything that acts on a port acts on it: hold, delay,
+/// saturation, stabilizer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateFeedback<K> {
     law: K,

@@ -1,4 +1,4 @@
-//! The equation of a control-affine plant and of the flow at its port.
+//! Equation of a control-affine plant and of the flow at its port.
 
 use lyapunov_core::{Dynamics, LyapunovFunction, Scalar};
 use nalgebra::SVector;
@@ -8,10 +8,10 @@ use crate::{ControlAffine, WithState};
 /// A control-affine plant of `N` states with the integral `w` of its flow, under the effort `e = −u`:
 /// `ẋ = f(x) − g(x) e` and `ẇ = y = L_g V`.
 ///
-/// One method moves both, so that `Δw` is good to the same order as `x` is.
+/// One integrator moves both, so `Δw` is accurate to the same order as `x`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithFlow<P, F, const N: usize> {
-    /// What moves.
+    /// The plant.
     pub plant: P,
     /// The function whose derivative along the inputs is the flow.
     pub function: F,

@@ -1,4 +1,4 @@
-//! The signal at the port of a plant with a state.
+//! Signal at the port of a plant with a state.
 
 use core::ops::{Add, Sub};
 
@@ -6,11 +6,10 @@ use lyapunov_core::{Scalar, Signal};
 use nalgebra::SVector;
 use num_traits::Zero;
 
-/// `M` inputs, and beside them the `N` states, which travel with them but are pushed by nothing.
+/// `M` inputs and, with them, the `N` states, which no effort acts on.
 ///
-/// Controllers and candidates are given a sample and nothing else, and they need the whole state, so it travels in the
-/// sample. That makes the port of a control-affine plant a port like any other, to be held, delayed, saturated, guarded
-/// and stabilized:
+/// Controllers and candidates receive only a sample, and they need the whole state, so the sample carries it. The port
+/// of a control-affine plant is thereby a port like any other, to be held, delayed, saturated, guarded and stabilized:
 ///
 /// | of a sample or effort | `input` | `state` |
 /// |---|---|---|
@@ -20,15 +19,15 @@ use num_traits::Zero;
 /// | effort, `applied` | `e = −u` | 0 |
 /// | `work` | `eᵢ ∫ yᵢ dt` | 0 |
 ///
-/// The state has neither velocity nor effort: they are 0 in every sample of an [`AffinePlant`](crate::AffinePlant) or of
-/// [`MeasuredPlant`](crate::MeasuredPlant). A damper `α` acts on the inputs alone, therefore, and `v²` is `y²`. Velocities must not be
-/// taken from displacements here ([`differenced`](crate::OnePortExt::differenced) and its kin): the flow is computed from
-/// the state.
+/// The state has neither velocity nor effort: both are 0 in every sample of an [`AffinePlant`](crate::AffinePlant) or
+/// of a [`MeasuredPlant`](crate::MeasuredPlant). A damper `α` therefore acts on the inputs alone, and `v²` is `y²`. Do
+/// not take velocities from displacements here ([`differenced`](crate::OnePortExt::differenced) and its kin): the flow
+/// is computed from the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithState<T, const N: usize, const M: usize> {
-    /// What is paired at the port.
+    /// The part that efforts act on at the port.
     pub input: SVector<T, M>,
-    /// What is only seen there.
+    /// The part that is only observed there.
     pub state: SVector<T, N>,
 }
 

@@ -1,4 +1,4 @@
-//! What the operator holds: one mass.
+//! One mass on the operator's spring.
 
 use lyapunov_core::{Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 use nalgebra::{Matrix2, Matrix3};
@@ -9,11 +9,11 @@ use crate::{Impedance, Linear, OperatedBody, held_input};
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
 ///
-/// The effort is held over the period, so the motion is linear and known: `x += E₁₁ p + E₁₂ v + G₁ f` and
+/// The effort is held over the period, so the motion is linear and has a closed form: `x += E₁₁ p + E₁₂ v + G₁ f` and
 /// `v += E₂₁ p + E₂₂ v + G₂ f` with `p = x − rest` and the increments of the matrix exponential, computed once
-/// ([`held_input`]). On several axes each moves like that. With `stiffness` and `rest` an operator's, mass and
-/// damping the operator's and the device's together, it is the left side of the paper's figure 2; that the two
-/// move as one is our reading, the paper does not say.
+/// ([`held_input`]). Every axis moves like that. With the operator's `stiffness` and `rest`, and the mass and damping
+/// of operator and device together, it is the left side of the paper's figure 2; that the two move as one is our
+/// reading, the paper does not say so.
 #[derive(Clone, Copy, Debug)]
 pub struct Body<V: Signal> {
     period: V::Scalar,
@@ -24,7 +24,7 @@ pub struct Body<V: Signal> {
     velocity: V,
 }
 
-/// What one part of the state gains over a period, per unit of deflection, velocity and effort.
+/// The gain of one part of the state over a period, per unit of deflection, velocity and effort.
 #[derive(Clone, Copy, Debug)]
 struct Row<T> {
     deflection: T,
@@ -46,11 +46,11 @@ impl<T: Scalar> Row<T> {
 }
 
 impl<V: Signal> Body<V> {
-    /// A body with its spring at rest at the origin, standing there, moved by `period` s at a time.
+    /// A body at standstill at the origin, where its spring rests too, moved by `period` s at a time.
     ///
     /// # Errors
-    /// `mass` or `period` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass
-    /// so small against the rest that the motion is out of the scalar's range.
+    /// `mass` or `period` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass so small
+    /// beside the other values that the motion is out of the scalar's range.
     pub fn new(impedance: Impedance<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
         let [position_map, velocity_map] = maps(impedance, period)?;
@@ -58,7 +58,7 @@ impl<V: Signal> Body<V> {
         Ok(Self { period, position_map, velocity_map, rest, position, velocity })
     }
 
-    /// The same body with its spring at rest at `rest`, m.
+    /// The same body with the rest of its spring at `rest`, m.
     pub fn resting_at(self, rest: V) -> Self {
         Self { rest, ..self }
     }
@@ -69,7 +69,7 @@ impl<V: Signal> Body<V> {
     }
 }
 
-/// What position and velocity gain over `interval`.
+/// The gains of position and velocity over `interval`.
 fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], ParameterError> {
     let mass = Requirement::Positive.check("mass", impedance.mass)?;
     let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
@@ -87,7 +87,7 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
     }
 }
 
-/// What position and velocity gain over `interval` per unit of deflection, velocity and effort; nothing is checked.
+/// The gains of position and velocity over `interval` per unit of deflection, velocity and effort; nothing is checked.
 pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
     let [position, velocity, _] = by_rows(|lane| {
         let (m, t) = (parts.mass.real(lane), interval.real(lane));
@@ -99,11 +99,11 @@ pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) 
     [position, velocity]
 }
 
-/// `increments` with the first entry moved by the last digits of the scalar, so that what the others lose in rounding does
-/// not change the determinant of the map.
+/// `increments` with the first entry corrected by the last digits of the scalar, so that the rounding of the others
+/// does not change the determinant of the map.
 ///
-/// The determinant is what the map makes of an area of positions and velocities. Without damping it is 1, and each unit
-/// that rounding adds or takes is an amplitude that grows or falls by half of it on every step.
+/// The determinant is the factor by which the map scales an area of positions and velocities. Without damping it is 1,
+/// and each unit that rounding adds or takes makes the amplitude grow or fall by half of it on every step.
 fn keeping_area<T: Scalar>(mut increments: Matrix3<T::Real>) -> Matrix3<T::Real> {
     let one = T::Real::of(1.0);
     let rounded = increments.map(|entry| T::from_reals(|_| entry).real(0));
@@ -111,7 +111,8 @@ fn keeping_area<T: Scalar>(mut increments: Matrix3<T::Real>) -> Matrix3<T::Real>
         e[(0, 0)] + e[(1, 1)] + (e[(0, 0)] * e[(1, 1)] - e[(0, 1)] * e[(1, 0)])
     };
     let lost = (area(&increments) - area(&rounded)) / (one + rounded[(1, 1)]);
-    // Without damping no more than this is lost; with much of it the last digits of the entry are worth more than the area.
+    // Without damping no more than this is lost; with much of it the last digits of the entry matter more than the
+    // area.
     let most = rounded[(0, 0)].magnitude() * T::epsilon().real(0) * T::Real::of(3.0);
     if lost.magnitude().below(most) {
         increments[(0, 0)] = rounded[(0, 0)] + lost;

@@ -1,13 +1,13 @@
-//! What pushes a plant beside the effort at its port.
+//! External force on a plant, beside the effort at its port.
 
 use lyapunov_core::{ParameterError, Plant, PortSample, Signal};
 
 use crate::{OperatedBody, Trajectory};
 
-/// A plant that something else pushes too: it moves under `effort − push(t_n)`, held over the tick.
+/// A plant under an external force: it moves under `effort − push(t_n)`, held over the tick.
 ///
-/// The sample tells the effort and its own work only: the push is no part of the port. Several pushes nest.
-/// A push of 0 changes nothing.
+/// The sample reports only the effort and its work: the external force is no part of the port. Several of them nest. A
+/// force of 0 changes nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct ExternalForce<B, C> {
     body: B,
@@ -33,7 +33,7 @@ impl<B, C> ExternalForce<B, C> {
     }
 }
 
-/// Says that `effort` applied, and nothing beside it.
+/// Makes `sample` report `effort` and its work alone.
 #[inline]
 fn told<V: Signal>(sample: &mut PortSample<V>, effort: V) {
     sample.applied = effort;

@@ -1,14 +1,14 @@
-//! An operator who holds faster or looser.
+//! Changing grip of the operator.
 
 use lyapunov_core::{ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 
 use crate::OperatedBody;
 
-/// A body that is made of other parts from given ticks on, and of its own before the first.
+/// A body whose parts change at given ticks; before the first it has its own.
 ///
-/// `R` is the table: an array, a slice or whatever owns one, of ticks that do not fall and the parts from each on.
-/// Of rows of the same tick the last counts. Position, velocity and rest stay; a spring that is stiffer from now
-/// on takes `(k' − k) (x − rest)² / 2` along. Rows with the body's own parts change nothing.
+/// `R` is the table: an array, a slice or whatever owns one, of ticks that never decrease and the parts from each on.
+/// Of rows with the same tick the last counts. Position, velocity and rest stay; a spring that becomes stiffer brings
+/// the energy `(k' − k) (x − rest)² / 2` with it. Rows with the body's own parts change nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Grip<B, R, T> {
     body: B,
@@ -47,7 +47,7 @@ impl<B, R, T: Scalar> Grip<B, R, T> {
         while let Some(&(tick, parts)) = self.table.as_ref().get(self.next)
             && tick <= self.tick
         {
-            // Tried at construction; a table that has changed since is not followed where it is wrong.
+            // Checked at construction; of a table that has changed since, a wrong row is skipped.
             let _ = self.body.reshape(parts, self.period);
             self.next += 1;
         }
@@ -92,7 +92,7 @@ where
         self.body.rest_at(rest);
     }
 
-    /// The table has the last word: its next row replaces `parts`, but keeps `interval`.
+    /// The table overrides: its next row replaces `parts`, but keeps `interval`.
     fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         self.body.reshape(parts, interval)?;
         self.period = interval;

@@ -1,4 +1,4 @@
-//! An operator whose hand goes somewhere.
+//! Motion of the operator's hand.
 
 use lyapunov_core::{ParameterError, Plant, PortSample, Signal};
 
@@ -6,8 +6,8 @@ use crate::{OperatedBody, Trajectory};
 
 /// A body whose operator's spring rests at `rest(t_n)`, held over the tick.
 ///
-/// The rest jumps between two ticks and takes the spring along: each jump does the work
-/// `k_h ((x − rest(t_n))² − (x − rest(t_n−1))²) / 2`. A course that stays at the body's own rest changes nothing.
+/// The rest jumps between two ticks, and the spring with it: each jump does the work
+/// `k_h ((x − rest(t_n))² − (x − rest(t_n−1))²) / 2`. A trajectory that stays at the body's own rest changes nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct HandMotion<B, C> {
     body: B,
@@ -55,7 +55,7 @@ impl<V: Signal, B: OperatedBody<V>, C: Trajectory<V>> Plant<V> for HandMotion<B,
 impl<V: Signal, B: OperatedBody<V>, C: Trajectory<V>> OperatedBody<V> for HandMotion<B, C> {
     type Parts = B::Parts;
 
-    /// The course has the last word: it sets the rest again before the next period.
+    /// The trajectory overrides: it sets the rest again before the next period.
     #[inline]
     fn rest_at(&mut self, rest: V) {
         self.body.rest_at(rest);

@@ -4,16 +4,16 @@ use core::ops::Add;
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
-/// A mechanical impedance: what it takes to move something.
+/// A mechanical impedance: mass, damper and spring.
 ///
-/// Two that are joined rigidly add up: an operator and a device as one mass are `operator + device`.
+/// Impedances that are joined rigidly add up: an operator and a device as one mass are `operator + device`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impedance<T> {
-    /// kg.
+    /// Mass, kg.
     pub mass: T,
-    /// N·s/m.
+    /// Damping, N·s/m.
     pub damping: T,
-    /// N/m.
+    /// Stiffness, N/m.
     pub stiffness: T,
 }
 

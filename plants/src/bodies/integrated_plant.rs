@@ -1,4 +1,4 @@
-//! What any integrator moves.
+//! Plant moved by an integrator.
 
 use core::fmt::Debug;
 
@@ -11,8 +11,8 @@ use crate::{Coordinates, FromParts, OperatedBody};
 
 /// A plant that an [`Integrator`] moves along its [`Mechanics`], by equal steps over each period under the held effort.
 ///
-/// The origin of the coordinates stands at the rest. The sample tells the port's displacement as the exact difference of
-/// two positions, as [`Body`](crate::Body) does; what a step gains is added to the state, and no time is summed.
+/// The origin of the coordinates is the rest. The sample reports the port's displacement as the exact difference of two
+/// positions, as [`Body`](crate::Body) does; each step adds its gain to the state, and no time is summed.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -44,7 +44,7 @@ where
 {
     /// A plant at rest at the origin, moved by `period` s at a time in `steps` steps.
     ///
-    /// One step is tried, from a unit of everything, before the first period; what the integrator keeps is ready then.
+    /// The constructor tries one step from a state of ones, so the integrator's cache is ready before the first period.
     ///
     /// # Errors
     /// `period` not above 0 and finite; `steps` 0; a `period` over whose step the motion is out of the scalar's
@@ -63,7 +63,7 @@ where
         Ok(Self { dynamics, integrator, period, interval, steps, rest, state })
     }
 
-    /// The same plant with the origin of its coordinates, and with it its spring's rest, at `rest`, m.
+    /// The same plant with the origin of its coordinates, and so the rest of its spring, at `rest`, m.
     pub fn resting_at(self, rest: V) -> Self {
         Self { rest, ..self }
     }
@@ -74,12 +74,12 @@ where
         self.starting_from(State { position, velocity: D::Coordinates::all_at(velocity) })
     }
 
-    /// The same plant in `state`, counted from where positions are, not from the rest.
+    /// The same plant in `state`, in absolute positions, not relative to the rest.
     pub fn starting_from(self, state: State<D::Coordinates>) -> Self {
         Self { state, ..self }
     }
 
-    /// Where everything is and how it moves.
+    /// The state, in absolute positions.
     #[inline]
     pub fn state(&self) -> State<D::Coordinates> {
         self.state

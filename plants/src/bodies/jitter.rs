@@ -1,14 +1,14 @@
-//! A clock that does not keep time.
+//! Jitter of the sampling instants.
 
 use lyapunov_core::{ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 
 use crate::OperatedBody;
 
-/// A body that moves for `max(0, T + deviation g)` instead of `T`, with a standard normal number `g` of `normal`
-/// for each tick, while the sample tells `T`.
+/// A body that moves for `max(0, T + deviation g)` instead of `T`, with a standard normal number `g` from `normal` for
+/// each tick, while the sample reports `T`.
 ///
-/// Who takes a velocity from the displacement divides by `T` and is wrong by the jitter. Position, displacement
-/// and the held effort's work are the true ones. A deviation of 0 changes nothing.
+/// A velocity taken from the displacement divides by `T` and errs by the jitter. Position, displacement and the held
+/// effort's work are the true ones. A deviation of 0 changes nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Jitter<B, P, T, G> {
     body: B,
@@ -52,7 +52,7 @@ where
     #[inline]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let interval = self.period + self.deviation * (self.normal)();
-        // An interval so long that the motion leaves the scalar's range keeps the one before.
+        // If the interval is so long that the motion leaves the scalar's range, the body keeps the one before.
         let _ = self.body.reshape(self.parts, interval.larger(V::Scalar::of(0.0)));
         PortSample { period: self.period, ..self.body.advance(effort) }
     }

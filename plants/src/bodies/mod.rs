@@ -1,4 +1,4 @@
-//! What the operator holds: bodies that move exactly or by steps, and what changes their course.
+//! Bodies in the operator's hand, moved exactly or by steps, and the adaptors that change their motion.
 
 mod body;
 mod external_force;

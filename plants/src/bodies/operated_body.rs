@@ -1,21 +1,21 @@
-//! Bodies on an operator's spring, as far as their surroundings may change on the way.
+//! Bodies on an operator's spring that may change between periods.
 
 use lyapunov_core::{ParameterError, Plant, Signal};
 
 /// A body on an operator's spring, whose rest, parts and interval may change from one period to the next.
 ///
-/// What changes the course of a body owns it, as an adaptor owns a port, and is a tethered body again.
+/// An adaptor that changes the motion of such a body owns it, as an adaptor owns a port, and is such a body again.
 pub trait OperatedBody<V: Signal>: Plant<V> {
-    /// What it is made of: an [`Impedance`](crate::Impedance), or one for each mass.
+    /// The parts it is made of: an [`Impedance`](crate::Impedance), or one for each mass.
     type Parts: Copy;
 
-    /// Lets the operator's spring rest at `rest` from now on, m.
+    /// Moves the rest of the operator's spring to `rest`, m, from now on.
     fn rest_at(&mut self, rest: V);
 
-    /// Moves by `interval` s at a time from now on, made of `parts`; position, velocity and rest stay.
+    /// Changes the parts to `parts` and the period to `interval` s from now on; position, velocity and rest stay.
     ///
     /// # Errors
-    /// As the constructor has them, but that an interval may be 0; the body then stays as it was.
+    /// Those of the constructor, except that an interval may be 0; after an error the body is unchanged.
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError>;
 }
 

@@ -1,14 +1,14 @@
-//! Chaining: what acts on a body owns it.
+//! Adaptors of a body, chained.
 
 use lyapunov_core::{ParameterError, Plant, Signal};
 
 use crate::{ExternalForce, Grip, HandMotion, Jitter, OperatedBody, Trajectory};
 
-/// What may act on a body beside its port, chained like [`OnePortExt`](crate::OnePortExt) on ports, innermost first:
-/// jitter, the motion of the rest, the grip, pushes.
+/// The adaptors that may act on a body beside its port, chained like [`OnePortExt`](crate::OnePortExt) on ports,
+/// innermost first: jitter, the motion of the rest, the grip, external forces.
 ///
-/// A jitter moves the body with parts of its own, so a grip outside of it is heard and one inside is not. Pushes
-/// stand outermost, so that the sample tells the port's effort.
+/// A jitter moves the body with parts of its own, so a grip outside of it takes effect and one inside does not.
+/// External forces stand outermost, so that the sample reports the port's effort.
 ///
 /// ```
 /// use lyapunov_core::{ParameterError, Plant};
@@ -24,12 +24,12 @@ use crate::{ExternalForce, Grip, HandMotion, Jitter, OperatedBody, Trajectory};
 /// # Ok::<(), ParameterError>(())
 /// ```
 pub trait PlantExt<V: Signal>: Plant<V> + Sized {
-    /// Pushes with the force of `course` too, N, in +x: a load, a pulse.
+    /// Adds the external force `course`, N, in +x: a load, a pulse.
     fn pushed<C: Trajectory<V>>(self, course: C) -> ExternalForce<Self, C> {
         ExternalForce::new(self, course)
     }
 
-    /// Lets the operator's spring rest where `course` is, m.
+    /// Moves the rest of the operator's spring along `course`, m.
     fn led_by<C: Trajectory<V>>(self, course: C) -> HandMotion<Self, C>
     where
         Self: OperatedBody<V>,
@@ -37,7 +37,7 @@ pub trait PlantExt<V: Signal>: Plant<V> + Sized {
         HandMotion::new(self, course)
     }
 
-    /// Makes it of `own` parts, and of others from the ticks of `table` on.
+    /// Gives the body its `own` parts, and others from the ticks of `table` on.
     ///
     /// # Errors
     /// A tick below the one before it; parts of which this body cannot be made.
@@ -53,7 +53,7 @@ pub trait PlantExt<V: Signal>: Plant<V> + Sized {
         Grip::new(self, own, table)
     }
 
-    /// Moves it, made of `parts`, for intervals that stray by `deviation` s from its period, with the standard
+    /// Moves the body, made of `parts`, for intervals that deviate from its period by `deviation` s times the standard
     /// normal numbers of `normal`.
     ///
     /// # Errors

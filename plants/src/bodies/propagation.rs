@@ -1,17 +1,17 @@
-//! The exact motion of a linear body under a held input.
+//! Exact motion of a linear body under a held input.
 
 use lyapunov_core::Scalar;
 use nalgebra::SMatrix;
 
 /// `exp(A) − I`, without cancellation where `A` is small.
 ///
-/// For `ẋ = M x + N u` with `u` held over `T`, the first rows of `exp([M N; 0 0] T) − I` are the increment
-/// form `x += (Φ − I) x + Γ u` of the exact solution. Each entry is accurate to a few units in the last place
-/// of the terms it is summed from, which is what keeps an `f32` body from gaining energy by rounding. The entries are of the
-/// kind that construction computes in ([`Scalar::Real`]).
+/// For `ẋ = M x + N u` with `u` held over `T`, the first rows of `exp([M N; 0 0] T) − I` are the increment form
+/// `x += (Φ − I) x + Γ u` of the exact solution. Each entry is accurate to a few units in the last place of its
+/// summands, which keeps an `f32` body from gaining energy by rounding. The entries have the type that construction
+/// computes in ([`Scalar::Real`]).
 ///
-/// A Taylor polynomial of a halved matrix, then doubled by `E ← 2 E + E²` (scaling and squaring; Higham,
-/// Functions of Matrices, 2008, chapter 10). An `A` that is not finite gives what is not finite.
+/// The method is a Taylor polynomial of a halved matrix, then doubled by `E ← 2 E + E²` (scaling and squaring; Higham,
+/// Functions of Matrices, 2008, chapter 10). An `A` that is not finite gives entries that are not finite.
 pub fn held_input<R: Scalar<Mask = bool>, const N: usize>(
     matrix: SMatrix<R, N, N>,
 ) -> SMatrix<R, N, N> {

@@ -1,4 +1,4 @@
-//! Operator and device as two masses.
+//! Operator and device as two masses with a link.
 
 use lyapunov_core::{Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 use nalgebra::{Matrix4, SMatrix};
@@ -6,18 +6,19 @@ use nalgebra::{Matrix4, SMatrix};
 use super::propagation::by_rows;
 use crate::{Linear, OperatedBody, TwoMassParts, held_input};
 
-/// An operator and a device joined by a link, moved exactly over each period; the sample tells the device's motion:
+/// An operator and a device joined by a link, moved exactly over each period; the sample reports the device's motion:
 ///
 /// ```text
 /// m_o ẍ_o + b_o ẋ_o + k_h (x_o − rest) + k_l (x_o − x_d) + b_l (ẋ_o − ẋ_d) = 0
 /// m_d ẍ_d + b_d ẋ_d + k_l (x_d − x_o) + b_l (ẋ_d − ẋ_o) = −effort
 /// ```
 ///
-/// The effort is held over the period, so the motion is linear and known ([`held_input`](crate::held_input)). It is
-/// worked out for the centre of mass `X` and the stretch `s = x_o − x_d`, where a stiff link's fast motion stays out
-/// of the slow one's digits: `x_o = X + m_d s / M` and `x_d = X − m_o s / M` with `M = m_o + m_d`. What is kept is
-/// `x_d` and `s`, with their velocities: the link's force comes of a small number that is known by itself, not of a
-/// difference of two large ones, and a device that stands still does so to the bit.
+/// The effort is held over the period, so the motion is linear and has a closed form
+/// ([`held_input`](crate::held_input)). It is computed for the centre of mass `X` and the stretch `s = x_o − x_d`,
+/// where the fast motion of a stiff link costs the slow motion no digits: `x_o = X + m_d s / M` and
+/// `x_d = X − m_o s / M` with `M = m_o + m_d`. The state is `x_d` and `s`, with their velocities: the link's force
+/// comes from a small number that is stored by itself, not from the difference of two large ones, and a device at
+/// standstill stays there to the bit.
 #[derive(Clone, Copy, Debug)]
 pub struct TwoMassBody<V: Signal> {
     period: V::Scalar,
@@ -29,17 +30,16 @@ pub struct TwoMassBody<V: Signal> {
     stretching: V,
 }
 
-/// What the state gains over a period: device, stretch and their velocities by row, the columns per unit of the
+/// The gains of the state over a period: device, stretch and their velocities by row, the columns per unit of the
 /// device's deflection from the rest, of stretch, of their velocities and of effort.
 type Maps<T> = [[T; 5]; 4];
 
 impl<V: Signal> TwoMassBody<V> {
-    /// Two masses with the operator's spring at rest at the origin, both standing there, moved by `period` s at a
-    /// time.
+    /// Two masses at standstill at the origin, where the operator's spring rests, moved by `period` s at a time.
     ///
     /// # Errors
-    /// A mass, the link's stiffness or `period` not above 0 and finite; a damping or the operator's stiffness below
-    /// 0, infinite or NaN; a mass so small against the rest that the motion is out of the scalar's range.
+    /// A mass, the link's stiffness or `period` not above 0 and finite; a damping or the operator's stiffness below 0,
+    /// infinite or NaN; a mass so small beside the other values that the motion is out of the scalar's range.
     pub fn new(parts: TwoMassParts<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
         let maps = maps(parts, period)?;
@@ -48,7 +48,7 @@ impl<V: Signal> TwoMassBody<V> {
         Ok(Self { period, maps, rest, position, stretch, velocity, stretching })
     }
 
-    /// The same masses with the operator's spring at rest at `rest`, m.
+    /// The same masses with the rest of the operator's spring at `rest`, m.
     pub fn resting_at(self, rest: V) -> Self {
         Self { rest, ..self }
     }
@@ -79,7 +79,7 @@ fn maps<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Result<Maps<T>, Param
     }
 }
 
-/// What device, stretch and their velocities gain over `interval`; nothing is checked.
+/// The gains of device, stretch and their velocities over `interval`; nothing is checked.
 pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> [[T; 5]; 4] {
     let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
         let (device, centre) = views(parts, lane);
@@ -103,7 +103,7 @@ fn views<T: Scalar>(parts: TwoMassParts<T>, lane: usize) -> (Map<T::Real>, Map<T
     (view(-share), view(share))
 }
 
-/// The time derivatives of centre, stretch, their velocities and the held effort, by the same.
+/// The time derivatives of centre, stretch, their velocities and the held effort, as a map of the same.
 fn equations<T: Scalar>(parts: TwoMassParts<T>, lane: usize) -> Map<T::Real> {
     let of = |value: T| value.real(lane);
     let (operator, device, link) = (parts.operator, parts.device, parts.link);

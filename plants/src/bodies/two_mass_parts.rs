@@ -1,35 +1,35 @@
-//! What two masses and the link between them are made of.
+//! Parts of two masses and the link between them.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
 use crate::Impedance;
 
-/// An operator and a device, joined by a link that gives.
+/// An operator and a device, joined by an elastic link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoMassParts<T> {
-    /// The operator: its stiffness holds it to its rest.
+    /// The operator; its stiffness ties it to its rest.
     pub operator: Impedance<T>,
-    /// What the operator holds.
+    /// The device, which the operator holds.
     pub device: DampedMass<T>,
-    /// What is between the two.
+    /// The link between the two.
     pub link: ElasticJoint<T>,
 }
 
 /// A mass on a damper to the ground, without a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampedMass<T> {
-    /// kg.
+    /// Mass, kg.
     pub mass: T,
-    /// N·s/m.
+    /// Damping, N·s/m.
     pub damping: T,
 }
 
 /// A spring and a damper side by side between two masses (Kelvin and Voigt's element).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticJoint<T> {
-    /// N/m.
+    /// Stiffness, N/m.
     pub stiffness: T,
-    /// N·s/m.
+    /// Damping, N·s/m.
     pub damping: T,
 }
 

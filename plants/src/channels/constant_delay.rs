@@ -1,10 +1,10 @@
-//! A delay that stays the same.
+//! Constant delay of a channel.
 
 use lyapunov_core::{ParameterError, Requirement};
 
 use super::Channel;
 
-/// A channel on which every message takes the same number of ticks; `N` is the room for them.
+/// A channel that delays every message by the same number of ticks; `N` is the capacity.
 ///
 /// ```
 /// use lyapunov_plants::{Channel, ConstantDelay};
@@ -20,7 +20,7 @@ pub struct ConstantDelay<M, const N: usize> {
 }
 
 impl<M: Copy, const N: usize> ConstantDelay<M, N> {
-    /// A delay of `ticks`; until the first message arrives, `before` is there.
+    /// A delay of `ticks`; until the first message arrives, the channel gives `before`.
     ///
     /// # Errors
     /// `ticks` is above `N`.

@@ -1,12 +1,12 @@
-//! Messages that do not arrive.
+//! Loss of messages on a channel.
 
 use lyapunov_core::{ParameterError, Requirement};
 
 use super::Channel;
 use crate::{Random, Source};
 
-/// A channel that loses each message with a given probability, independently of the others; the one before it is
-/// there instead.
+/// A channel that loses each message with a given probability, independently of the others, and sends the one before it
+/// instead.
 ///
 /// ```
 /// use lyapunov_plants::{Channel, ConstantDelay, LossyChannel};
@@ -23,7 +23,7 @@ pub struct LossyChannel<C, M> {
 }
 
 impl<C, M> LossyChannel<C, M> {
-    /// `channel`, losing messages with `probability`; before the first that is not lost, `before` is sent.
+    /// `channel`, losing messages with `probability`; until one is not lost, `before` is sent.
     ///
     /// # Errors
     /// `probability` not from 0 to 1.

@@ -1,4 +1,4 @@
-//! What carries messages from one loop to another.
+//! Channels that carry messages from one loop to another.
 
 mod constant_delay;
 mod lossy_channel;
@@ -8,12 +8,12 @@ pub use constant_delay::ConstantDelay;
 pub use lossy_channel::LossyChannel;
 pub use varying_delay::VaryingDelay;
 
-/// One direction of a link between two loops that tick together: a message goes in on every tick, and the newest that
-/// has arrived comes out, the same again where there is none.
+/// One direction of a link between two loops that tick together: on every tick a message goes in and the newest that
+/// has arrived comes out, again and again until a newer one arrives.
 ///
 /// All lanes of a message travel together.
 pub trait Channel<M> {
-    /// Takes `message` and gives the newest one that has arrived.
+    /// Takes `message` and returns the newest one that has arrived.
     fn carry(&mut self, message: M) -> M;
 }
 

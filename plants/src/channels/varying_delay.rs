@@ -1,4 +1,4 @@
-//! A delay that is never twice the same.
+//! Varying delay of a channel.
 
 use lyapunov_core::{ParameterError, Requirement};
 
@@ -12,9 +12,9 @@ struct Letter<M> {
     arrives: u64,
 }
 
-/// A channel on which each message takes a number of ticks of its own, uniform from `least` to `most` below `N`.
+/// A channel that delays each message by its own number of ticks, uniform from `least` to `most`, which is below `N`.
 ///
-/// Messages overtake one another; one that is older than what has arrived already is thrown away.
+/// Messages overtake one another; one that is older than what has already arrived is discarded.
 ///
 /// ```
 /// use lyapunov_plants::{Channel, VaryingDelay};
@@ -36,7 +36,7 @@ pub struct VaryingDelay<M, const N: usize> {
 }
 
 impl<M: Copy, const N: usize> VaryingDelay<M, N> {
-    /// Delays from `least` to `most` ticks; until the first message arrives, `before` is there.
+    /// Delays from `least` to `most` ticks; until the first message arrives, the channel gives `before`.
     ///
     /// # Errors
     /// `least` above `most`, or `most` not below `N`.
@@ -61,11 +61,11 @@ impl<M: Copy, const N: usize> Channel<M> for VaryingDelay<M, N> {
         let now = self.tick;
         let lag = self.least + (self.random.uniform() * self.choices) as u64;
         let slot = |sent: u64| (sent % N as u64) as usize;
-        // A letter is out after N − 1 ticks at the latest, so what is overwritten has arrived.
+        // A letter is under way for N − 1 ticks at most, so the overwritten one has arrived.
         if let Some(free) = self.letters.get_mut(slot(now)) {
             *free = Letter { message, arrives: now + lag };
         }
-        // What can arrive was sent after the newest that has, and long enough ago.
+        // Only letters sent after the newest arrival, and long enough ago, can arrive.
         for sent in (self.newest + 1..=now.saturating_sub(self.least)).rev() {
             if let Some(letter) = self.letters.get(slot(sent))
                 && letter.arrives <= now

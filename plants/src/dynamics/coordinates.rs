@@ -1,13 +1,13 @@
-//! Where the port is among the coordinates.
+//! Coordinates of a system with a port.
 
 use lyapunov_core::Signal;
 
-/// Coordinates of a system with a port: those of the port and, of several masses, more.
+/// Coordinates of a system with a port: those of the port and, with several masses, more.
 pub trait Coordinates<V: Signal>: Signal<Scalar = V::Scalar> {
-    /// Everything at `place`; of rates, everything moving alike.
+    /// Coordinates with everything at `place`; as rates, with everything moving alike.
     fn all_at(place: V) -> Self;
 
-    /// What the port sees of them.
+    /// The coordinates at the port.
     fn at_port(self) -> V;
 }
 

@@ -1,4 +1,4 @@
-//! Two masses.
+//! Two masses with a link.
 
 use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, Signal, State};
 
@@ -23,8 +23,8 @@ impl<T: Scalar> CoupledOscillators<T> {
     /// The two oscillators made of `parts`.
     ///
     /// # Errors
-    /// A mass or the link's stiffness not above 0 and finite; a damping or the operator's stiffness below 0,
-    /// infinite or NaN; a mass so small against the rest that an acceleration is out of the scalar's range.
+    /// A mass or the link's stiffness not above 0 and finite; a damping or the operator's stiffness below 0, infinite
+    /// or NaN; a mass so small beside the other values that an acceleration is out of the scalar's range.
     pub fn new(parts: TwoMassParts<T>) -> Result<Self, ParameterError> {
         let parts = parts.checked()?;
         let TwoMassParts { operator, device, link } = parts;
@@ -36,7 +36,7 @@ impl<T: Scalar> CoupledOscillators<T> {
         Ok(Self { parts, per_operator: one / operator.mass, per_device: one / device.mass })
     }
 
-    /// The forces on operator and device from outside of the link, and the link's, which pulls them together.
+    /// The forces on operator and device from outside the link, and the force of the link, which pulls them together.
     #[inline]
     fn forces<V>(
         &self,
@@ -83,8 +83,8 @@ impl<V: Signal> Mechanics<V> for CoupledOscillators<V::Scalar> {
 }
 
 impl<V: Signal> ImplicitMechanics<V> for CoupledOscillators<V::Scalar> {
-    /// As if each mass `m` were heavier, by `α k + β b` of its own spring and damper, and the mass reduced of the two,
-    /// on which the stretch hangs, heavier still by the link's. Only sums of what is not negative are divided by.
+    /// Acts as if each mass `m` were heavier, by `α k + β b` of its own spring and damper, and the reduced mass of the
+    /// two, which carries the stretch, heavier still by the link's. Every divisor is a sum of non-negative terms.
     #[inline]
     fn implicit_acceleration(
         &self,
@@ -100,7 +100,7 @@ impl<V: Signal> ImplicitMechanics<V> for CoupledOscillators<V::Scalar> {
         let led = device.mass + beta * device.damping;
         let joint = alpha * link.stiffness + beta * link.damping;
         let (share_held, share_led) = (held / (held + led), led / (held + led));
-        // With the shares no product of two masses leaves the scalar's range.
+        // The shares keep every product of two masses in the scalar's range.
         let reduced = held * share_led;
         let outside = on_operator + on_device;
         let stretch = (on_operator.scale(share_led) - on_device.scale(share_held) - pull)

@@ -1,4 +1,4 @@
-//! Equations of motion for integrators, and what some integrators ask of them beside the acceleration.
+//! Equations of motion for integrators, and what some integrators require beyond the acceleration.
 
 mod coordinates;
 mod coupled_oscillators;

@@ -1,4 +1,4 @@
-//! One mass.
+//! One mass on a spring and a damper.
 
 use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, Signal, State};
 
@@ -18,8 +18,8 @@ impl<T: Scalar> Oscillator<T> {
     /// The oscillator made of `parts`.
     ///
     /// # Errors
-    /// `mass` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass so small against
-    /// the rest that an acceleration is out of the scalar's range.
+    /// `mass` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass so small beside the
+    /// other values that an acceleration is out of the scalar's range.
     pub fn new(parts: Impedance<T>) -> Result<Self, ParameterError> {
         let mass = Requirement::Positive.check("mass", parts.mass)?;
         let damping = Requirement::NonNegative.check("damping", parts.damping)?;
@@ -56,13 +56,13 @@ impl<T: Scalar> Oscillator<T> {
         -(self.parts.stiffness * position) - effort
     }
 
-    /// What an implicit step's acceleration loses per unit of effort, 1/kg.
+    /// The decrease of an implicit step's acceleration per unit of effort, 1/kg.
     #[inline]
     pub(super) fn mobility(&self, alpha: T, beta: T) -> T {
         -self.by_effort / self.heavier(alpha, beta)
     }
 
-    /// By how much the mass of an implicit step is larger than the mass itself.
+    /// The factor by which the mass of an implicit step is larger than the mass itself.
     #[inline]
     fn heavier(&self, alpha: T, beta: T) -> T {
         T::of(1.0) - alpha * self.by_position - beta * self.by_velocity
@@ -89,7 +89,7 @@ impl<V: Signal> Mechanics<V> for Oscillator<V::Scalar> {
 }
 
 impl<V: Signal> ImplicitMechanics<V> for Oscillator<V::Scalar> {
-    /// As if the mass were `m + α k + β b`.
+    /// Acts as if the mass were `m + α k + β b`.
     #[inline]
     fn implicit_acceleration(
         &self,

@@ -10,7 +10,7 @@ const ITERATIONS: usize = 8;
 /// An [`Oscillator`] under [`Stribeck`] friction: `m ẍ = g − F(|ẋ|) sgn ẋ` while it slides, with `g` all other forces,
 /// and at rest as long as `|g| ≤ static`.
 ///
-/// It is for integrators what [`Friction`](crate::Friction) is for exact bodies, on one mass.
+/// It is the counterpart, on one mass and for integrators, of [`Friction`](crate::Friction) for exact bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StickSlipOscillator<T> {
     oscillator: Oscillator<T>,
@@ -30,7 +30,7 @@ impl<T: Scalar> StickSlipOscillator<T> {
     /// The oscillator made of `parts` under friction of `law`.
     ///
     /// # Errors
-    /// As [`Oscillator::new`] and [`Friction::new`](crate::Friction::new) have them.
+    /// Those of [`Oscillator::new`] and [`Friction::new`](crate::Friction::new).
     pub fn new(parts: Impedance<T>, law: Stribeck<T>) -> Result<Self, ParameterError> {
         Ok(Self { oscillator: Oscillator::new(parts)?, law: law.checked()? })
     }
@@ -81,7 +81,7 @@ impl<T: Scalar> StickSlipPhase<T> {
 impl<T: Scalar> Mechanics<T> for StickSlipPhase<T> {
     type Coordinates = T;
 
-    /// Friction is even in the velocity, and so is what of it lies beyond the end of sliding.
+    /// Friction is even in the velocity, and so is its continuation beyond the end of sliding.
     #[inline]
     fn acceleration(&self, position: T, velocity: T, effort: T) -> T {
         let friction = self.sense * self.law.force(velocity);
@@ -90,8 +90,8 @@ impl<T: Scalar> Mechanics<T> for StickSlipPhase<T> {
 }
 
 impl<T: Scalar> ImplicitMechanics<T> for StickSlipPhase<T> {
-    /// By a fixed count of Newton's iterations for `a`, the friction being that of `v + β a`; at once without
-    /// Stribeck's fall.
+    /// Uses a fixed count of Newton's iterations for `a`, with the friction at `v + β a`; the first guess is already
+    /// exact where friction does not depend on the speed.
     fn implicit_acceleration(&self, position: T, velocity: T, effort: T, alpha: T, beta: T) -> T {
         let one = T::of(1.0);
         let under = |friction: T| {
@@ -104,7 +104,7 @@ impl<T: Scalar> ImplicitMechanics<T> for StickSlipPhase<T> {
             let reached = velocity + beta * acceleration;
             let missed = acceleration - under(self.law.force(reached));
             let slope = one + self.sense * mobility * beta * self.law.slope(reached);
-            // Where friction falls faster than the step resolves, half a slope keeps it on the way.
+            // Where friction falls faster than the step resolves, a slope of 1/2 keeps the iteration on its way.
             acceleration -= missed / slope.larger(T::of(0.5));
         }
         self.unless_stuck(acceleration)
@@ -124,7 +124,8 @@ impl<T: Scalar> Switching<T> for StickSlipOscillator<T> {
         state.velocity * phase.sense
     }
 
-    /// At rest, and on from there. What would go on as it came did not get away from rest but for rounding: it sticks.
+    /// Stops the motion and continues from rest. A motion that would go on in its old direction left rest by rounding
+    /// only: it sticks.
     fn switched(
         &self,
         phase: &StickSlipPhase<T>,

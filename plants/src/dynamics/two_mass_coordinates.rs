@@ -1,4 +1,4 @@
-//! The coordinates of two masses with a link between them.
+//! Coordinates of two masses with a link between them.
 
 use core::ops::{Add, Sub};
 
@@ -7,15 +7,15 @@ use num_traits::Zero;
 
 use crate::Coordinates;
 
-/// Where a device is and how far its link to the operator is stretched; or the rates of both.
+/// The position of a device and the stretch of its link to the operator; or the rates of both.
 ///
-/// The stretch is a number of its own and not the difference of two positions, which are large beside it: a stiff
-/// link's force keeps its digits.
+/// The stretch is a number of its own, not the difference of two positions, which are large beside it: the force of a
+/// stiff link keeps its digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoMassCoordinates<V> {
-    /// The device, at the port.
+    /// The device's position, at the port.
     pub device: V,
-    /// The operator less the device.
+    /// The operator's position less the device's.
     pub stretch: V,
 }
 

@@ -1,4 +1,4 @@
-//! One mass before a spring that it is not fixed to.
+//! One mass in front of an elastic wall.
 
 use lyapunov_core::{Mechanics, ParameterError, Requirement, Scalar, State};
 
@@ -15,21 +15,21 @@ pub struct WalledOscillator<T> {
     surface: T,
 }
 
-/// An oscillator that is away from its wall, or touches it.
+/// An oscillator away from its wall, or in contact with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallPhase<T> {
     oscillator: Oscillator<T>,
-    /// What the wall pushes at the origin, N.
+    /// The force of the wall's spring at the origin, N.
     preload: T,
     /// 1 in contact, −1 away from it.
     side: T,
 }
 
 impl<T: Scalar> WalledOscillator<T> {
-    /// The oscillator made of `parts` before a wall of `stiffness` N/m with its surface at `surface` m.
+    /// The oscillator made of `parts` in front of a wall of `stiffness` N/m with its surface at `surface` m.
     ///
     /// # Errors
-    /// As [`Oscillator::new`] has them; `stiffness` below 0, infinite or NaN; `surface` not finite.
+    /// Those of [`Oscillator::new`]; `stiffness` below 0, infinite or NaN; `surface` not finite.
     pub fn new(parts: Impedance<T>, stiffness: T, surface: T) -> Result<Self, ParameterError> {
         let stiffness = Requirement::NonNegative.check("stiffness", stiffness)?;
         let surface = Requirement::Finite.check("surface", surface)?;
@@ -75,7 +75,7 @@ impl<T: Scalar> ImplicitMechanics<T> for WallPhase<T> {
 }
 
 impl<T: Scalar> LinearDynamics<T> for WallPhase<T> {
-    /// The oscillator's, and the wall's push at the origin.
+    /// The oscillator's increments, and the force of the wall's spring at the origin.
     type Increments = (<Oscillator<T> as LinearDynamics<T>>::Increments, T);
 
     fn increments(&self, interval: T) -> Self::Increments {

@@ -1,31 +1,30 @@
-//! Velocity over as many samples as lie on a line.
+//! Velocity over an adaptive window of samples.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// A port that is told velocities over a window that is as long as the motion is straight:
+/// A port whose velocities are taken over a window that is as long as the motion is straight:
 /// `v(n) = (x(n) − x(n−i)) / (i T)`, `v(0) = 0`.
 ///
-/// `i` grows from 1 and stops before the first one whose line through `x(n)` and `x(n−i)` passes farther than `band` (m,
-/// an encoder's resolution) from a sample between them, or at `ticks`, or at the first sample. Slow motion gets
-/// the long window that a coarse encoder needs, fast motion the short one. This is the first-order adaptive windowing
-/// of Janabi-Sharifi, Hayward and Chen, in its end-fit form (Discrete-time adaptive windowing for velocity
-/// estimation, IEEE Transactions on Control Systems Technology 8(6), 2000). Each axis has its own window. Of one
-/// tick it is the backward difference, to the bit. `T` is the sample's period. Positions, displacements and work are
-/// left as they are.
+/// `i` grows from 1 and stops before the first one whose line through `x(n)` and `x(n−i)` passes farther than `band`
+/// (m, an encoder's resolution) from a sample between them, or at `ticks`, or at the first sample. Slow motion gets the
+/// long window that a coarse encoder needs, fast motion the short one. This is the first-order adaptive windowing of
+/// Janabi-Sharifi, Hayward and Chen, in its end-fit form (Discrete-time adaptive windowing for velocity estimation,
+/// IEEE Transactions on Control Systems Technology 8(6), 2000). Each axis has its own window. A window of one tick is
+/// the backward difference, to the bit. `T` is the sample's period. Positions, displacements and work stay as they are.
 ///
-/// Instead of trying every line against every sample, the slopes that serve all samples so far are kept as an
-/// interval. A sample just `band` away from the line is within: the band is widened by
+/// Instead of testing every line against every sample, the adaptor keeps the interval of slopes that fit all samples so
+/// far. A sample just `band` away from the line is within: the band is widened by
 /// `4 ε (|x(n)| + |x(n) − x(n−j)| + band)`, with `ε` the distance from one to the next number, which covers the
-/// rounding of the positions and of the test. Without it, samples one count off a line, which are common, would be in
-/// or out as they happen to be rounded.
+/// rounding of the positions and of the test. Without it, rounding would decide whether samples one count off a line,
+/// which are common, are in or out.
 ///
-/// A position that is not finite ends the windows that would reach it; what follows it is not touched otherwise.
+/// A position that is not finite ends the windows that would reach it; it affects the later ones in no other way.
 #[derive(Clone, Copy, Debug)]
 pub struct AdaptiveWindow<P, V: Signal, const N: usize> {
     port: P,
     ticks: usize,
     band: V::Scalar,
-    /// The positions of the calls before, latest first.
+    /// The earlier positions, latest first.
     past: [V; N],
     known: usize,
 }
@@ -49,7 +48,7 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
             let ticks = V::Scalar::of((index + 1) as f64);
             let moved = sample.position - past;
             if index > 0 {
-                // Not a number stands for an axis whose line does not fit, or did not before.
+                // NaN marks an axis whose line does not fit, or did not before.
                 let line = moved
                     .zip(least, |moved, least| {
                         let line = moved / ticks;
@@ -67,7 +66,7 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
         slope
     }
 
-    /// The band, and what rounding may add.
+    /// The band, widened by what rounding may add.
     fn widened(&self, position: V::Scalar, moved: V::Scalar) -> V::Scalar {
         let size = position.magnitude() + moved.magnitude() + self.band;
         // The smallest normal number keeps the interval open around a rest at zero.

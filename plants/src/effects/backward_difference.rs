@@ -1,8 +1,8 @@
-//! Velocity as it is usually had.
+//! Backward-difference velocity.
 
 use lyapunov_core::{Correction, OnePort, PortSample, Signal};
 
-/// A port that is told velocities taken from displacements, `v(n) = Δx(n) / T`: the backward difference.
+/// A port whose velocities are taken from displacements, `v(n) = Δx(n) / T`: the backward difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BackwardDifference<P> {
     port: P,
@@ -13,7 +13,7 @@ impl<P> BackwardDifference<P> {
         Self { port }
     }
 
-    /// The port that is told them.
+    /// The port inside, which receives them.
     #[inline(always)]
     pub fn port(&self) -> &P {
         &self.port

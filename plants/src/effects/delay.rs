@@ -1,10 +1,10 @@
-//! Computation and transport that take whole ticks.
+//! Delay by computation and transport, in whole ticks.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal};
 
-/// A port whose effort acts a number of calls late; before the first arrives nothing acts.
+/// A port whose effort acts a number of calls late; until the first arrives, no effort acts.
 ///
-/// `f_act(n) = f(n − ticks)`, 0 for `n < ticks`. The number is a field within the capacity `N` of the type.
+/// `f_act(n) = f(n − ticks)`, 0 for `n < ticks`. The number is a field, limited by the capacity `N` of the type.
 #[derive(Clone, Copy, Debug)]
 pub struct Delay<P, V, const N: usize> {
     port: P,

@@ -1,17 +1,16 @@
-//! Answers that are lost on the way.
+//! Loss of answers.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal};
 
 use crate::{Fallback, Random, Source};
 
-/// A port each of whose answers is lost with a given probability, independently of the others.
+/// A port that loses each of its answers with a given probability, independently of the others.
 ///
-/// What acts instead is the last answer that arrived, 0 before the first ([`Fallback::Hold`]), or nothing
-/// ([`Fallback::Zero`]). The port inside is asked every time: it is its answer that is lost, as of an environment on
-/// another computer, so the loss stands between the environment and what holds its efforts,
-/// `wall.dropped(0.1, Fallback::Hold, |_| 7)?.held(10)?`. All axes of an answer are lost together. Each call draws
-/// one number a lane ([`Random`]), lost or not. A probability of 0 changes no bit. An answer that is not a number is
-/// an answer like any other.
+/// In place of a lost answer acts the last one that arrived, 0 before the first ([`Fallback::Hold`]), or nothing
+/// ([`Fallback::Zero`]). The port inside is asked every time and only its answer is lost, as with an environment on
+/// another computer, so the loss stands between the environment and its hold,
+/// `wall.dropped(0.1, Fallback::Hold, |_| 7)?.held(10)?`. All axes of an answer are lost together. Each call draws one
+/// number per lane ([`Random`]), lost or not. A probability of 0 changes no bit. A NaN is an answer like any other.
 #[derive(Clone, Copy, Debug)]
 pub struct Dropout<P, V: Signal> {
     port: P,

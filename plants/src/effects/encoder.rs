@@ -1,14 +1,14 @@
-//! Positions as an encoder counts them.
+//! Positions in encoder counts.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 use super::retold::Retold;
 
-/// A port that is told positions rounded to whole counts, ties away from zero.
+/// A port whose positions are rounded to whole counts, ties away from zero.
 ///
-/// `xm(n) = round(x(n) / resolution) · resolution`; the displacement is that of the counts, and the work the
-/// acting effort's over that displacement: true up to the resolution times the effort. The velocity is left
-/// as it is; take it from the counts with [`OnePortExt::differenced`](crate::OnePortExt::differenced) inside.
+/// `xm(n) = round(x(n) / resolution) · resolution`; the displacement is the difference of the counts, and the work that
+/// of the applied effort over this displacement: true up to the resolution times the effort. The velocity stays as it
+/// is; take it from the counts with [`OnePortExt::differenced`](crate::OnePortExt::differenced) inside.
 #[derive(Clone, Copy, Debug)]
 pub struct Encoder<P, V: Signal> {
     port: P,

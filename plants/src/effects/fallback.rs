@@ -1,10 +1,10 @@
-//! What is answered in place of an answer that is not there.
+//! Answer in place of a missing one.
 
-/// What a port answers when there is no new answer: a [`Guard`](crate::Guard) that turns a sample away, or a
-/// [`Dropout`](crate::Dropout) that loses one.
+/// The answer of a port that has no new one: of a [`Guard`](crate::Guard) that rejects a sample, or a
+/// [`Dropout`](crate::Dropout) that loses an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fallback {
-    /// The last effort there was, 0 before the first.
+    /// The last effort, 0 before the first.
     Hold,
     /// No effort.
     Zero,

@@ -1,25 +1,26 @@
-//! A port that bad samples do not reach.
+//! Rejection of bad samples in front of a port.
 
 use lyapunov_core::{Correction, OnePort, PortSample, Scalar, Signal};
 
 use crate::Fallback;
 
-/// A port that is called with finite drives only, and answers with finite efforts only.
+/// A port that receives only finite samples and answers only with finite efforts.
 ///
-/// A sample with a NaN or an infinity in any field is turned away before anything inside is touched; the
-/// answer is the [`Fallback`], and the correction says `accepted: false`, that effort and no damping. The next sound sample that is handed on
-/// spans the gap: the periods add up, the displacement is the difference of the two sound positions.
+/// A sample with a NaN or an infinity in any field is rejected before anything inside changes; the answer is the
+/// [`Fallback`], and the correction has `accepted: false`, that effort and no damping. The next sound sample that
+/// reaches the port spans the gap: the periods add up, and the displacement is the difference of the two sound
+/// positions.
 ///
-/// **A ledger of held work never overstates what was absorbed meanwhile.** The work of ticks that were known is kept.
-/// Over the unknown part of the displacement `S` the work is taken to be the least of `f S` over the efforts
-/// `f` that applied there, axis by axis: exact if one effort applied throughout (as under [`Fallback::Hold`]), a
-/// lower bound if the motion did not turn round inside the gap. The velocity handed on is, axis by axis, the
-/// smaller in magnitude of the measured and the mean over the gap, and 0 where they disagree about the direction,
-/// so that no damper is credited for more than the mean motion burnt and no correction pushes along. Before the
-/// first sound sample there is no position to count from: what is unknown until then is not booked.
+/// **A ledger of held work never overstates what was absorbed meanwhile.** The work of known ticks is kept. Over the
+/// unknown part `S` of the displacement, the work is taken to be the least of `f S` over the efforts `f` that applied
+/// there, axis by axis: exact if one effort applied throughout (as under [`Fallback::Hold`]), a lower bound if the
+/// motion did not reverse within the gap. The velocity passed on is, axis by axis, the smaller in magnitude of the
+/// measured one and the mean over the gap, and 0 where their directions disagree, so that no damper is credited with
+/// more than the mean motion dissipated and no correction pushes along the motion. Before the first sound sample there
+/// is no position to count from: the unknown part until then is not booked.
 ///
-/// A gap is one of time, and lanes would have to be out of step with each other over it, so a guard stands on
-/// ports of one value at a time (`f32`, `f64` and vectors of them).
+/// A gap is a length of time, and different gaps would put lanes out of step, so a guard stands on ports of one value
+/// at a time (`f32`, `f64` and vectors of them).
 #[derive(Clone, Copy, Debug)]
 pub struct Guard<P, V: Signal> {
     port: P,
@@ -32,14 +33,14 @@ pub struct Guard<P, V: Signal> {
     rejected: bool,
 }
 
-/// What is known of the time since the last sound sample.
+/// The known work and motion since the last sound sample.
 #[derive(Clone, Copy, Debug)]
 struct Gap<V: Signal> {
     period: V::Scalar,
     /// Work and displacement of the ticks for which both were sound.
     work: V,
     moved: V,
-    /// The range of the efforts that applied over the rest, if there was any.
+    /// The range of the efforts that applied over the rest of the displacement, if any.
     unknown: Option<(V, V)>,
 }
 
@@ -69,7 +70,7 @@ impl<P, V: Signal> Guard<P, V>
 where
     V::Scalar: Scalar<Mask = bool>,
 {
-    /// Notes what a sample that is not sound still tells.
+    /// Books what a rejected sample still reports.
     fn note(&mut self, sample: &PortSample<V>) {
         let mut gap = self.gap.unwrap_or(Gap {
             period: V::Scalar::of(0.0),
@@ -90,7 +91,7 @@ where
         self.gap = Some(gap);
     }
 
-    /// What the port inside answers to a sound sample, if that is sound.
+    /// The port's answer to a sound sample, if that answer is sound.
     fn ask(&mut self, sample: &PortSample<V>) -> Option<V>
     where
         P: OnePort<V>,
@@ -104,7 +105,7 @@ where
         Some(self.port.respond(&whole)).filter(|effort| effort.finite())
     }
 
-    /// The sound sample `now` with what happened since the last one.
+    /// The sound sample `now`, extended over the gap since the last one.
     fn span(&self, now: &PortSample<V>, gap: &Gap<V>) -> PortSample<V> {
         let period = gap.period + now.period;
         let known = gap.work + now.work;

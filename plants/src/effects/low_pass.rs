@@ -1,18 +1,18 @@
-//! Velocity behind a low pass.
+//! Velocity through a first-order low pass.
 
 use core::f64::consts::TAU;
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// A port that is told velocities taken from displacements behind a low pass of first order:
+/// A port whose velocities are taken from displacements through a low pass of first order:
 /// `v(n) = v(n−1) + a (Δx(n) / T − v(n−1))`, `a = ω T / (1 + ω T)`, `ω = 2 π cutoff`, `v(0) = 0`.
 ///
-/// It is the filter `ω / (s + ω)` by the backward Euler rule (Oppenheim and Schafer, Discrete-Time Signal Processing, on
-/// filters from differences), stable at every rate. `T` is the sample's period. The larger the cutoff, the nearer to the
-/// backward difference; an infinite one would be that, which is [`OnePortExt::differenced`](crate::OnePortExt::differenced).
-/// Positions, displacements and work are left as they are.
+/// It is the filter `ω / (s + ω)` by the backward Euler rule (Oppenheim and Schafer, Discrete-Time Signal Processing,
+/// on filters from differences), stable at every rate. `T` is the sample's period. The larger the cutoff, the nearer to
+/// the backward difference; an infinite one would be that, which is
+/// [`OnePortExt::differenced`](crate::OnePortExt::differenced). Positions, displacements and work stay as they are.
 ///
-/// A velocity that is not finite is told once and then forgotten, axis by axis.
+/// A velocity that is not finite is passed on once and then forgotten, axis by axis.
 #[derive(Clone, Copy, Debug)]
 pub struct LowPass<P, V: Signal> {
     port: P,

@@ -1,4 +1,4 @@
-//! What acts on a port: adaptors that own it.
+//! Effects on a port: adaptors that own it.
 
 mod adaptive_window;
 mod backward_difference;

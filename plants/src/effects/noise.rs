@@ -1,17 +1,16 @@
-//! Positions with noise on them.
+//! Measurement noise on positions.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 use super::retold::Retold;
 use crate::{Random, Source};
 
-/// A port that is told positions with white Gaussian noise on them, `xm(n) = x(n) + deviation · z(n)`.
+/// A port whose positions carry white Gaussian noise, `xm(n) = x(n) + deviation · z(n)`.
 ///
-/// `z` is of the standard normal distribution and independent on every axis, in every lane and in every call
-/// ([`Random`]). The displacement is the difference of the noisy positions, 0 at the first call, and the work the
-/// acting effort's over that displacement. The velocity is left as it is; take it from the noisy positions inside. Noise
-/// is that of the sensor and comes before its counting: `port.encoded(r)?.noisy(deviation, seed)?`. A deviation of 0
-/// changes no bit.
+/// `z` is standard normal and independent on every axis, in every lane and in every call ([`Random`]). The displacement
+/// is the difference of the noisy positions, 0 at the first call, and the work that of the applied effort over this
+/// displacement. The velocity stays as it is; take it from the noisy positions inside. The noise is the sensor's and
+/// comes before the encoder: `port.encoded(r)?.noisy(deviation, seed)?`. A deviation of 0 changes no bit.
 #[derive(Clone, Copy, Debug)]
 pub struct Noise<P, V: Signal> {
     port: P,
@@ -37,7 +36,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Noise<P, V> {
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let noise = self.random.normal::<V>().scale(self.deviation);
         let noisy = self.retold.sample(sample, sample.position + noise);
-        // A displacement need not be the difference of rounded positions; without noise it is left alone.
+        // A displacement need not equal the difference of rounded positions; without noise it stays as it is.
         let some = self.deviation.above(V::Scalar::of(0.0));
         self.port.respond(&PortSample {
             position: V::choose(some, noisy.position, sample.position),

@@ -1,4 +1,4 @@
-//! Chaining: what acts on a port owns it.
+//! Adaptors of a port, chained.
 
 use lyapunov_core::{OnePort, ParameterError, Signal};
 
@@ -7,10 +7,10 @@ use crate::{
     Saturation, ZeroOrderHold,
 };
 
-/// What may act on a port, chained like iterator adaptors, innermost first.
+/// The adaptors that may act on a port, chained like iterator adaptors, innermost first.
 ///
-/// Efforts pass outwards and drives inwards, so order means something: `wall.held(10)?.stabilized(c)` watches
-/// at the servo rate, `wall.stabilized(c).held(10)?` only at the environment's. What measures stands outermost:
+/// Efforts pass outwards and samples inwards, so the order matters: `wall.held(10)?.stabilized(c)` observes at the
+/// servo rate, `wall.stabilized(c).held(10)?` only at the environment's. Measurement stands outermost:
 /// `port.differenced().encoded(1e-5)?` takes velocities from the encoder's counts.
 pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     /// Asks this port on every `ticks`-th call only and holds its effort in between.
@@ -29,7 +29,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         Saturation::new(self, force)
     }
 
-    /// Lets the effort act `ticks` calls late; `N` is the room for them.
+    /// Delays the effort by `ticks` calls; `N` is the capacity.
     ///
     /// # Errors
     /// `ticks` is above `N`.
@@ -50,7 +50,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         BackwardDifference::new(self)
     }
 
-    /// Takes velocities from displacements behind a low pass of `cutoff`, Hz.
+    /// Takes velocities from displacements through a low pass of `cutoff`, Hz.
     ///
     /// # Errors
     /// `cutoff` not above 0 and finite, or too large for the scalar.
@@ -59,7 +59,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     }
 
     /// Takes velocities over up to `ticks` calls, as long as positions lie within `band`, m, of a line; `N` is the
-    /// room for them.
+    /// capacity.
     ///
     /// # Errors
     /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
@@ -71,7 +71,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         AdaptiveWindow::new(self, ticks, band)
     }
 
-    /// Adds Gaussian noise of a standard `deviation`, m, to positions; `seed` tells that of each lane.
+    /// Adds Gaussian noise of a standard `deviation`, m, to positions; `seed` gives the seed of each lane.
     ///
     /// # Errors
     /// `deviation` below 0, infinite or NaN.
@@ -83,7 +83,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         Noise::new(self, deviation, seed)
     }
 
-    /// Loses each answer with a `probability`; `seed` tells that of each lane.
+    /// Loses each answer with a `probability`; `seed` gives the seed of each lane.
     ///
     /// # Errors
     /// `probability` not within 0 and 1.
@@ -96,7 +96,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         Dropout::new(self, probability, fallback, seed)
     }
 
-    /// Turns away samples that are not finite before anything inside is touched.
+    /// Rejects samples that are not finite before anything inside changes.
     fn guarded(self, fallback: Fallback) -> Guard<Self, V> {
         Guard::new(self, fallback)
     }

@@ -1,8 +1,8 @@
-//! What a sample tells when positions are measured otherwise.
+//! Samples with other measured positions.
 
 use lyapunov_core::{PortSample, Signal};
 
-/// Drives with other positions in place of their own, from call to call.
+/// Samples with their positions replaced, from call to call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Retold<V> {
     last: Option<V>,
@@ -13,13 +13,13 @@ impl<V: Signal> Retold<V> {
         Self { last: None }
     }
 
-    /// `sample` at `position`: with the displacement since the last one, 0 at first, and the work the acting effort's
-    /// over that.
+    /// `sample` at `position`: the displacement is that since the last position, 0 at first, and the work that of the
+    /// applied effort over this displacement.
     #[inline(always)]
     pub(crate) fn sample(&mut self, sample: &PortSample<V>, position: V) -> PortSample<V> {
         let displacement = position - self.last.unwrap_or(position);
         self.last = Some(position);
-        // What several periods under other efforts did is kept; of a single one this is exactly zero.
+        // Work of other efforts within several periods is kept; within a single one this is exactly zero.
         let others = sample.work - sample.applied.times(sample.displacement);
         let work = sample.applied.times(displacement) + others;
         PortSample { position, displacement, work, ..*sample }

@@ -1,10 +1,10 @@
-//! An actuator that can do so much and no more.
+//! Saturation of the actuator.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 /// A port whose effort is clipped to `±force` on each axis; a NaN stays one.
 ///
-/// The sample tells a stabilizer inside what was really applied, so nothing else is needed to book it right.
+/// The sample reports the applied effort to a stabilizer inside, so its ledger is right without further care.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturation<P, T> {
     port: P,

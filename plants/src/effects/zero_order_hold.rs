@@ -1,10 +1,10 @@
-//! A slow environment behind a fast port.
+//! Zero-order hold of a slow environment.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// A port that is asked on every `ticks`-th call only, from the first on; its effort is held in between.
+/// A port that is asked only on every `ticks`-th call, starting with the first; its effort is held in between.
 ///
-/// The port inside is handed the sums of what happened meanwhile, so that its work stays exact, on each axis.
+/// The port inside receives the sums over the calls that it missed, so its work stays exact, on each axis.
 #[derive(Clone, Copy, Debug)]
 pub struct ZeroOrderHold<P, V: Signal> {
     port: P,
@@ -14,7 +14,7 @@ pub struct ZeroOrderHold<P, V: Signal> {
     effort: V,
 }
 
-/// What the port inside has not been told of yet.
+/// Sums that the port inside has not received yet.
 #[derive(Clone, Copy, Debug)]
 struct Missed<V: Signal> {
     period: V::Scalar,
@@ -25,7 +25,7 @@ struct Missed<V: Signal> {
 impl<V: Signal> Missed<V> {
     #[inline(always)]
     fn nothing() -> Self {
-        // Added to a number, -0 is what changes no bit of it.
+        // −0 is the number whose addition changes no bit.
         let nothing = -V::Scalar::of(0.0);
         Self { period: nothing, displacement: V::splat(nothing), work: V::splat(nothing) }
     }
@@ -37,7 +37,7 @@ impl<P, V: Signal> ZeroOrderHold<P, V> {
         Ok(Self { port, ticks, left: 0, missed: Missed::nothing(), effort: V::zero() })
     }
 
-    /// The effort that is held, N.
+    /// The held effort, N.
     #[inline(always)]
     pub fn effort(&self) -> V {
         self.effort

@@ -1,4 +1,4 @@
-//! A spring that hardens.
+//! Hardening spring.
 
 use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
@@ -7,8 +7,8 @@ use crate::{ForceLaw, Kinematics};
 /// A hardening spring, two-sided: `f = (k + c d²) d` for `d = x − position`, on several axes with `d² = d·d`.
 ///
 /// With a mass it is Duffing's oscillator (I. Kovacic and M. J. Brennan, The Duffing Equation, 2011). It stores
-/// `k d² / 2 + c d⁴ / 4`, and its stiffness to a small motion about `d` is `k + 3 c d²`: a loop that holds near the rest may
-/// fail farther out. With `c = 0` it is a [`Spring`](crate::Spring), to the last bit.
+/// `k d² / 2 + c d⁴ / 4`, and its stiffness to a small motion about `d` is `k + 3 c d²`: a loop that is stable near the
+/// rest may be unstable farther out. With `c = 0` it is a [`Spring`](crate::Spring), to the last bit.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, OnePort};
@@ -29,7 +29,7 @@ impl<V: Signal> CubicSpring<V> {
     /// A spring of `stiffness` N/m and `cubic` N/m³, relaxed at the origin.
     ///
     /// # Errors
-    /// `stiffness` or `cubic` below 0, infinite or NaN: one that softens has a place beyond which it pushes away.
+    /// `stiffness` or `cubic` below 0, infinite or NaN: beyond some distance a softening spring pushes away.
     pub fn new(stiffness: V::Scalar, cubic: V::Scalar) -> Result<Self, ParameterError> {
         Ok(Self {
             stiffness: Requirement::NonNegative.check("stiffness", stiffness)?,

@@ -1,17 +1,17 @@
-//! The law of an environment: its force and its stored energy as functions of the motion.
+//! Force law of an environment: its force and its stored energy as functions of the motion.
 
 use lyapunov_core::{OnePort, PortSample, Scalar, Signal};
 
 /// A time, known in `f64` whatever the scalar of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Time<T> {
-    /// In s, alike in every lane.
+    /// Seconds, alike in every lane.
     Seconds(f64),
-    /// `number / rate`, with `rate` in Hz: never summed.
+    /// `number / rate`, with `rate` in Hz; no time is summed.
     Calls {
-        /// Calls before this one.
+        /// Number of earlier calls.
         number: u64,
-        /// Calls in a second.
+        /// Calls per second, Hz.
         rate: T,
     },
 }
@@ -27,27 +27,27 @@ impl<T: Scalar> Time<T> {
     }
 }
 
-/// How a point moves at one instant.
+/// Motion of a point at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinematics<V: Signal> {
-    /// When.
+    /// Time of the instant.
     pub time: Time<V::Scalar>,
-    /// m.
+    /// Position, m.
     pub position: V,
-    /// m/s.
+    /// Velocity, m/s.
     pub velocity: V,
-    /// m/s².
+    /// Acceleration, m/s².
     pub acceleration: V,
 }
 
 impl<V: Signal> Kinematics<V> {
-    /// HandMotion at `position` m with `velocity` m/s, not accelerated, at time 0.
+    /// Motion at `position` m with `velocity` m/s, not accelerated, at time 0.
     #[inline(always)]
     pub fn at(position: V, velocity: V) -> Self {
         Self { time: Time::Seconds(0.0), position, velocity, acceleration: V::zero() }
     }
 
-    /// What a sample tells to a law that asks neither for time nor for acceleration.
+    /// The motion in a sample, for a law that needs neither time nor acceleration.
     #[inline(always)]
     pub(super) fn of(sample: &PortSample<V>) -> Self {
         Self::at(sample.position, sample.velocity)
@@ -57,16 +57,16 @@ impl<V: Signal> Kinematics<V> {
 /// The surface of a one-sided environment on a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<V> {
-    /// Where it is, m: contact is strictly beyond.
+    /// Its position, m: contact is strictly beyond.
     pub position: V,
-    /// How fast it moves, m/s.
+    /// Its velocity, m/s.
     pub velocity: V,
 }
 
 /// An environment whose force is a law of the motion, in continuous time.
 ///
-/// The law is all there is: [`respond`](OnePort::respond) samples [`force`](Self::force), and adds only what a sampled loop has
-/// to remember, such as the calls that time is counted by. Where nothing moves the environment and its damper burns
+/// The law is complete: [`respond`](OnePort::respond) samples [`force`](Self::force) and adds only what a sampled loop
+/// has to remember, such as the calls that count time. Where nothing moves the environment and its damper dissipates
 /// nothing, force and energy belong together as `∫ f v dt = S(end) − S(start)`.
 ///
 /// ```
@@ -83,10 +83,10 @@ pub trait ForceLaw<V: Signal>: OnePort<V> {
     /// The force on this motion, N, positive against motion into the environment.
     fn force(&self, motion: &Kinematics<V>) -> V;
 
-    /// The energy `S` that spring and mass hold, J.
+    /// The energy `S` stored in spring and mass, J.
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar;
 
-    /// The surface at `time`; none of an environment that pulls as well, or has more than one axis.
+    /// The surface at `time`; none for an environment that also pulls or has more than one axis.
     fn surface(&self, time: Time<V::Scalar>) -> Option<Surface<V>> {
         let _ = time;
         None

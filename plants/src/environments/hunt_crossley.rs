@@ -1,4 +1,4 @@
-//! A contact that does not jump.
+//! Hunt-Crossley contact, whose force does not jump.
 
 use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar};
 
@@ -46,7 +46,7 @@ impl<T: Scalar> HuntCrossley<T> {
         DissipationOf(*self)
     }
 
-    /// `k pᵉ`, which is nothing of use at a `depth` below 0.
+    /// `k pᵉ`, meaningless at a `depth` below 0.
     #[inline]
     fn spring(&self, depth: T) -> T {
         let power = |lane| libm::pow(depth.lane(lane), self.exponent.lane(lane));

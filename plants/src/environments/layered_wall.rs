@@ -1,4 +1,4 @@
-//! Something soft on something hard.
+//! Wall of two layers.
 
 use lyapunov_core::{
     Dissipation, InContact, OnePort, ParameterError, PortSample, Requirement, Scalar,
@@ -10,8 +10,8 @@ use crate::{ForceLaw, Kinematics, Surface, Time};
 /// A one-sided wall of two layers: `f = max(0, s(p) + b v)` for a penetration `p = x − position > 0`, else 0, with
 /// `s = k₁ p` up to `depth` and `s = k₁ depth + k₂ (p − depth)` beyond.
 ///
-/// Where `k₁ = k₂`, and where `depth` is 0 or out of reach, it is the [`Wall`](crate::Wall) of the one stiffness, to
-/// the last bit.
+/// If `k₁ = k₂`, or if `depth` is 0 or out of reach, it is the [`Wall`](crate::Wall) of that one stiffness, to the last
+/// bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LayeredWall<T> {
     stiffness: [T; 2],
@@ -31,7 +31,7 @@ impl<T: Scalar> LayeredWall<T> {
         let [first, second] = stiffness;
         Requirement::NonNegative.check("stiffness", first)?;
         Requirement::NonNegative.check("stiffness", second)?;
-        // No layer, no rounding at its end.
+        // Equal stiffnesses have no boundary of layers, and so no rounding at it.
         let layered = first.below(second) | second.below(first);
         let depth = T::choose(layered, depth, T::largest());
         Ok(Self { stiffness, depth, damper: Dissipation::of(damping)?, position: T::zero() })

@@ -1,4 +1,4 @@
-//! The paper's example 2.
+//! Virtual mass-spring-damper, the paper's example 2.
 
 use lyapunov_core::{Dissipation, OnePort, ParameterError, PortSample, Scalar, Signal};
 
@@ -28,7 +28,7 @@ impl<V: Signal> MassSpringDamper<V> {
         Ok(Self { impedance, damper, position: V::zero(), velocity: None })
     }
 
-    /// The same, relaxed at `position`, m.
+    /// The same mass-spring-damper, relaxed at `position`, m.
     pub fn at(self, position: V) -> Self {
         Self { position, ..self }
     }
@@ -36,7 +36,7 @@ impl<V: Signal> MassSpringDamper<V> {
     /// The credit of its own damper, `max(b, 0) v² T` at every tick: with
     /// [`PortEnergy`](lyapunov_core::PortEnergy) the candidate of the paper's example 2.
     ///
-    /// A negative damping generates energy; what it gives is counted by the port's work, not here.
+    /// A negative damping generates energy; the port's work counts it, not this credit.
     pub fn dissipation(&self) -> Dissipation<V::Scalar> {
         self.damper
     }

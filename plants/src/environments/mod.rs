@@ -1,4 +1,4 @@
-//! What answers a motion with a force.
+//! Environments, which answer a motion with a force.
 
 mod cubic_spring;
 mod dissipation_of;

@@ -1,19 +1,19 @@
-//! A wall that swings.
+//! Wall with an oscillating surface.
 
 use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Scalar};
 
 use crate::environments::oscillation::Oscillation;
 use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time, Wall};
 
-/// A [`Wall`] whose surface swings about its position: at `position + amplitude sin(2π frequency t(n))`, moving at
-/// `2π frequency amplitude cos(2π frequency t(n))`.
+/// A [`Wall`] whose surface oscillates about its position: at `position + amplitude sin(2π frequency t(n))`, with the
+/// velocity `2π frequency amplitude cos(2π frequency t(n))`.
 ///
-/// Penetration and velocity are relative to the surface: `f = max(0, k p + b (v − v_surface))` for `p > 0`, else 0.
-/// A wall that is moved does work of its own, and may sample the port without any fault of sampling.
+/// Penetration and velocity are relative to the surface: `f = max(0, k p + b (v − v_surface))` for `p > 0`, else 0. A
+/// moving wall does work of its own and may feed energy to the port without any sampling error.
 ///
-/// `t(n) = n / rate`, with `n` the calls of this environment before the present one, none for the first. Time is
-/// never summed: the phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. Whatever keeps calls
-/// from it, keeps it from moving.
+/// `t(n) = n / rate`, with `n` the earlier calls of this environment, none at the first. Time is never summed: the
+/// phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. An adaptor that keeps calls from the wall
+/// keeps it from moving.
 ///
 /// An amplitude of 0 is the wall at rest, to the last bit.
 ///
@@ -35,7 +35,7 @@ pub struct MovingWall<T> {
 }
 
 impl<T: Scalar> MovingWall<T> {
-    /// `wall`, swinging by `amplitude` m at `frequency` Hz, called `rate` times in a second.
+    /// `wall`, oscillating by `amplitude` m at `frequency` Hz, called `rate` times in a second.
     ///
     /// # Errors
     /// `amplitude` infinite or NaN; `frequency` below 0, infinite or NaN; `rate` not above 0 and finite; a
@@ -44,18 +44,18 @@ impl<T: Scalar> MovingWall<T> {
         Ok(Self { wall, motion: Oscillation::new(amplitude, frequency, rate)? })
     }
 
-    /// The credit of the wall's own damper, `b (v − v_surface)² T` strictly beyond the moving surface, for an
-    /// observer that is called `rate` times in a second from the wall's first call on.
+    /// The credit of the wall's own damper, `b (v − v_surface)² T` strictly beyond the moving surface, for an observer
+    /// that is called `rate` times in a second from the wall's first call on.
     ///
-    /// The damper burns in part what moves the wall: this credits something also where the hand rests.
+    /// The damper dissipates in part the work that moves the wall: this credits something even while the hand rests.
     ///
     /// # Errors
-    /// As [`new`](Self::new) has them.
+    /// Those of [`new`](Self::new).
     pub fn dissipation(&self, rate: T) -> Result<DissipationOf<Self>, ParameterError> {
         Ok(DissipationOf(Self { wall: self.wall, motion: self.motion.called_at(rate)? }))
     }
 
-    /// The wall where it stands at the time of a motion, and that motion as seen from its surface.
+    /// The wall in its place at the time of a motion, and that motion relative to its surface.
     #[inline]
     fn seen_from_surface(&self, motion: &Kinematics<T>) -> (Wall<T>, Kinematics<T>) {
         let wall = self.wall.shifted(self.motion.value(motion.time));

@@ -1,4 +1,4 @@
-//! What swings with the time of its own calls.
+//! Oscillation timed by the count of its own calls.
 
 use core::f64::consts::TAU;
 
@@ -6,11 +6,10 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 
 use crate::Time;
 
-/// `amplitude sin(2π frequency t)`, sampled at `t(n) = n / rate` with `n` the calls before this one.
+/// `amplitude sin(2π frequency t)`, sampled at `t(n) = n / rate` with `n` the number of earlier calls.
 ///
-/// Time is made anew from the count on every call and never summed. The phase is `2π · (frequency · t)`
-/// in `f64`, each operation rounded once, so it is off by no more than four roundings of its own size: 3e-12 rad
-/// after a thousand turns.
+/// Every call computes the time from the count, never by summing. The phase is `2π · (frequency · t)` in `f64`, each
+/// operation rounded once, so its error is at most four roundings of its own size: 3e-12 rad after a thousand turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Oscillation<T> {
     amplitude: T,
@@ -40,7 +39,7 @@ impl<T: Scalar> Oscillation<T> {
         }
     }
 
-    /// The same from its first call on, called at `rate` Hz.
+    /// The same oscillation from its first call on, called at `rate` Hz.
     pub(super) fn called_at(&self, rate: T) -> Result<Self, ParameterError> {
         Self::new(self.amplitude, self.frequency, rate)
     }
@@ -58,7 +57,7 @@ impl<T: Scalar> Oscillation<T> {
         T::from_lanes(|lane| self.amplitude.lane(lane) * libm::sin(self.phase(time, lane)))
     }
 
-    /// How fast the value changes, per s.
+    /// The rate of change of the value, per s.
     #[inline]
     pub(super) fn slope(&self, time: Time<T>) -> T {
         T::from_lanes(|lane| self.peak_slope(lane) * libm::cos(self.phase(time, lane)))

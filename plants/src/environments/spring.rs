@@ -1,4 +1,4 @@
-//! The paper's example 1.
+//! Virtual spring, the paper's example 1.
 
 use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 

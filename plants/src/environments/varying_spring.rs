@@ -1,18 +1,19 @@
-//! A spring that is not always as stiff.
+//! Spring of varying stiffness.
 
 use lyapunov_core::{OnePort, ParameterError, PortSample, Signal};
 
 use crate::environments::oscillation::Oscillation;
 use crate::{ForceLaw, Kinematics, Spring, Time};
 
-/// A [`Spring`] whose stiffness swings, two-sided: `f = (stiffness + amplitude sin(2π frequency t(n))) (x − position)`.
+/// A [`Spring`] whose stiffness oscillates, two-sided:
+/// `f = (stiffness + amplitude sin(2π frequency t(n))) (x − position)`.
 ///
-/// A spring that is stretched while soft and let go while stiff gives more than it took: it is active without any
-/// fault of sampling.
+/// A spring that is stretched while soft and released while stiff gives more than it took: it is active without any
+/// sampling error.
 ///
-/// `t(n) = n / rate`, with `n` the calls of this environment before the present one, none for the first. Time is
-/// never summed: the phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. Whatever keeps calls
-/// from it, keeps it from changing.
+/// `t(n) = n / rate`, with `n` the earlier calls of this environment, none at the first. Time is never summed: the
+/// phase is `2π · (frequency · (n / rate))` in `f64`, whatever the scalar. An adaptor that keeps calls from the spring
+/// keeps it from changing.
 ///
 /// An amplitude of 0 is the spring alone, to the last bit.
 ///
@@ -33,11 +34,12 @@ pub struct VaryingSpring<V: Signal> {
 }
 
 impl<V: Signal> VaryingSpring<V> {
-    /// `spring`, its stiffness swinging by `amplitude` N/m at `frequency` Hz, called `rate` times in a second.
+    /// `spring`, with a stiffness that oscillates by `amplitude` N/m at `frequency` Hz, called `rate` times in a
+    /// second.
     ///
     /// # Errors
-    /// `amplitude` infinite or NaN; `frequency` below 0, infinite or NaN; `rate` not above 0 and finite; a
-    /// frequency so high that the phase or how fast the stiffness changes are out of range.
+    /// `amplitude` infinite or NaN; `frequency` below 0, infinite or NaN; `rate` not above 0 and finite; a frequency so
+    /// high that the phase or the rate of change of the stiffness is out of range.
     pub fn new(
         spring: Spring<V>,
         amplitude: V::Scalar,
@@ -47,7 +49,7 @@ impl<V: Signal> VaryingSpring<V> {
         Ok(Self { spring, change: Oscillation::new(amplitude, frequency, rate)? })
     }
 
-    /// The spring as stiff as it is at `time`.
+    /// The spring with its stiffness at `time`.
     #[inline]
     fn at(&self, time: Time<V::Scalar>) -> Spring<V> {
         self.spring.stiffened(self.change.value(time))

@@ -1,4 +1,4 @@
-//! The wall of the paper's evaluation.
+//! Wall of the paper's evaluation.
 
 use lyapunov_core::{
     Dissipation, InContact, OnePort, ParameterError, PortSample, Requirement, Scalar,
@@ -41,12 +41,12 @@ impl<T: Scalar> Wall<T> {
         Self { position: self.position + offset, ..self }
     }
 
-    /// The credit of the wall's own damper, counted beyond the surface: with
-    /// [`PortEnergy`](lyapunov_core::PortEnergy) the candidate of the paper's example 2.
+    /// The credit of the wall's own damper, counted beyond the surface: with [`PortEnergy`](lyapunov_core::PortEnergy)
+    /// the candidate of the paper's example 2.
     ///
-    /// InContact the surface means at the time of the observer's tick, strictly, also while a slower wall's
-    /// force is held or clipped to 0. The wall's damper is virtual: under a hold it burns less than this
-    /// credits, and the sum may stay positive on a loop that gains energy.
+    /// Contact means strictly beyond the surface at the time of the observer's tick, even while a slower wall's force
+    /// is held or clipped to 0. The wall's damper is virtual: under a hold it dissipates less than this credits, and
+    /// the observed energy may stay positive on a loop that gains energy.
     pub fn dissipation(&self) -> Dissipation<T, InContact<T>> {
         self.damper.gated(InContact { position: self.position })
     }

@@ -1,29 +1,30 @@
-//! Steps by tolerance.
+//! Step size by tolerance.
 
 use lyapunov_core::{Dynamics, Integrator, Mask, ParameterError, Requirement, Scalar, Signal};
 
 use crate::EmbeddedPair;
 
-/// How many steps one interval may take, those that are tried again included.
+/// Most steps per interval, repeated ones included.
 const ATTEMPTS: u32 = 100_000;
 
-/// How many units in the last place of one a tolerance has at least.
+/// Least tolerance, in units in the last place of one.
 const ROUNDINGS: f64 = 8.0;
 
-/// A method that covers an interval in steps of its own choice: as long as it can, and so short that what each is
-/// estimated to err by is at most `tolerance + tolerance |y|` in every axis `y` of the state, in its own unit.
+/// A method that covers an interval in steps of its own choice: as long as possible, and so short that the estimated
+/// error of each is at most `tolerance + tolerance |y|` in every axis `y` of the state, in its own unit.
 ///
-/// `|y|` is the larger magnitude of start and end of the step, positions counted from the rest. The error over many
-/// steps is theirs together, grown or damped by the motion: the tolerance is no bound for it.
+/// `|y|` is the larger magnitude of start and end of the step, with positions relative to the rest. The errors of many
+/// steps add up, and the motion amplifies or damps them: the tolerance does not bound their total.
 ///
-/// A step is followed by one `0.9 ε^(−1/p)` times as long, within a fifth and five times, where `ε` is the estimate over
-/// what is allowed and `p` the power with which it falls (Hairer, Nørsett and Wanner, Solving Ordinary Differential
-/// Equations I, 1993, II.4); the same is tried again where `ε ≥ 1`. The length is remembered from interval to interval,
-/// and so the gain depends, within the tolerance, on the steps before. Each lane has its own, and moves by it as the
-/// scalar run does, bit for bit; all axes of one have one together. The time of a step is not constant.
+/// The next step is `0.9 ε^(−1/p)` times as long, at least a fifth and at most five times, where `ε` is the estimate
+/// over the allowed error and `p` the power of the step with which the estimate falls (Hairer, Nørsett and Wanner,
+/// Solving Ordinary Differential Equations I, 1993, II.4); where `ε ≥ 1` the same step is tried again with that length.
+/// The length is remembered from interval to interval, so the gain depends, within the tolerance, on earlier steps.
+/// Each lane has its own, and moves by it as the scalar run does, bit for bit; all axes of a lane share one. A step
+/// does not take constant time.
 ///
-/// An interval that needs more than 100 000 attempts, as very stiff motion does, gains NaN, and so does one from what is
-/// not finite: it always ends.
+/// An interval that needs more than 100 000 attempts, as very stiff motion does, gains NaN, and so does one from a
+/// state that is not finite: it always ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<P, T> {
     pair: P,
@@ -43,7 +44,7 @@ impl<P, T: Scalar> Adaptive<P, T> {
         Ok(Self { pair, tolerance, step: T::largest() })
     }
 
-    /// How large `error` of a step from `from` is against what is allowed; not finite where the error is not.
+    /// The ratio of `error`, of a step from `from`, to the allowed one; not finite where the error is not.
     #[inline]
     fn size<X: Signal<Scalar = T>>(&self, from: X, gain: X, error: X) -> T {
         let (mut worst, mut poison) = (T::zero(), T::zero());
@@ -58,13 +59,13 @@ impl<P, T: Scalar> Adaptive<P, T> {
     }
 }
 
-/// How much longer the next step may be, after one with an error of `error` of what is allowed.
+/// The factor to the length of the next step, after one with the ratio `error` of the error to the allowed one.
 #[inline]
 fn growth<T: Scalar>(error: T, power: u32) -> T {
     T::from_lanes(|lane| {
         let error = error.lane(lane);
         let ideal = 0.9 * libm::pow(error, -1.0 / f64::from(power));
-        // NaN is neither and takes the shortest.
+        // NaN passes neither test and takes the shortest.
         if ideal > 5.0 {
             5.0
         } else if ideal > 0.2 {
@@ -93,7 +94,7 @@ where
             if !open.any() {
                 break;
             }
-            // A step that all but reaches the end goes there.
+            // A step that almost reaches the end goes there.
             let last = !(self.step * U::Scalar::of(1.1)).below(left);
             let step = choose(open, choose(last, left, self.step), zero);
             let at = from + gained;
@@ -103,12 +104,12 @@ where
             gained = gained + Signal::choose(accepted, gain, nothing);
             passed = choose(accepted, choose(last, interval, passed + step), passed);
             let next = step * growth(error, P::ESTIMATE);
-            // The end of the interval cuts steps short and says nothing of the next ones.
+            // The end of the interval cuts a step short, which says nothing about the next ones.
             let next = choose(accepted & last, next.larger(self.step), next);
             self.step = choose(open, next, self.step);
         }
         let complete = sound & !passed.below(interval);
-        // What has been given up says nothing of the next interval either.
+        // An abandoned interval says nothing about the next one either.
         self.step = choose(complete, self.step, U::Scalar::largest());
         Signal::choose(complete, gained, D::State::splat(U::Scalar::of(f64::NAN)))
     }

@@ -1,4 +1,4 @@
-//! Order 5, with an estimate of order 4.
+//! Dormand-Prince pair of order 5, with an estimate of order 4.
 
 use lyapunov_core::{Dynamics, Integrator, Signal};
 
@@ -8,8 +8,8 @@ use crate::EmbeddedPair;
 /// Dormand and Prince's pair of orders 5 and 4 (Dormand and Prince 1980; Hairer, Nørsett and Wanner, Solving Ordinary
 /// Differential Equations I, 1993, II.5, table 5.2).
 ///
-/// By itself it takes steps as long as it is told, each with 6 evaluations; [`Adaptive`](crate::Adaptive) has it choose
-/// them, with 7. The last one is not carried over to the next step, whose effort is another.
+/// By itself it takes steps of the given length, with 6 evaluations each; [`Adaptive`](crate::Adaptive) chooses them,
+/// with 7. The last evaluation is not reused in the next step, whose effort is another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DormandPrince5;
 

@@ -1,4 +1,4 @@
-//! Order 8, with estimates of orders 5 and 3.
+//! Dormand-Prince method of order 8, with estimates of orders 5 and 3.
 
 use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 
@@ -9,7 +9,7 @@ use crate::EmbeddedPair;
 /// as DOP853 (Dormand and Prince 1981; Solving Ordinary Differential Equations I, 1993, II.5 and II.10, with the
 /// coefficients of the authors' own program, which are irrational).
 ///
-/// 12 evaluations, whether it takes steps as long as it is told or [`Adaptive`](crate::Adaptive) has it choose them.
+/// It takes 12 evaluations, at steps of the given length or chosen by [`Adaptive`](crate::Adaptive).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DormandPrince8;
 
@@ -112,7 +112,7 @@ impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for DormandPrince8 {
 impl<U: Signal, D: Dynamics<U>> EmbeddedPair<U, D> for DormandPrince8 {
     const ESTIMATE: u32 = 8;
 
-    /// With `e₅` and `e₃` the sizes of the two errors the estimate is `e₅² / √(e₅² + e₃² / 100)`, of order 8.
+    /// The estimate is `e₅² / √(e₅² + e₃² / 100)`, of order 8, with `e₅` and `e₃` the sizes of the two errors.
     fn attempt(
         &self,
         dynamics: &D,
@@ -125,7 +125,7 @@ impl<U: Signal, D: Dynamics<U>> EmbeddedPair<U, D> for DormandPrince8 {
         let gain = summed(&stages, GAIN, interval);
         let fifth = size(gain, summed(&stages, FIFTH, interval));
         let third = size(gain, summed(&stages, THIRD, interval));
-        // Without an error of order 5 there is no quotient, and none is needed.
+        // Two errors of 0 would give 0 / 0 instead of 0.
         let least = U::Scalar::smallest_normal();
         let norm = (fifth * fifth + third * third * U::Scalar::of(0.01)).sqrt() + least;
         (gain, fifth * (fifth / norm))

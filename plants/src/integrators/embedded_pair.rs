@@ -1,15 +1,15 @@
-//! Methods that know how wrong they are.
+//! Methods with an estimate of their own error.
 
 use lyapunov_core::{Dynamics, Scalar, Signal};
 
-/// A one-step method that estimates the error of its own step from the stages it has evaluated anyway.
+/// A one-step method that estimates the error of its own step from stages that it evaluates anyway.
 pub trait EmbeddedPair<U: Signal, D: Dynamics<U>> {
     /// The power of the step with which the estimate falls.
     const ESTIMATE: u32;
 
-    /// What `from` gains over `interval` s while `input` is held, and how large the error is estimated to be.
+    /// The gain of `from` over `interval` s while `input` is held, and the estimated size of its error.
     ///
-    /// `size` tells the size of an error, given the gain it belongs to; it is not finite where the error is not.
+    /// `size` measures an error, given the gain it belongs to; it is not finite where the error is not.
     fn attempt(
         &self,
         dynamics: &D,
@@ -20,7 +20,7 @@ pub trait EmbeddedPair<U: Signal, D: Dynamics<U>> {
     ) -> (D::State, U::Scalar);
 }
 
-/// A row of a Runge-Kutta method: the stages that count, and by how much.
+/// A row of a Runge-Kutta method: the stages that count, and their weights.
 pub(super) type Row = &'static [(usize, f64)];
 
 /// The rates at each stage of an explicit Runge-Kutta method, one row of `rows` for each stage after the

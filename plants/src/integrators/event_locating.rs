@@ -4,21 +4,21 @@ use lyapunov_core::{Integrator, Mask, Scalar, Signal};
 
 use crate::Switching;
 
-/// How many pieces one step may have.
+/// Most pieces of one step.
 const PIECES: usize = 64;
 
-/// How often an instant is tried. The bracket is halved every fourth time at least.
+/// Most tries for an instant. At least every fourth one halves the bracket.
 const ROUNDS: usize = 240;
 
-/// An integrator of [switching](Switching) motion that steps to each instant at which it switches and goes on from there,
-/// so that no step has a kink within it and the order stays what it is.
+/// An integrator of [switching](Switching) motion that steps to each switching instant and goes on from there, so that
+/// no step contains a kink and the order is kept.
 ///
-/// An instant is a zero of the switching function along the inner integrator's own step. It is bracketed to two units in
-/// the last place by the secant, with Illinois' remedy where one end stays (Dowell and Jarratt 1971) and a bisection
-/// every fourth time. A function that falls below 0 and comes back within one step is not seen.
+/// An instant is a zero of the switching function along the inner integrator's own step. It is bracketed to two units
+/// in the last place by the secant method, with the Illinois remedy where one end stays (Dowell and Jarratt 1971) and a
+/// bisection every fourth time. A function that falls below 0 and comes back within one step is not noticed.
 ///
 /// After 64 pieces the rest of a step is taken as one, whatever switches there. Each lane has its own instants, and
-/// moves as the scalar run does, bit for bit. The time of a step is not constant.
+/// moves as the scalar run does, bit for bit. A step does not take constant time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EventLocating<I> {
     integrator: I,
@@ -30,7 +30,7 @@ impl<I> EventLocating<I> {
         Self { integrator }
     }
 
-    /// When within `left` s each lane of `over` switches; `left` in the others.
+    /// The time, within `left` s, at which each lane of `over` switches; `left` in the others.
     fn instant<T, D>(&self, piece: &Piece<'_, T, D>, left: T, over: T::Mask, end: T) -> T
     where
         T: Scalar,

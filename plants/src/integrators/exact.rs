@@ -1,4 +1,4 @@
-//! The exact solution of linear equations.
+//! Exact solution of linear equations.
 
 use lyapunov_core::{Integrator, Signal};
 
@@ -7,9 +7,9 @@ use crate::LinearDynamics;
 /// The exact solution of [linear dynamics](LinearDynamics) under a held input, to rounding: the increments of the matrix
 /// exponential ([`held_input`](crate::held_input)).
 ///
-/// They are worked out where dynamics or interval are not those of the step before, and kept. That takes some
-/// thousands of operations; a step that finds them kept takes as many multiplications as they have entries.
-/// [`Body`](crate::Body) and [`TwoMassBody`](crate::TwoMassBody) have theirs from construction on.
+/// The increments are computed when dynamics or interval differ from those of the step before, and kept. That takes
+/// some thousands of operations; a step with kept increments takes as many multiplications as they have entries.
+/// [`Body`](crate::Body) and [`TwoMassBody`](crate::TwoMassBody) compute theirs at construction.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact<U: Signal, D: LinearDynamics<U>> {
     kept: Option<(D, U::Scalar, D::Increments)>,

@@ -1,10 +1,10 @@
-//! Order 2, symplectic, stable at any step.
+//! Implicit midpoint rule: order 2, symplectic, stable at any step.
 
 use lyapunov_core::{Integrator, Scalar, Signal, State};
 
 use crate::ImplicitMechanics;
 
-/// The implicit midpoint rule: over the step the acceleration is the one in the middle of it.
+/// The implicit midpoint rule: the acceleration over the step is the one in its middle.
 ///
 /// ```text
 /// a = acceleration(x + h/2 v + h²/4 a, v + h/2 a, f)
@@ -12,15 +12,15 @@ use crate::ImplicitMechanics;
 /// v' = v + h a
 /// ```
 ///
-/// Of order 2, one evaluation and one division. It keeps every quadratic invariant, so the energy of linear motion
-/// without damping stays what it is, and it is A-stable: no motion that decays grows at any step. A motion far
-/// faster than the step does not decay either, it alternates (Hairer, Lubich and Wanner, Geometric Numerical
-/// Integration, 2006, IV.2; Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.3).
+/// It has order 2, one evaluation and one division. It keeps every quadratic invariant, so the energy of linear motion
+/// without damping stays constant, and it is A-stable: no decaying motion grows, at any step. A motion far faster than
+/// the step does not decay either; it alternates (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006,
+/// IV.2; Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.3).
 ///
-/// In rounding it errs by about `h ω` units in the last place where `h ω` is above 1.
+/// Where `h ω` is above 1, its rounding error is about `h ω` units in the last place.
 ///
-/// The equation for `a` is the dynamics' to solve ([`ImplicitMechanics`]). Those that ship are linear and solve it in
-/// closed form: fixed-point iteration would converge only while `h ω < 2`, where the rule is not needed.
+/// The dynamics solve the equation for `a` ([`ImplicitMechanics`]). The linear ones that ship solve it in closed form:
+/// fixed-point iteration would converge only while `h ω < 2`, where the rule is not needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 

@@ -1,4 +1,4 @@
-//! Order 4.
+//! Classical Runge-Kutta method, order 4.
 
 use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 
@@ -10,8 +10,9 @@ use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 /// x' = x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
 /// ```
 ///
-/// Of order 4, four evaluations (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.1). For
-/// equations of motion [`RungeKuttaNystrom4`](crate::RungeKuttaNystrom4) is the same method in fewer operations.
+/// It has order 4 and four evaluations (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, 1993,
+/// II.1). For equations of motion [`RungeKuttaNystrom4`](crate::RungeKuttaNystrom4) is the same method in fewer
+/// operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RungeKutta4;
 

@@ -1,4 +1,4 @@
-//! Order 4, for equations of motion.
+//! Runge-Kutta-Nyström method for equations of motion, order 4.
 
 use lyapunov_core::{Integrator, Mechanics, Scalar, Signal, State};
 
@@ -13,10 +13,10 @@ use lyapunov_core::{Integrator, Mechanics, Scalar, Signal, State};
 /// v' = v + h/6 (a₁ + 2 a₂ + 2 a₃ + a₄)
 /// ```
 ///
-/// It is [`RungeKutta4`](crate::RungeKutta4) with the positions' slopes put in: the same method in fewer operations, of
-/// the same order and stability, differing by rounding alone. It keeps nothing exactly: without damping the energy
-/// falls, in proportion to `(h ω)⁶ / 72` per step, and beyond `h ω = 2 √2` it grows (Hairer, Nørsett and Wanner, Solving
-/// Ordinary Differential Equations I, 1993, II.1 and II.14; Hairer and Wanner, part II, 1996, IV.2).
+/// It is [`RungeKutta4`](crate::RungeKutta4) with the slopes of the positions substituted: the same method in fewer
+/// operations, of the same order and stability, differing only by rounding. It keeps nothing exactly: without damping
+/// the energy falls, in proportion to `(h ω)⁶ / 72` per step, and beyond `h ω = 2 √2` it grows (Hairer, Nørsett and
+/// Wanner, Solving Ordinary Differential Equations I, 1993, II.1 and II.14; Hairer and Wanner, part II, 1996, IV.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RungeKuttaNystrom4;
 

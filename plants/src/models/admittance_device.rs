@@ -1,17 +1,17 @@
-//! A device that measures a force and moves.
+//! Admittance device, which measures a force and moves.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
 
 use crate::{ControlAffine, QuadraticForm};
 
-/// A device that moves as it is told, held by a hand that is a spring: `ẋ = u`, `q̇ = f`, `f = −k x`.
+/// A device that moves exactly as commanded, held by a hand that is a spring: `ẋ = u`, `q̇ = f`, `f = −k x`.
 ///
-/// The state is `(x, q)`: how far the device is from where the hand would have it, m, and the impulse of the hand's
-/// force, N·s; `u` is the velocity in m/s. A feedback `u = q / m` renders a free mass `m`, admittance causality: a force goes
-/// in and a motion comes out (Adams and Hannaford 1999). On time the loop keeps its energy `½ k x² + ½ q² / m`; late, it gains.
-/// The flow of the port is `k x`, what the hand's spring would take: a force, and the stabilizer's "damper" a mobility in
-/// m/(N·s), whose velocity is proportional to that force. The apparent mass is `1 / k`.
+/// The state is `(x, q)`: the device's distance from the hand's rest, m, and the impulse of the hand's force, N·s; `u`
+/// is the velocity in m/s. A feedback `u = q / m` renders a free mass `m`, in admittance causality: a force goes in and
+/// a motion comes out (Adams and Hannaford 1999). Without delay the loop keeps its energy `½ k x² + ½ q² / m`; with
+/// delay it gains. The flow of the port is `k x`, the force on the hand's spring. The stabilizer's "damper" is a
+/// mobility in m/(N·s), which gives a velocity proportional to that force. The apparent mass is `1 / k`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AdmittanceDevice<T> {
     stiffness: T,
@@ -33,7 +33,7 @@ impl<T: Scalar> AdmittanceDevice<T> {
         T::of(1.0) / self.stiffness
     }
 
-    /// `½ k x² + ½ q² / m`, J: what the hand's spring stores and what the rendered `mass`, kg, would.
+    /// `½ k x² + ½ q² / m`, J: the energy stored by the hand's spring and that of the rendered `mass`, kg.
     ///
     /// # Errors
     /// `mass` not above 0 and finite, or its inverse out of the scalar's range.

@@ -1,4 +1,4 @@
-//! The energy of an arm and of the springs that hold its joints.
+//! Energy of an arm and of the virtual springs that hold its joints.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -7,10 +7,10 @@ use super::trigonometry::versine;
 use crate::TwoLinkArm;
 
 /// `V = ½ q̇ᵀ M(q) q̇ + w₁ (1 − cos q₁) + w₂ (1 − cos(q₁ + q₂)) + ½ (k₁ q₁² + k₂ q₂²)`: the energy of an arm and of the
-/// springs that a controller makes to hold its joints where it hangs, J.
+/// virtual springs by which a controller holds its joints where the arm hangs, J.
 ///
-/// The flow is `q̇`, whatever the posture, and the apparent mass is `M(q)`. With springs of 0 it is the arm's own
-/// energy, which torques alone change.
+/// The flow is `q̇` in every posture, and the apparent mass is `M(q)`. With springs of 0 it is the arm's own energy,
+/// which only torques change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmEnergy<T> {
     arm: TwoLinkArm<T>,

@@ -1,22 +1,22 @@
-//! A motor whose current takes time.
+//! DC motor with an inductance.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
 
 use crate::ControlAffine;
 
-/// What a DC motor is made of.
+/// Parts of a DC motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorParts<T> {
-    /// `J`, of the rotor and what it turns, kg·m².
+    /// `J`, inertia of the rotor and its load, kg·m².
     pub inertia: T,
-    /// `b`, viscous, N·m·s/rad.
+    /// `b`, viscous friction, N·m·s/rad.
     pub friction: T,
-    /// `K`, N·m/A, and of the back voltage, V·s/rad.
+    /// `K`, torque constant, N·m/A, and back-voltage constant, V·s/rad.
     pub torque_constant: T,
-    /// `R`, Ω.
+    /// `R`, resistance, Ω.
     pub resistance: T,
-    /// `L`, H.
+    /// `L`, inductance, H.
     pub inductance: T,
 }
 
@@ -24,7 +24,7 @@ pub struct MotorParts<T> {
 ///
 /// The state is `(θ, ω, i)` in rad, rad/s and A, `u` in V (Franklin, Powell and Emami-Naeini, Feedback Control of
 /// Dynamic Systems, section 2.3). A position loop `u = −k θ` is stable, by Routh's criterion, if
-/// `k K J L < (b L + J R) (b R + K²)`: the current comes late, and a gain too high runs away.
+/// `k K J L < (b L + J R) (b R + K²)`: the current lags, and with too high a gain the loop is unstable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DcMotor<T> {
     parts: MotorParts<T>,
@@ -45,12 +45,12 @@ impl<T: Scalar> DcMotor<T> {
         Ok(Self { parts })
     }
 
-    /// What it is made of.
+    /// The parts it is made of.
     pub fn parts(&self) -> MotorParts<T> {
         self.parts
     }
 
-    /// The gain of a position loop, V/rad, from which on it is unstable, without a sampling period or delay.
+    /// The gain from which on a position loop is unstable, V/rad, without a sampling period or delay.
     pub fn critical_gain(&self) -> T {
         let MotorParts { inertia, friction, torque_constant, resistance, inductance } = self.parts;
         let slow = friction * inductance + inertia * resistance;

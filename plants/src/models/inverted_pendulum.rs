@@ -1,4 +1,4 @@
-//! What falls over.
+//! Inverted pendulum.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -11,7 +11,7 @@ use crate::ControlAffine;
 ///
 /// The state is `(θ, θ̇)` in rad and rad/s, `u` a torque in N·m; a point mass `m` at `l` from a joint with viscous
 /// friction `b` (Khalil, Nonlinear Systems, 3rd edition, 2002, section 1.2.1, turned over). A feedback
-/// `u = −k θ − d θ̇` holds it if `k > m g l` and nothing comes late.
+/// `u = −k θ − d θ̇` holds it upright if `k > m g l` and nothing is late.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InvertedPendulum<T> {
     inertia: T,
@@ -34,7 +34,7 @@ impl<T: Scalar> InvertedPendulum<T> {
         Ok(Self { inertia, weight, damping })
     }
 
-    /// `m l²`, kg·m²: what a torque turns.
+    /// `m l²`, kg·m²: the inertia.
     pub fn inertia(&self) -> T {
         self.inertia
     }

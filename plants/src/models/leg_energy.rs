@@ -1,4 +1,4 @@
-//! The energy of a leg that springs hold in a posture.
+//! Energy of a leg that virtual springs hold in a posture.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -6,16 +6,17 @@ use nalgebra::SVector;
 use super::trigonometry::{sin, versine};
 use crate::ProstheticLeg;
 
-/// The energy of a leg, of the ground under it and of the springs that a controller makes to hold its posture, less
-/// what the constant [`holding`](ProstheticLeg::holding) torques give, J:
+/// The energy of a leg, of the ground under it and of the virtual springs by which a controller holds its posture, less
+/// the work of the constant [`holding`](ProstheticLeg::holding) torques, J:
 ///
 /// ```text
 /// V = ½ q̇ᵀ M q̇ + ½ k max(0, p)² + U(q) − U(posture) − G(posture) · δ + ½ (k₁ δ₁² + k₂ δ₂²)
 /// ```
 ///
-/// The flow is `q̇` and the apparent mass `M(q)`. Positive away from rest if the springs are stiffer than gravity pulls
-/// limbs over; [`laws::lyapunov_function`](lyapunov_core::laws::lyapunov_function) tells for the states visited. Under
-/// `u = G(posture) − K δ − D q̇`, on time, `V̇ = −q̇ᵀ D q̇` less what the ground burns.
+/// The flow is `q̇` and the apparent mass `M(q)`. `V` is positive away from rest if the springs are stiffer than the
+/// pull of gravity on the limbs; [`laws::lyapunov_function`](lyapunov_core::laws::lyapunov_function) checks it for the
+/// states visited. Without delay, under `u = G(posture) − K δ − D q̇`, `V̇ = −q̇ᵀ D q̇` less what the ground
+/// dissipates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LegEnergy<T> {
     leg: ProstheticLeg<T>,

@@ -1,4 +1,4 @@
-//! Control-affine plants that are well known, and Lyapunov functions for them.
+//! Well-known control-affine plants, and Lyapunov functions for them.
 
 mod admittance_device;
 mod arm_energy;

@@ -1,4 +1,4 @@
-//! How far a motor is from where it should be, and its current from what would bring it there.
+//! Lyapunov function of a motor's position loop.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -9,7 +9,7 @@ use crate::{DcMotor, MotorParts};
 /// damper `d` on the shaft, J.
 ///
 /// It is built by backstepping (Krstić, Kanellakopoulos and Kokotović, Nonlinear and Adaptive Control Design, 1995,
-/// section 2.2): were `i = i*`, `V̇ = −(b + d) ω²`. The flow is `i − i*`, no velocity of anything, and the apparent
+/// section 2.2): if `i = i*`, then `V̇ = −(b + d) ω²`. The flow is `i − i*`, which is not a velocity, and the apparent
 /// mass is `L`. The stabilizer's "damper" is a resistance to currents other than `i*`, in Ω.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorEnergy<T> {
@@ -33,7 +33,7 @@ impl<T: Scalar> MotorEnergy<T> {
         Ok(Self { parts, stiffness, by_angle, by_rate })
     }
 
-    /// `i − i*`, A.
+    /// The deviation of the current, `i − i*`, A.
     #[inline]
     fn astray(&self, state: SVector<T, 3>) -> T {
         let [angle, rate, current] = state.data.0[0];

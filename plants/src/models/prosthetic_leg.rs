@@ -1,4 +1,4 @@
-//! A leg on a test stand.
+//! Prosthetic leg on a test stand.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -6,14 +6,14 @@ use nalgebra::SVector;
 use super::trigonometry::{cos, sin, versine};
 use crate::{ControlAffine, RigidLink, TwoLinkArm};
 
-/// What a foot stands on.
+/// Ground under a foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground<T> {
-    /// `k`, N/m.
+    /// `k`, stiffness, N/m.
     pub stiffness: T,
-    /// `d`, of the penetration's rate, s/m.
+    /// `d`, damping by the rate of penetration, s/m.
     pub damping: T,
-    /// `s`, of sliding: a drag of `s` times the load per m/s.
+    /// `s`, drag of sliding: `s` times the load per m/s.
     pub drag: T,
 }
 
@@ -25,15 +25,15 @@ pub struct Ground<T> {
 /// N = k p max(0, 1 + d ṗ) for a penetration p > 0 of the foot, else 0;  F = (−s N ẋ, N)
 /// ```
 ///
-/// The state is `(δ₁, δ₂, q̇₁, q̇₂)` in rad and rad/s: how far hip and knee are from a `posture` in which the foot just
-/// touches. `u` are torques at hip and knee, N·m; [`holding`](Self::holding) is what keeps the posture. The contact is
-/// that of Hunt and Crossley (Journal of Applied Mechanics 42, 1975) with an exponent of 1. Stands of this kind move
-/// the hip up and down as well (Richter, Simon, Smith and Samorezov, Applied Mathematical Modelling 39, 2015).
+/// The state is `(δ₁, δ₂, q̇₁, q̇₂)` in rad and rad/s: the deflections of hip and knee from a `posture` in which the
+/// foot just touches. `u` are torques at hip and knee, N·m; [`holding`](Self::holding) gives those that keep the
+/// posture. The contact is that of Hunt and Crossley (Journal of Applied Mechanics 42, 1975) with an exponent of 1.
+/// Stands of this kind move the hip up and down as well (Richter, Simon, Smith and Samorezov, Applied Mathematical
+/// Modelling 39, 2015).
 ///
-/// Left out: the hip's own motion, which stands still here; ankle, heel and toe, so that the foot is a point; the
-/// belt of a treadmill; dry friction, of joints and of the sole; motors, gears and whatever yields in them; the
-/// prosthesis' own knee and its damper; and the gait. It is no model of a particular stand, and its figures are the
-/// user's.
+/// Left out: the hip's own motion, which is fixed here; ankle, heel and toe: the foot is a point; the belt of a
+/// treadmill; dry friction, of joints and of the sole; motors, gears and their compliance; the prosthesis' own knee and
+/// its damper; and the gait. It is no model of a particular stand, and its figures are the user's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProstheticLeg<T> {
     pub(super) arm: TwoLinkArm<T>,
@@ -44,14 +44,14 @@ pub struct ProstheticLeg<T> {
     pub(super) upright: [[T; 2]; 2],
 }
 
-/// Where a foot is and where it could go.
+/// Depth of a foot and its motion per rate of the joints.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Foot<T> {
-    /// How far the ground is pushed in, m; below 0 above it.
+    /// Penetration into the ground, m; below 0 above it.
     pub(super) depth: T,
-    /// How it moves sideways per rate of each joint, m.
+    /// Sideways velocity per rate of each joint, m.
     sideways: [T; 2],
-    /// How it rises per rate of each joint, m.
+    /// Upward velocity per rate of each joint, m.
     pub(super) upwards: [T; 2],
 }
 
@@ -90,7 +90,7 @@ impl<T: Scalar> ProstheticLeg<T> {
         self.arm.least_inertia()
     }
 
-    /// How deep the foot is in the ground, m; below 0 it is in the air.
+    /// The penetration of the foot into the ground, m; below 0 in the air.
     #[inline]
     pub fn depth(&self, state: SVector<T, 4>) -> T {
         self.foot([state[0], state[1]]).depth
@@ -114,7 +114,7 @@ impl<T: Scalar> ProstheticLeg<T> {
         let limbs = [hip, hip + knee];
         let [thigh_over, shank_over] = [thigh * cos(limbs[0]), shank * cos(limbs[1])];
         let [thigh_up, shank_up] = [thigh * sin(limbs[0]), shank * sin(limbs[1])];
-        // Each limb's end rises by length (cos before − cos now), of which the cosines would cancel.
+        // Each limb's end rises by length (cos before − cos now), a difference in which the cosines would cancel.
         let tilts = Self::tilts(apart);
         let rise = |limb: usize| {
             let [sine, cosine] = self.upright[limb];
@@ -127,7 +127,7 @@ impl<T: Scalar> ProstheticLeg<T> {
         }
     }
 
-    /// What the ground does to the joints, N·m.
+    /// The torques of the ground on the joints, N·m.
     #[inline]
     fn pushed(&self, foot: Foot<T>, rates: [T; 2]) -> [T; 2] {
         let along = |way: [T; 2]| way[0] * rates[0] + way[1] * rates[1];

@@ -1,4 +1,4 @@
-//! Two links in a plane.
+//! Planar arm of two links.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -10,13 +10,13 @@ use crate::ControlAffine;
 /// A rigid link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidLink<T> {
-    /// kg.
+    /// Mass, kg.
     pub mass: T,
-    /// From joint to joint, or to the tip, m.
+    /// Length from joint to joint, or to the tip, m.
     pub length: T,
-    /// From the joint to the centre of mass, m.
+    /// Distance from the joint to the centre of mass, m.
     pub centre: T,
-    /// About the centre of mass, kg·m².
+    /// Inertia about the centre of mass, kg·m².
     pub inertia: T,
 }
 
@@ -51,10 +51,10 @@ impl<T: Scalar> RigidLink<T> {
 /// w₁ = (m₁ c₁ + m₂ l₁) g,  w₂ = m₂ c₂ g
 /// ```
 ///
-/// The state is `(q₁, q₂, q̇₁, q̇₂)` in rad and rad/s: `q₁` of the upper link from straight down, `q₂` of the lower link
-/// from the upper one. `u` are the torques in the two joints, N·m (Spong, Hutchinson and Vidyasagar, Robot Modeling and
-/// Control, 2006, section 7.3; Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, 1994,
-/// section 4.2.3). [`horizontal`](Self::horizontal) leaves gravity out.
+/// The state is `(q₁, q₂, q̇₁, q̇₂)` in rad and rad/s: `q₁` the angle of the upper link from straight down, `q₂` that
+/// of the lower link from the upper one. `u` are the torques in the two joints, N·m (Spong, Hutchinson and Vidyasagar,
+/// Robot Modeling and Control, 2006, section 7.3; Murray, Li and Sastry, A Mathematical Introduction to Robotic
+/// Manipulation, 1994, section 4.2.3). [`horizontal`](Self::horizontal) leaves gravity out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoLinkArm<T> {
     /// `a`, `b`, `d`, kg·m².
@@ -86,13 +86,13 @@ impl<T: Scalar> TwoLinkArm<T> {
         Ok(arm)
     }
 
-    /// The same arm in a horizontal plane, where nothing pulls at it.
+    /// The same arm in a horizontal plane, without the pull of gravity.
     pub fn horizontal(self) -> Self {
         Self { weights: [T::of(0.0); 2], ..self }
     }
 
     /// The least eigenvalue of `M(q)` over all postures, kg·m²: that of the stretched arm, where the trace is largest
-    /// and the determinant smallest. It is the mass to give to a damping limit for both joints.
+    /// and the determinant smallest. Use it as the mass of a damping limit for both joints.
     pub fn least_inertia(&self) -> T {
         let [m11, m12, m22] = self.inertia(T::of(1.0));
         let trace = m11 + m22;
@@ -109,34 +109,34 @@ impl<T: Scalar> TwoLinkArm<T> {
         [both + turned + turned, second + turned, second]
     }
 
-    /// `½ q̇ᵀ M q̇`, J.
+    /// The kinetic energy `½ q̇ᵀ M q̇`, J.
     #[inline]
     pub(super) fn kinetic(&self, elbow: T, rates: [T; 2]) -> T {
         let [first, second] = self.momenta(elbow, rates);
         T::of(0.5) * (first * rates[0] + second * rates[1])
     }
 
-    /// `M q̇`, N·m·s.
+    /// The momenta `M q̇`, N·m·s.
     #[inline]
     pub(super) fn momenta(&self, elbow: T, rates: [T; 2]) -> [T; 2] {
         let [m11, m12, m22] = self.inertia(cos(elbow));
         [m11 * rates[0] + m12 * rates[1], m12 * rates[0] + m22 * rates[1]]
     }
 
-    /// How the kinetic energy changes with the elbow's angle, N·m.
+    /// The derivative of the kinetic energy with respect to the elbow's angle, N·m.
     #[inline]
     pub(super) fn kinetic_by_elbow(&self, elbow: T, rates: [T; 2]) -> T {
         -(self.inertias[1] * sin(elbow)) * (rates[0] * (rates[0] + rates[1]))
     }
 
-    /// `G(q)`, N·m.
+    /// The torques of gravity `G(q)`, N·m.
     #[inline]
     pub(super) fn gravity(&self, angles: [T; 2]) -> [T; 2] {
         let lower = self.weights[1] * sin(angles[0] + angles[1]);
         [self.weights[0] * sin(angles[0]) + lower, lower]
     }
 
-    /// `q̈` under `torques` in the joints, N·m.
+    /// The accelerations `q̈` under `torques` in the joints, N·m.
     #[inline]
     pub(super) fn acceleration(&self, angles: [T; 2], rates: [T; 2], torques: [T; 2]) -> [T; 2] {
         let swing = self.inertias[1] * sin(angles[1]);
@@ -150,7 +150,7 @@ impl<T: Scalar> TwoLinkArm<T> {
         [i11 * driven[0] + i12 * driven[1], i12 * driven[0] + i22 * driven[1]]
     }
 
-    /// `M⁻¹`.
+    /// The inverse of the inertia matrix, `M⁻¹`.
     #[inline]
     pub(super) fn inverse(&self, elbow: T) -> [[T; 2]; 2] {
         let [m11, m12, m22] = self.inertia(cos(elbow));

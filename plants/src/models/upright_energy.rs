@@ -1,4 +1,4 @@
-//! The energy of a pendulum that a spring holds upright.
+//! Energy of a pendulum that a virtual spring holds upright.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -6,11 +6,11 @@ use nalgebra::SVector;
 use super::trigonometry::{sin, versine};
 use crate::InvertedPendulum;
 
-/// `V = ½ m l² θ̇² + ½ k θ² − m g l (1 − cos θ)`: the energy of a pendulum and of the spring `k` that a controller
-/// makes to hold it upright, J.
+/// `V = ½ m l² θ̇² + ½ k θ² − m g l (1 − cos θ)`: the energy of a pendulum and of the virtual spring `k` by which a
+/// controller holds it upright, J.
 ///
-/// Positive everywhere but at rest if `k >= m g l`. The flow is `θ̇`, the apparent mass `m l²`. Under
-/// `u = −k θ − d θ̇`, on time, `V̇ = −(b + d) θ̇²`; under any torque beside that spring's it falls by what the torque
+/// It is positive everywhere but at rest if `k >= m g l`. The flow is `θ̇`, the apparent mass `m l²`. Without delay,
+/// under `u = −k θ − d θ̇`, `V̇ = −(b + d) θ̇²`; under any torque beside that of the spring it falls by what the torque
 /// takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UprightEnergy<T> {
@@ -22,7 +22,7 @@ impl<T: Scalar> UprightEnergy<T> {
     /// The energy of `pendulum` on a spring of `stiffness`, N·m/rad.
     ///
     /// # Errors
-    /// `stiffness` below `m g l` (in any lane, of all), infinite or NaN.
+    /// `stiffness` in any lane below the largest `m g l` of all lanes, infinite or NaN.
     pub fn new(pendulum: InvertedPendulum<T>, stiffness: T) -> Result<Self, ParameterError> {
         let least = (0..T::LANES).map(|lane| pendulum.weight().lane(lane)).fold(0.0, f64::max);
         Requirement::AtLeast(least).check("stiffness", stiffness)?;

@@ -1,4 +1,4 @@
-//! An oscillator that feeds itself.
+//! Van der Pol oscillator.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::SVector;
@@ -7,7 +7,7 @@ use crate::ControlAffine;
 
 /// The Van der Pol oscillator with an input: `ẍ − μ (1 − x²) ẋ + x = u`, all without units.
 ///
-/// The state is `(x, ẋ)`. Its damping is negative where `|x| < 1`: every start but rest goes to one limit cycle, of
+/// The state is `(x, ẋ)`. Its damping is negative where `|x| < 1`: every start except rest leads to one limit cycle, of
 /// amplitude 2 for small `μ` and near 2 for any (van der Pol, On relaxation oscillations, Philosophical Magazine 2,
 /// 1926; Khalil, Nonlinear Systems, 3rd edition, 2002, section 2.4). With `V = ½ (x² + ẋ²)` the flow is `ẋ`, the
 /// apparent mass 1, and `V̇ = μ (1 − x²) ẋ² + ẋ u`.

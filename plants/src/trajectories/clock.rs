@@ -2,10 +2,10 @@
 
 use lyapunov_core::{ParameterError, Requirement};
 
-/// The tick from which on an instant of `instant` s counts, `ceil(instant · servo_rate − 1e-9)`.
+/// The tick from which on `instant`, s, counts: `ceil(instant · servo_rate − 1e-9)`.
 ///
 /// The billionth of a tick lets an instant that is meant to fall on a tick do so: 0.3 s at 10 Hz is tick 3, though
-/// the product may lie above 3 by rounding. What is below 0 or NaN is tick 0, and what is too large the last one.
+/// rounding may put the product above 3. An instant below 0 or NaN is tick 0, and one that is too large the last tick.
 ///
 /// ```
 /// use lyapunov_plants::tick_of;
@@ -17,7 +17,7 @@ pub fn tick_of(instant: f64, servo_rate: f64) -> u64 {
     libm::ceil(instant * servo_rate - 1e-9) as u64
 }
 
-/// A servo rate, to tell the time by.
+/// Clock of a servo rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock {
     rate: f64,
@@ -34,7 +34,7 @@ impl Clock {
         (tick as f64 / self.rate).min(f64::MAX)
     }
 
-    /// What `t_n` lacks of `n / servo_rate` by rounding, s.
+    /// The rounding error of `t_n`, which added to it gives `n / servo_rate`, s.
     pub(super) fn lacking(self, tick: u64) -> f64 {
         -libm::fma(self.time(tick), self.rate, -(tick as f64)) / self.rate
     }

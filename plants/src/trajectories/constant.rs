@@ -1,10 +1,10 @@
-//! What stays.
+//! Constant value.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
 use crate::Trajectory;
 
-/// The same value at every tick: as a push, a load.
+/// The same value at every tick; as an external force, a load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constant {
     value: f64,

@@ -1,11 +1,11 @@
-//! The trait of a course.
+//! `Trajectory` trait: a value that follows time.
 
 use lyapunov_core::Signal;
 
-/// A value that follows time by ticks of the servo rate, `t_n = n / servo_rate`.
+/// A value that follows time in ticks of the servo rate, `t_n = n / servo_rate`.
 ///
-/// The courses of this crate are computed in `f64` and rounded to the scalar once, alike in every lane. Every
-/// `Fn(u64) -> V` is a course; one given by a box or a reference is written `|tick| course.at(tick)`.
+/// The trajectories of this crate are computed in `f64` and rounded to the scalar once, alike in every lane. Every
+/// `Fn(u64) -> V` is a trajectory; pass one in a box or behind a reference as `|tick| course.at(tick)`.
 ///
 /// ```
 /// use lyapunov_plants::{Trajectory, Step};

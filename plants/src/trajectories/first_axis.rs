@@ -1,10 +1,10 @@
-//! A course along x.
+//! Trajectory along the first axis.
 
 use lyapunov_core::Signal;
 
 use crate::Trajectory;
 
-/// A course of one number on the first axis of a signal, with given values on the others: a load in +x, a hand that
+/// A trajectory of one number on the first axis of a signal, with given values on the others: a load in +x, a hand that
 /// moves along x only.
 ///
 /// ```

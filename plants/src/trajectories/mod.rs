@@ -1,4 +1,4 @@
-//! Values that follow time: where a hand goes, what a load pushes.
+//! Trajectories: values that follow time, such as a hand's rest or a load.
 
 mod clock;
 mod constant;

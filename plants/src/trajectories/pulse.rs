@@ -1,4 +1,4 @@
-//! For a while.
+//! Rectangular pulse.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
@@ -14,7 +14,7 @@ pub struct Pulse {
 }
 
 impl Pulse {
-    /// A pulse of `value` from `start` s on for `duration` s.
+    /// A pulse of `value` from `start` s on, for `duration` s.
     ///
     /// # Errors
     /// `value` or `start` infinite or NaN; `duration` below 0, infinite or NaN; a servo rate not above 0 and finite.

@@ -1,4 +1,4 @@
-//! From one value to another at a given rate.
+//! Ramp from one value to another at a given rate.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
@@ -45,7 +45,7 @@ impl<T: Scalar> Trajectory<T> for Ramp {
         if tick < clock.tick_of(at) {
             return T::of(from);
         }
-        // The tick of an instant may lie before it, by a billionth of a tick.
+        // The tick of an instant may come a billionth of a tick before it.
         let way = rate * (clock.time(tick) - at).clamp(0.0, f64::MAX);
         T::of(if to < from { (from - way).max(to) } else { (from + way).min(to) })
     }

@@ -1,14 +1,14 @@
-//! A course from a table.
+//! Trajectory through the rows of a table.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
 use super::clock::Clock;
 use crate::Trajectory;
 
-/// Rows of time, s, and value: linear between rows, the first and the last beyond them.
+/// Rows of time, s, and value: linear between rows, constant before the first and after the last.
 ///
-/// `R` is the table: an array, a slice or whatever owns one. Of rows of the same time the last counts from it on,
-/// so that two make a jump.
+/// `R` is the table: an array, a slice or whatever owns one. Of rows with the same time the last counts from that time
+/// on, so two of them make a jump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Samples<R> {
     rows: R,
@@ -16,7 +16,7 @@ pub struct Samples<R> {
 }
 
 impl<R: AsRef<[(f64, f64)]>> Samples<R> {
-    /// The course through `rows`, whose times do not fall.
+    /// The trajectory through `rows`, whose times never decrease.
     ///
     /// # Errors
     /// No rows; a time or a value that is infinite or NaN; a time below the one before it; two rows so far apart

@@ -1,4 +1,4 @@
-//! To and fro.
+//! Sine.
 
 use core::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::Trajectory;
 
 /// `about + amplitude sin(2π frequency t_n)`.
 ///
-/// Whole turns are left out before they can cost digits: the sine of the thousandth turn is as good as that of the
+/// Whole turns are removed before they can cost digits: the sine of the thousandth turn is as accurate as that of the
 /// first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sine {
@@ -41,7 +41,7 @@ impl Sine {
         Ok(Self { about, amplitude, frequency, clock: Clock::new(servo_rate)? })
     }
 
-    /// What is left of the turns at `tick` without the whole ones, within ±1/2 up to a rounding.
+    /// The fraction of a turn at `tick`, within ±1/2 up to a rounding.
     fn turn(&self, tick: u64) -> f64 {
         let time = self.clock.time(tick);
         let turns = self.frequency * time;
@@ -49,7 +49,7 @@ impl Sine {
             libm::fma(self.frequency, time, -turns) + self.frequency * self.clock.lacking(tick);
         let part = |turns: f64| turns - libm::round(turns);
         let turn = part(part(turns) + part(lacking));
-        // So many turns that they are not finite have no part left to tell.
+        // A number of turns that is not finite has no fraction.
         if turn.is_finite() { turn } else { 0.0 }
     }
 }

@@ -1,11 +1,11 @@
-//! From one value to another at once.
+//! Step from one value to another.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
 use super::clock::Clock;
 use crate::Trajectory;
 
-/// `from`, and `to` from the tick of an instant on.
+/// `from` before the tick of an instant, and `to` from it on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     from: f64,

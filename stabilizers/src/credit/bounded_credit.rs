@@ -1,4 +1,4 @@
-//! A stored credit of so much and no more.
+//! Bounded credit: a largest stored credit.
 
 use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -6,9 +6,9 @@ use lyapunov_core::{
 
 use crate::LimitCredit;
 
-/// A stabilizer that carries at most so much credit from tick to tick: `L(n) = min(L(n−1), most) − ΔV(n)`.
+/// Stabilizer that carries at most `most` joules of credit from tick to tick: `L(n) = min(L(n−1), most) − ΔV(n)`.
 ///
-/// Whatever was dissipated before, from then on the port gives at most `most` joules more than it absorbs before the
+/// However much was dissipated before, the port can give at most `most` joules more than it absorbs before the
 /// controller acts. An infinite bound changes no bit.
 ///
 /// ```

@@ -1,13 +1,13 @@
-//! Credit that no contact inherits.
+//! Credit reset at each contact.
 
 use lyapunov_core::{Correction, Gate, Mask, PortSample, Scalar, Signal, Stabilizer};
 
 use crate::LimitCredit;
 
-/// A stabilizer that forgets its credit on the tick on which a gate opens, before that tick is booked.
+/// Stabilizer that forfeits its stored credit on the tick on which a gate opens, before that tick is booked.
 ///
-/// With the gate of a surface ([`InContact`](lyapunov_core::InContact)) every contact starts without what was dissipated on the
-/// way to it, or in the contact before, and the controller acts as soon as this contact has given more than it took.
+/// With the gate of a surface ([`InContact`](lyapunov_core::InContact)) no contact inherits the credit of the free
+/// motion or the contact before it, and the controller acts as soon as this contact has given more than it absorbed.
 /// Debts stay. A position that is not a number counts as outside.
 ///
 /// ```
@@ -20,7 +20,7 @@ use crate::LimitCredit;
 /// let inside = PortSample::new(1e-3, 0.001, 0.1, 1e-4, 2.0);
 /// let sums: [f64; 3] = [outside, inside, inside].map(|sample| popc.stabilize(&sample, 2.0).observed_energy);
 /// for (sum, joules) in sums.into_iter().zip([1e-3, 2e-4, 4e-4]) {
-///     assert_abs_diff_eq!(sum, joules, epsilon = 1e-12); // the first in contact is of its own tick only
+///     assert_abs_diff_eq!(sum, joules, epsilon = 1e-12); // the first in contact holds its own tick only
 /// }
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

@@ -1,7 +1,7 @@
-//! What becomes of stored credit.
+//! Limits on stored credit.
 //!
-//! A loop that dissipates for a while has credit, and may then give that much energy away before a controller acts. How
-//! much of it may be kept, and how long, is a choice; debts are never forgotten.
+//! A loop that dissipates for a while stores credit, and may then give that much energy away before the controller
+//! acts. How much credit is kept, and how long, is a choice; debts never lapse.
 
 mod bounded_credit;
 mod contact_reset;
@@ -13,9 +13,9 @@ pub use windowed_credit::WindowedCredit;
 
 use lyapunov_core::Scalar;
 
-/// A stabilizer whose stored credit can be taken away.
+/// Stabilizer whose stored credit can be limited from outside.
 pub trait LimitCredit<T: Scalar> {
-    /// Forgets what is stored above `most` joules, which is not below 0; a debt stays.
+    /// Forfeits the stored credit above `most` joules, which is not below 0; a debt stays.
     fn limit_credit(&mut self, most: T);
 }
 

@@ -1,22 +1,22 @@
-//! Credit that runs out.
+//! Windowed credit: credit that expires.
 
 use lyapunov_core::{Accumulator, ParameterError, Requirement, Scalar};
 
-/// A sum whose credits run out: `L(n) = min(L(n−1), W(n)) + e(n)`, with `W(n)` the sum of the positive `e` before this one
-/// that are in the last `N` slots.
+/// Sum whose credit expires: `L(n) = min(L(n−1), W(n)) + e(n)`, with `W(n)` the sum of the earlier positive `e` in the
+/// last `N` slots.
 ///
-/// Each spell pays with the oldest credit first, so the minimum is exactly what has neither been spent nor become
-/// too old. Only dissipation is forgotten: a debt stands until it is paid. A slot is a number of ticks; with one tick a slot
-/// ([`Accumulator::zero`]) the window is `N` ticks, with `k` ([`WindowedCredit::of_ticks`]) it is between `(N − 1) k` and
-/// `N k`. `W` is added up anew on every tick, since a running sum would gather rounding errors for a year: a step costs
-/// `N` additions, so take few slots.
+/// Debts are paid from the oldest credit first, so the minimum is exactly the credit that is neither spent nor too old.
+/// Only credit expires: a debt stands until it is paid. A slot is a number of ticks; with one tick per slot
+/// ([`Accumulator::zero`]) the window is `N` ticks, with `k` ([`WindowedCredit::of_ticks`]) it is between `(N − 1) k`
+/// and `N k`. `W` is summed anew on every tick, since a running sum would gather rounding errors for a year: a step
+/// costs `N` additions, so take few slots.
 ///
 /// ```
 /// use lyapunov_core::{Accumulator, Plain};
 /// use lyapunov_stabilizers::WindowedCredit;
 /// let mut sum = WindowedCredit::<f64, Plain<f64>, 3>::zero();
 /// sum.add(1.0);
-/// sum.add(-0.25); // is paid from the 1 J
+/// sum.add(-0.25); // paid from the 1 J
 /// sum.add(0.0);
 /// assert_eq!(sum.value(), 0.75);
 /// sum.add(0.5); // the 1 J is more than three ticks old now
@@ -44,7 +44,7 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
         Ok(Self { sum: A::zero(), slots, slot: 0, ticks, left: ticks })
     }
 
-    /// Forgets what is too old, and enters `term` in the present slot.
+    /// Drops the expired credit, and enters `term` in the current slot.
     #[inline]
     fn enter(&mut self, term: T) {
         let zero = T::of(0.0);

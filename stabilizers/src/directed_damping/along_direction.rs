@@ -1,22 +1,22 @@
-//! One direction.
+//! Metric of one direction.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
 use super::Metric;
 
-/// The metric of one direction `d` of length 1: `M v = d (d · v)`.
+/// Metric of one direction `d` of length 1: `M v = d (d · v)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlongDirection<V> {
     direction: V,
 }
 
 impl<V: Signal> AlongDirection<V> {
-    /// The direction of `direction`, which may have any length but 0.
+    /// The metric of the direction of `direction`, which may have any length but 0.
     ///
     /// # Errors
     /// A length that is not above 0 and finite.
     pub fn new(direction: V) -> Result<Self, ParameterError> {
-        // A NaN on one axis is not seen in the length, which looks for the largest.
+        // The length, scaled by the largest axis, misses a NaN on one axis.
         let sum = direction.map(|axis| axis * V::Scalar::of(0.0)).sum();
         Requirement::Finite.check("direction", sum)?;
         let length = Requirement::Positive.check("direction's length", length(direction))?;
@@ -31,7 +31,7 @@ impl<V: Signal> Metric<V> for AlongDirection<V> {
     }
 }
 
-/// `√(Σ xᵢ²)`, with nothing over or under the range on the way: the axes are taken in units of the largest.
+/// Length `√(Σ xᵢ²)`, without overflow or underflow on the way: the axes are taken in units of the largest.
 fn length<V: Signal>(signal: V) -> V::Scalar {
     let mut largest = V::Scalar::of(0.0);
     let _ = signal.map(|axis| {

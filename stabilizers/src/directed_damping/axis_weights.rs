@@ -1,17 +1,17 @@
-//! A weight for each axis.
+//! Metric of one weight per axis.
 
 use lyapunov_core::{ParameterError, Requirement, Signal};
 
 use super::Metric;
 
-/// The metric of a weight for each axis: `(M v)ᵢ = wᵢ vᵢ`.
+/// Metric of one weight per axis: `(M v)ᵢ = wᵢ vᵢ`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisWeights<V> {
     weights: V,
 }
 
 impl<V: Signal> AxisWeights<V> {
-    /// The weights of the axes, from 0 to 1: of inertias, each over the largest.
+    /// The metric of the axes' `weights`, from 0 to 1; for inertias, each inertia over the largest.
     ///
     /// # Errors
     /// A weight below 0, above 1 or NaN.

@@ -1,4 +1,4 @@
-//! An inertia matrix.
+//! Metric of an inertia matrix.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::{SMatrix, SVector};
@@ -6,12 +6,12 @@ use nalgebra::{SMatrix, SVector};
 use super::Metric;
 use crate::factors::Factors;
 
-/// The metric of an inertia matrix: `M v = Λ v / ‖Λ‖`, with `‖Λ‖` the largest sum of a row's sizes, which no
-/// eigenvalue is above.
+/// Metric of an inertia matrix: `M v = Λ v / ‖Λ‖`, with `‖Λ‖` the largest absolute row sum, an upper bound of every
+/// eigenvalue.
 ///
-/// A correction `β Λ v / ‖Λ‖` takes the same share of the speed in every direction, however coupled the axes are: `Λ v` is the
-/// momentum. At the tip of an arm `Λ = (J A⁻¹ Jᵀ)⁻¹`, with `A` the inertia of its joints (Khatib 1987). Ott, Artigas and
-/// Preusche (2011) share out the dissipation of a passivity controller over directions.
+/// A correction `β Λ v / ‖Λ‖` takes the same share of the speed in every direction, however coupled the axes are: `Λ v`
+/// is the momentum. At the tip of an arm `Λ = (J A⁻¹ Jᵀ)⁻¹`, with `A` the inertia of its joints (Khatib 1987). Ott,
+/// Artigas and Preusche (2011) distribute the dissipation of a passivity controller over directions.
 ///
 /// ```
 /// use lyapunov_stabilizers::{InertiaMetric, Metric};
@@ -27,11 +27,11 @@ pub struct InertiaMetric<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> InertiaMetric<T, N> {
-    /// Of the matrix `Λ`, kg or kg·m²; only its lower triangle is read.
+    /// The metric of the matrix `Λ`, kg or kg·m²; only its lower triangle is read.
     ///
     /// # Errors
-    /// A matrix that is not above 0 in every direction, that is not finite, or that is so near to either that its digits do not
-    /// tell: a pivot `dᵢ` of `Λ = L D Lᵀ` that is not above 0.
+    /// A matrix that is not positive definite, not finite, or so near to either that its digits do not decide: a pivot
+    /// `dᵢ` of `Λ = L D Lᵀ` that is not above 0.
     pub fn new(inertia: SMatrix<T, N, N>) -> Result<Self, ParameterError> {
         let whole = Factors::whole(inertia);
         let mut norm = T::of(0.0);
@@ -44,8 +44,9 @@ impl<T: Scalar, const N: usize> InertiaMetric<T, N> {
         Ok(Self { share, norm })
     }
 
-    /// `‖Λ‖`, kg or kg·m²: the mass for the [`DampingLimit`](crate::DampingLimit) of [`DirectedDamping`](super::DirectedDamping), as `cap ‖Λ‖ / T`
-    /// takes the share `cap` of the speed in a tick in every direction.
+    /// `‖Λ‖`, kg or kg·m²: the mass for the [`DampingLimit`](crate::DampingLimit) of
+    /// [`DirectedDamping`](super::DirectedDamping), as `cap ‖Λ‖ / T` takes the share `cap` of the speed in a tick in
+    /// every direction.
     pub fn norm(&self) -> T {
         self.norm
     }

@@ -12,19 +12,20 @@ use lyapunov_core::{Correction, PortSample, Scalar, Signal, Stabilizer};
 
 use crate::{DampingLimit, StabilizerExt};
 
-/// Where a damping acts: a symmetric matrix `M` that is neither below 0 nor above 1 in any direction.
+/// Metric of the directions in which damping acts: a symmetric matrix `M` with eigenvalues from 0 to 1.
 pub trait Metric<V: Signal> {
     /// `M v`.
     fn apply(&self, velocity: V) -> V;
 }
 
-/// A stabilizer whose dissipation is aimed: the correction is `β M v` instead of `α v`, and burns as much.
+/// Stabilizer that dissipates in chosen directions: its correction is `β M v` instead of `α v`, and dissipates as much.
 ///
-/// `β = (c · v) / (v · M v)`, up to a limit, with `c` the correction of the stabilizer inside. One account for the port as a
-/// whole says how much has to be burnt; the metric says where. [`InertiaMetric`] slows all directions in
-/// proportion, [`AxisWeights`] weigh the axes (of a joint that must not feel the controller 0), [`AlongDirection`] burns in one direction
-/// only. Where hardly anything moves in the directions chosen, the limit keeps `β` finite, and what it
-/// leaves is told as shortfall. `alpha` tells the damping that would burn as much on the whole motion.
+/// `β = (c · v) / (v · M v)`, up to a limit, with `c` the correction of the stabilizer inside. One observed energy for
+/// the port as a whole says how much to dissipate; the metric says in which directions. [`InertiaMetric`] slows all
+/// directions in proportion, [`AxisWeights`] weigh the axes (0 for a joint that must not feel the controller),
+/// [`AlongDirection`] dissipates in one direction only. Where hardly anything moves in the chosen directions, the limit
+/// keeps `β` finite, and the rest is reported as shortfall. `alpha` reports the damping that would dissipate as much on
+/// the whole motion.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
@@ -38,7 +39,7 @@ pub trait Metric<V: Signal> {
 /// let correction = popc.stabilize(&sample, Vector2::zeros());
 /// assert_eq!(correction.effort.x, 0.0);
 /// let left: f64 = correction.effort.dot(&velocity) * 1e-3 + correction.observed_energy;
-/// assert!(left.abs() < 1e-15); // the whole debt is burnt
+/// assert!(left.abs() < 1e-15); // the whole debt is served
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +50,7 @@ pub struct DirectedDamping<S, M, T> {
 }
 
 impl<S, M, T: Scalar> DirectedDamping<S, M, T> {
-    /// `stabilizer` with its dissipation where `metric` says, by at most `limit` in any direction.
+    /// `stabilizer` with its dissipation in the directions of `metric`, by at most `limit` in any direction.
     pub fn new(stabilizer: S, metric: M, limit: DampingLimit<T>) -> Self {
         Self { stabilizer, metric, limit }
     }

@@ -1,8 +1,8 @@
-//! How a correction comes: not at every velocity, not at once, not faster than a motor follows.
+//! Shaping of corrections: not at every velocity, not at once, not faster than a motor follows.
 //!
-//! Each owns a stabilizer and lets a share of its correction through. What is held back stays in the account, for under
-//! held work a ledger books what applied and not what was asked for; so each delays the payment and changes no sum. Under
-//! sampled work the ledger takes every correction as made in full, so what is held back there is lost.
+//! Each shaper owns a stabilizer and lets a share of its correction through. Under held work the ledger books the
+//! applied effort, not the requested one, so the part held back stays in `L`: a shaper delays the dissipation and
+//! changes no sum. Under sampled work the ledger books every correction in full, so the part held back is lost.
 
 mod rate_limit;
 mod soft_start;
@@ -16,7 +16,7 @@ pub use velocity_threshold::VelocityThreshold;
 
 use lyapunov_core::{Correction, PortSample, Scalar, Signal};
 
-/// `correction` with `share` of its correction of `effort`, if the share is below 1; it must not be below 0.
+/// Correction with `share` of what `correction` adds to `effort`, if the share is below 1; it must not be below 0.
 #[inline]
 fn portion<V: Signal>(
     correction: Correction<V>,
@@ -39,7 +39,7 @@ fn portion<V: Signal>(
     .checked()
 }
 
-/// What `correction` adds to `effort`; nothing where it is not accepted.
+/// Effort that `correction` adds to `effort`; 0 where it is not accepted.
 #[inline]
 fn added<V: Signal>(correction: &Correction<V>, effort: V) -> V {
     V::choose(correction.accepted, correction.effort - effort, V::zero())

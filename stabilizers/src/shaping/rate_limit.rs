@@ -1,4 +1,4 @@
-//! Corrections no faster than a motor follows.
+//! Rate limit: corrections that grow no faster than a motor follows.
 
 use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -6,12 +6,12 @@ use lyapunov_core::{
 
 use super::{added, portion};
 
-/// A stabilizer whose correction grows by at most `rate · T` newtons a tick on each axis, `rate` in N/s.
+/// Stabilizer whose correction grows by at most `rate · T` newtons per tick on each axis, `rate` in N/s.
 ///
-/// A correction `c(n)` may be as large as `|c(n−1)| + rate T` where it has the sign of the one before, and as large as
-/// `rate T` where it has not; where an axis would be larger, all of them are made smaller by one factor, so that the
-/// direction stays. It may fall as fast as it likes: a correction that outlasted its cause would push along the motion.
-/// What is held back is told as shortfall. An infinite rate changes no bit.
+/// A correction `c(n)` may be as large as `|c(n−1)| + rate T` if it has the sign of the one before, and as large as
+/// `rate T` if not; where an axis would be larger, all axes are reduced by one factor, so that the direction stays. It
+/// may fall at any rate: a correction that outlasted its cause would push along the motion. The part held back is
+/// reported as shortfall. An infinite rate changes no bit.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;

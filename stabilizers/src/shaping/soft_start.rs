@@ -1,4 +1,4 @@
-//! Corrections that come in gently.
+//! Soft start: corrections that rise over the first ticks of an engagement.
 
 use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -6,11 +6,11 @@ use lyapunov_core::{
 
 use super::portion;
 
-/// A stabilizer whose correction rises over the first `N` ticks of each engagement: on the `j`-th tick in debt after
-/// one without, `min(1, j / N)` of it acts.
+/// Stabilizer whose correction rises over the first `N` ticks of each engagement: on the `j`-th tick in debt after
+/// one without, `min(1, j / N)` of it is applied.
 ///
-/// A debt that shows at once would be served by an impulse; this makes the first ticks softer and the debt last longer.
-/// One tick changes no bit.
+/// A sudden debt would be served by an impulse; this makes the first ticks softer and the debt last longer.
+/// `N = 1` changes no bit.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};

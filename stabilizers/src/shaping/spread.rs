@@ -1,4 +1,4 @@
-//! A debt paid in instalments.
+//! Spread correction: a debt paid in instalments.
 
 use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -6,14 +6,14 @@ use lyapunov_core::{
 
 use super::portion;
 
-/// A stabilizer that pays a debt over `N` ticks instead of at once.
+/// Stabilizer that pays a debt over `N` ticks instead of at once.
 ///
-/// `p(n) = max(D(n) / N, min(p(n−1), D(n)))` joules are burnt on a tick, with `D = max(0, −L)` the debt: a debt that comes
-/// alone is paid in `N` equal parts, and one that grows meanwhile raises the rate. The rest of the debt is told as
-/// shortfall. One tick changes no bit. The stabilizer inside is one that tells a damping.
+/// A tick dissipates `p(n) = max(D(n) / N, min(p(n−1), D(n)))` joules, with `D = max(0, −L)` the debt: a single debt is
+/// paid in `N` equal parts, and one that grows meanwhile raises the rate. The rest of the debt is reported as
+/// shortfall. `N = 1` changes no bit. The stabilizer inside must be one that reports a damping.
 ///
-/// The instalments are what the correction is meant to burn, `α v² T`. What it really burns shows in the next sample, and
-/// what is lacking is a part of the next debt.
+/// An instalment is the energy that the correction is meant to dissipate, `α v² T`. The next sample shows what it
+/// really dissipated, and the difference is a part of the next debt.
 ///
 /// ```
 /// use approx::abs_diff_eq;
@@ -48,7 +48,7 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
         let debt = (-correction.observed_energy).larger(V::Scalar::of(0.0));
         self.part = (debt / self.ticks).larger(self.part.smaller(debt));
         let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
-        // What is burnt in full is the debt rounded up, which is no reason to cut it.
+        // In full, the dissipated energy is the debt rounded up, which is no reason to reduce it.
         let full = burnt * (V::Scalar::of(1.0) - V::Scalar::of(16.0) * V::Scalar::epsilon());
         let one = V::Scalar::of(1.0);
         let share = V::Scalar::choose(self.part.below(full), self.part / burnt, one);

@@ -1,4 +1,4 @@
-//! No correction at rest.
+//! Velocity threshold: no correction near rest.
 
 use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -6,13 +6,13 @@ use lyapunov_core::{
 
 use super::portion;
 
-/// A stabilizer that corrects only where `|v|` is at least a threshold, m/s.
+/// Stabilizer that corrects only where `|v|` is at least a threshold, m/s.
 ///
-/// A debt at a small velocity asks for a large damping, and where the velocity is mostly noise its sign is, too: the
-/// correction then rattles. Hannaford and Ryu (IEEE Transactions on Robotics and Automation 18(1), 2002) see this in
-/// their experiments. Below the threshold nothing is corrected, the whole debt is told as shortfall, and it is served
-/// when the motion is fast enough. Take the threshold of the order of the velocity's resolution, an encoder's count over
-/// the period. 0 changes no bit.
+/// A debt at a small velocity requires a large damping, and where the velocity is mostly noise, so is its sign: the
+/// correction then chatters. Hannaford and Ryu (IEEE Transactions on Robotics and Automation 18(1), 2002) see this in
+/// their experiments. Below the threshold nothing is corrected, the whole debt is reported as shortfall, and it is
+/// served once the motion is fast enough. Choose a threshold of the order of the velocity's resolution, one encoder
+/// count over the period. 0 changes no bit.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};

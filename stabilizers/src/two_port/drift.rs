@@ -1,4 +1,4 @@
-//! Positions that find back.
+//! Drift compensation of an admittance port.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
@@ -7,7 +7,7 @@ use lyapunov_core::{
 use super::TwoPortSide;
 use super::booking::{Booking, Spending};
 
-/// A stabilizer of an admittance port that makes up for the position its corrections have cost.
+/// Stabilizer of an admittance port that compensates the position drift of its corrections.
 ///
 /// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at most
 /// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
@@ -34,7 +34,7 @@ pub struct DriftCompensated<S, V: Signal> {
 }
 
 impl<S, V: Signal> DriftCompensated<S, V> {
-    /// `stabilizer`, finding back at `speed` m/s at most against a force that stays the same within a period.
+    /// `stabilizer` with drift compensated at most at `speed` m/s, against a force that stays the same within a period.
     ///
     /// # Errors
     /// `speed` below 0 or NaN.
@@ -53,7 +53,7 @@ impl<S, V: Signal> DriftCompensated<S, V> {
         Ok(Self { impedance, ..self })
     }
 
-    /// How far the port is from where it would be without corrections, m.
+    /// Displacement of the port from its position without corrections, m.
     pub fn drift(&self) -> V {
         self.drift
     }

@@ -1,4 +1,4 @@
-//! Force and energy of each law belong together: neither is taken from the other.
+//! Force and energy of each law: consistent, though neither is derived from the other.
 
 use lyapunov::{
     Signal,
@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 
 const TURN: f64 = 7.0;
 
-/// A swing between 10 and 30 mm, known with its slopes.
+/// A swing between 10 and 30 mm, with its derivatives.
 pub(super) fn swing(t: f64) -> Kinematics<f64> {
     let (sine, cosine) = (TURN * t).sin_cos();
     Kinematics {
@@ -23,8 +23,8 @@ pub(super) fn swing(t: f64) -> Kinematics<f64> {
     }
 }
 
-/// That `∫ f v dt = S(end) − S(start) + ∫ (burnt + moved) dt` along `motion`, by Simpson's rule: `lost` is the power that a
-/// damper burns and that what moves the environment takes, W.
+/// Checks `∫ f v dt = S(end) − S(start) + ∫ (dissipated + moved) dt` along `motion`, by Simpson's rule: `lost` is the
+/// power, W, that a damper dissipates and that the mover of the environment takes.
 pub(super) fn closes<V: Signal<Scalar = f64>>(
     law: &impl ForceLaw<V>,
     motion: impl Fn(f64) -> Kinematics<V>,
@@ -50,7 +50,8 @@ pub(super) fn closes<V: Signal<Scalar = f64>>(
     assert!((work - stored).abs() <= 1e-8 * size, "{work} for {stored} of {size} J");
 }
 
-/// That the energy at a place grows with the force at rest, `∂S/∂x = f`, from one side of the surface to the other.
+/// Checks that the energy at a place grows with the force at rest, `∂S/∂x = f`, from one side of the surface to the
+/// other.
 pub(super) fn slopes(law: &impl ForceLaw<f64>) {
     for t in [0.0, 0.013, 0.4] {
         for place in (-20..40).map(|n| 1e-3 * f64::from(n) + 0.37e-3) {
@@ -58,7 +59,7 @@ pub(super) fn slopes(law: &impl ForceLaw<f64>) {
                 |position| Kinematics { time: Time::Seconds(t), ..Kinematics::at(position, 0.0) };
             let step = 1e-6;
             let rise = law.stored(&at(place + step)) - law.stored(&at(place - step));
-            // At rest against what moves there is a damper's force: only springs are asked.
+            // At rest relative to a moving environment a damper pushes too: only springs are tested.
             let (slope, force) = (rise / (2.0 * step), law.force(&at(place)));
             assert!(
                 (slope - force).abs() <= 1e-5 * (1.0 + force.abs()),
@@ -102,7 +103,7 @@ fn the_surface_of_a_moving_wall_moves_at_its_own_speed() {
     for t in [0.0, 0.1, 0.77] {
         let speed: f64 = (at(t + 1e-6).position - at(t - 1e-6).position) / 2e-6;
         assert!((speed - at(t).velocity).abs() < 1e-9, "{speed} at {t}");
-        // No spring and no damper pushes just outside of it, both just inside.
+        // Just outside of the surface no spring and no damper pushes, just inside both do.
         let near = |depth: f64| {
             let Surface { position, velocity } = at(t);
             let motion = Kinematics::at(position + depth, velocity + 0.1);
@@ -135,7 +136,7 @@ fn springs() {
     closes(&body, swing, |at| 1.2 * at.velocity * at.velocity);
     slopes(&MassSpringDamper::new(parts).expect("one"));
     let varying = VaryingSpring::new(spring, 90.0, 3.1, 1e3).expect("one");
-    // What makes the spring stiffer gives `k'(t) d² / 2`.
+    // The growing stiffness of the spring brings `k'(t) d² / 2`.
     let turn = core::f64::consts::TAU * 3.1;
     closes(&varying, swing, |at| {
         let away = at.position - 0.012;

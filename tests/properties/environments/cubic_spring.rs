@@ -1,4 +1,4 @@
-//! A spring that hardens, against Duffing's closed forms.
+//! Hardening spring, against Duffing's closed forms.
 
 use core::f64::consts::PI;
 
@@ -19,7 +19,8 @@ fn elliptic(parameter: f64) -> f64 {
     PI / (2.0 * one)
 }
 
-/// The time from a standstill at `from` to the other one, a mass of `mass` kg on `spring`: Runge and Kutta's fourth order.
+/// The time from one standstill, at `from`, to the next, of `mass` kg on `spring`, by the fourth-order Runge-Kutta
+/// method.
 fn half_swing(spring: &CubicSpring<f64>, mass: f64, from: f64) -> f64 {
     let slope = |[x, v]: [f64; 2]| [v, -spring.force(&Kinematics::at(x, v)) / mass];
     let ahead = |[x, v]: [f64; 2], [dx, dv]: [f64; 2], dt: f64| [x + dt * dx, v + dt * dv];
@@ -38,9 +39,10 @@ fn half_swing(spring: &CubicSpring<f64>, mass: f64, from: f64) -> f64 {
     }
 }
 
-/// `4 K(m) / √((k + c A²) / mass)` with `m = c A² / (2 (k + c A²))`: Duffing's equation without a damper, exactly.
+/// `4 K(m) / √((k + c A²) / mass)` with `m = c A² / (2 (k + c A²))`: the exact period of Duffing's equation without a
+/// damper.
 #[test]
-fn a_mass_on_it_swings_as_long_as_duffing_s_does() {
+fn a_mass_on_it_has_duffings_period() {
     let mass = 0.3;
     for (stiffness, cubic, size) in
         [(200.0, 1e6, 0.001), (200.0, 1e6, 0.025), (50.0, 3e6, 0.04), (0.0, 1e6, 0.02)]
@@ -59,7 +61,7 @@ fn it_stores_what_it_takes() {
     let spring = CubicSpring::new(300.0, 2e6).expect("a spring").at(0.012);
     closes(&spring, swing, |_| 0.0);
     slopes(&spring);
-    // On two axes it pulls to its rest, round about which it takes nothing.
+    // On two axes it pulls to its rest, and a circle about the rest takes no work.
     let spring = CubicSpring::new(300.0, 2e6).expect("a spring").at(Vector2::new(0.01, 0.0));
     closes(
         &spring,

@@ -1,4 +1,4 @@
-//! What an environment stores comes back; what its damper burns is known.
+//! Stored energy of environments, which comes back, and known dissipation of their dampers.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -16,13 +16,14 @@ fn at<V: Signal<Scalar = f64>>(port: &mut impl OnePort<V>, place: V) -> V {
     port.respond(&PortSample::starting(1e-3, place, V::zero()))
 }
 
-/// The work `∫ f dx` along a straight way, by the mid-points of `steps` pieces.
+/// The work `∫ f dx` along a straight path, by the midpoints of `steps` pieces.
 fn work(port: &mut impl OnePort<f64>, from: f64, to: f64, steps: u32) -> f64 {
     let step = (to - from) / f64::from(steps);
     (0..steps).map(|n| at(port, from + (f64::from(n) + 0.5) * step) * step).sum()
 }
 
-/// `k₁ p² / 2` within the first layer, then its end, its force on the rest of the way, and `k₂ / 2` of the rest's square.
+/// `k₁ p² / 2` within the first layer; beyond it the end of that layer, its force times the rest of the depth, and
+/// `k₂ / 2` times the square of the rest.
 #[test]
 fn a_layered_wall_stores_the_area_under_its_force() {
     for (k1, k2) in [(100.0, 5000.0), (5000.0, 100.0), (0.0, 800.0)] {
@@ -45,7 +46,7 @@ fn a_layered_wall_stores_the_area_under_its_force() {
     }
 }
 
-/// `k p^(e+1) / (e+1)`.
+/// Stored energy `k p^(e+1) / (e+1)`.
 #[test]
 fn a_hunt_crossley_contact_stores_what_its_power_law_says() {
     for exponent in [0.5, 1.0, 1.5, 3.0] {
@@ -57,7 +58,7 @@ fn a_hunt_crossley_contact_stores_what_its_power_law_says() {
 }
 
 /// A free mass that strikes at `u` leaves at `w` with `d u − ln(1 + d u) = −d w − ln(1 − d w)`: both sides are the
-/// integral of `v dv / (1 + d v)` to standstill, which is what the spring takes and gives. To first order that is the
+/// integral of `v dv / (1 + d v)` to standstill, the energy that the spring takes and gives. To first order this is the
 /// `1 − 2/3 d u` of Hunt and Crossley.
 #[test]
 fn a_hunt_crossley_contact_restores_what_was_published() {
@@ -93,7 +94,7 @@ fn a_hunt_crossley_contact_restores_what_was_published() {
     }
 }
 
-/// Moved by `x = X sin(ω t + ψ)` while its stiffness swings by `a sin 2ω t`, a varying spring takes
+/// Moved by `x = X sin(ω t + ψ)` while its stiffness oscillates by `a sin 2ω t`, a varying spring takes
 /// `∮ a sin 2ω t d(x² / 2) = π/2 a X² cos 2ψ` a turn, and gives it where that is below 0.
 #[test]
 fn a_varying_spring_is_active() {
@@ -116,8 +117,8 @@ fn a_varying_spring_is_active() {
     }
 }
 
-/// The work along a closed way through a solid, by mid-points, against its magnitude; `bends` is how often the effort may
-/// jump or bend on the way, and each costs a step's worth of the largest effort at most.
+/// The work along a closed path through a solid, by midpoints, relative to its magnitude; `bends` is how often the
+/// effort may jump or bend on the path, and each costs a step's worth of the largest effort at most.
 fn closed<V, S>(solid: S, place: impl Fn(f64) -> V, bends: f64)
 where
     V: Signal<Scalar = f64>,

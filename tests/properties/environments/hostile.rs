@@ -1,4 +1,4 @@
-//! What is not a number is not taken for "no contact", and what is large is not lost.
+//! Bad numbers, which do not pass for "no contact", and large ones, which are not lost.
 
 use proptest::array::uniform16;
 use proptest::prelude::any;
@@ -9,7 +9,7 @@ use lyapunov::{LyapunovCandidate, OnePort, PortSample};
 use super::models::{Environment, Example2, Hunt, Layered, Moving, Parts, Plain, Varying};
 use crate::support::{Bits, CASES, Real, hold};
 
-/// Whether a force is 0, another number, or none.
+/// The kind of a force: 0, another number, or not a number.
 fn kind(force: f64) -> &'static str {
     match force {
         0.0 => "nothing",
@@ -78,7 +78,7 @@ mod check {
 
 crate::support::every_real!(what_only_pushes, what_also_pulls);
 
-/// What has no memory but its count keeps nothing of a NaN.
+/// An environment whose only memory is its count keeps nothing of a NaN.
 #[test]
 fn the_next_sample_is_sound_again() {
     let bits = [7; 16];

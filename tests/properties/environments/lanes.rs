@@ -1,4 +1,4 @@
-//! Lane by lane, environments equal the scalar ones bit for bit.
+//! Lanes of environments, each equal to its scalar run bit for bit.
 
 use proptest::array::{uniform2, uniform16};
 use proptest::collection::vec;

@@ -105,7 +105,7 @@ fn acceleration_behind_a_hold_is_over_the_whole_hold() {
     assert_eq!(forces, [0.0, 0.0, 0.0, 14.0, 14.0, 14.0, 14.0]);
 }
 
-/// The mass-spring-damper on several axes is one on each, and its credit the sum of theirs.
+/// The mass-spring-damper on several axes is one on each, and its credit is the sum of theirs.
 #[test]
 fn mass_spring_damper_on_several_axes() {
     use nalgebra::Vector3;
@@ -147,7 +147,7 @@ fn a_spring_may_push_away() {
     assert!(Spring::<f64>::new(f64::NAN).is_err());
 }
 
-/// What a negative damping gives is nothing that it burns.
+/// A negative damping gives energy and dissipates none.
 #[test]
 fn a_negative_damping_credits_nothing() {
     let impedance = Impedance { mass: 0.0, damping: -2.0, stiffness: 0.0 };
@@ -156,7 +156,7 @@ fn a_negative_damping_credits_nothing() {
     assert_eq!({ port }.respond(&PortSample::starting(1e-3, 0.0, 3.0)), -6.0);
 }
 
-/// A credit of NaN would take a debt with it.
+/// A NaN credit would erase a debt.
 #[test]
 fn a_velocity_that_is_not_finite_credits_nothing() {
     let wall = Wall::new(100.0, 2.0).expect("a wall");

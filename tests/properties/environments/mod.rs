@@ -1,4 +1,4 @@
-//! Environments answer by their laws, and credit what their own dampers burn.
+//! Environments: answers by their laws, and credits of their own dampers.
 
 mod closure;
 mod cubic_spring;

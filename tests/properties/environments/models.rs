@@ -1,4 +1,4 @@
-//! The laws of the environments of one axis, in straight `f64`.
+//! Laws of the environments of one axis, in straight `f64`.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use lyapunov::{
 
 use crate::support::{Bits, log_between, unit};
 
-/// What environments are made of.
+/// Parameters of the environments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parts<T> {
     pub(crate) position: T,
@@ -26,7 +26,7 @@ pub(crate) struct Parts<T> {
     pub(crate) rate: T,
 }
 
-/// A number of each lane's own, the first lane being `first`.
+/// A number for each lane, the first lane being `first`.
 pub(crate) fn each<T: Scalar>(bits: Bits, first: usize, of: impl Fn(Bits) -> f64) -> T {
     let mixed = |lane: usize| {
         let spread = (lane as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -79,7 +79,7 @@ impl<T: Scalar> Parts<T> {
     }
 }
 
-/// One reading: which call it is, where, how fast, how fast at the call before, and the time since then.
+/// One reading: number of the call, position, velocity, velocity at the call before, and the time since then.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
     pub(crate) call: u32,
@@ -94,7 +94,7 @@ pub(crate) struct Sample {
 pub(crate) struct Answer {
     pub(crate) force: [f64; 2],
     pub(crate) credit: [f64; 2],
-    /// The depth, and the magnitudes that it is made of: in between them contact is a matter of rounding.
+    /// The depth, and the magnitudes in it: within their rounding, contact is undecided.
     pub(crate) depth: [f64; 2],
 }
 
@@ -110,7 +110,7 @@ fn nothing<T: Scalar>() -> impl LyapunovCandidate<T> {
     Dissipation::of(T::of(0.0)).expect("no damping")
 }
 
-/// What only pushes, and burns `burnt` in contact.
+/// A one-sided environment that dissipates `burnt` in contact.
 fn pushing(depth: f64, force: [f64; 2], burnt: f64, size: f64) -> Answer {
     let [force, force_size] = force;
     let contact = depth > 0.0;
@@ -149,7 +149,7 @@ impl Environment for Layered {
 
     fn law(parts: &Parts<f64>, Sample { x, v, period, .. }: Sample) -> Answer {
         let ([k1, k2], b, p) = (parts.stiffness, parts.damping, x - parts.position);
-        // The area under the stiffness that the depth has come through.
+        // The area under the stiffness over the depth.
         let spring = k1 * p.min(parts.depth) + k2 * (p - parts.depth).max(0.0);
         let size = k1 * parts.depth + (k1 + k2) * p.abs() + b * v.abs();
         pushing(p, [spring + b * v, size], b * v * v * period, b * v * v * period)
@@ -168,7 +168,7 @@ impl Environment for Hunt {
     fn law(parts: &Parts<f64>, Sample { x, v, period, .. }: Sample) -> Answer {
         let (p, d, e) = (x - parts.position, parts.damping, parts.exponent);
         let spring = parts.stiffness[0] * (e * p.abs().ln()).exp();
-        // A power passes on the roundings of its base and of its own logarithm.
+        // A power passes on the rounding of its base and of its own logarithm.
         let wider = 1.0 + e + (e * p.abs().ln()).abs();
         let size = spring * (1.0 + d * v.abs()) * wider;
         let burnt = spring * d * v * v * period;

@@ -1,4 +1,4 @@
-//! At their neutral values environments are the simpler ones, to the last bit.
+//! Environments at their neutral values, equal to simpler ones to the last bit.
 
 use proptest::array::uniform16;
 use proptest::collection::vec;
@@ -26,7 +26,7 @@ fn both<T: Real>(
     (Box::new(port), Box::new(term))
 }
 
-/// Equal bits, once `−0` is taken for 0.
+/// Equal bits, with `−0` taken for 0.
 fn alike<T: Real>(a: T, b: T) -> bool {
     a == b || (a.f64().is_nan() && b.f64().is_nan())
 }

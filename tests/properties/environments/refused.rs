@@ -1,4 +1,4 @@
-//! Parameters that no environment can be built with are refused by name.
+//! Refusal of invalid parameters of environments, by name.
 
 use lyapunov::{
     ParameterError,
@@ -10,7 +10,7 @@ use lyapunov::{
 };
 use nalgebra::{Vector2, Vector3};
 
-/// That each value is refused, and under which name.
+/// Checks that each value is refused, and under this name.
 fn refused<B>(name: &str, values: &[f64], build: impl Fn(f64) -> Result<B, ParameterError>) {
     for value in values {
         match build(*value) {
@@ -43,7 +43,7 @@ fn walls() {
 }
 
 #[test]
-fn what_swings() {
+fn oscillating_environments() {
     let wall = Wall::new(1.0, 1.0).expect("a wall");
     let moving = MovingWall::new(wall, 1.0, 1.0, 1.0).expect("a moving wall");
     refused("amplitude", &NOT_FINITE, |x| MovingWall::new(wall, x, 1.0, 1.0));
@@ -54,7 +54,7 @@ fn what_swings() {
     refused("amplitude", &NOT_FINITE, |x| VaryingSpring::new(spring(), x, 1.0, 1.0));
     refused("frequency", &BELOW, |x| VaryingSpring::new(spring(), 1.0, x, 1.0));
     refused("rate", &NOT_ABOVE, |x| VaryingSpring::new(spring(), 1.0, 1.0, x));
-    // A phase or a speed that no number could tell.
+    // A phase or a speed out of the range of numbers.
     refused("frequency", &[1e300], |x| MovingWall::new(wall, 1.0, x, 1.0));
     refused("frequency", &[1e10], |x| MovingWall::new(wall, 1e299, x, 1.0));
     let narrow = Wall::new(1.0_f32, 1.0).expect("a wall");

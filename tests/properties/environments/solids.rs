@@ -1,4 +1,4 @@
-//! Solids push out what enters them, by the nearest point of their surface.
+//! Solids: what enters is pushed out, by the nearest point of the surface.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use nalgebra::{SVector, Vector2, Vector3};
@@ -16,7 +16,7 @@ use lyapunov::{
 use super::models::each;
 use crate::support::{Bits, CASES, Real, bad, hold, hostile, log_between, same, unit};
 
-/// What solids are made of, and a motion near them.
+/// Parameters of solids, and a motion near them.
 #[derive(Clone, Copy, Debug)]
 struct Parts<T: Scalar, const N: usize> {
     center: SVector<T, N>,
@@ -81,7 +81,7 @@ fn nearest<const N: usize>(which: usize, from: [f64; N], edges: [f64; N], radius
         }
         1 => (radius - length(from), from.map(|x| x / length(from))),
         _ => {
-            // Each face is as far as a plane; the nearest one decides.
+            // Each face is a plane; the nearest one decides.
             let faces = (0..N).flat_map(|axis| [(axis, 1.0), (axis, -1.0)]);
             let distance = |(axis, side): (usize, f64)| edges[axis] - side * from[axis];
             let nearest =
@@ -109,7 +109,8 @@ fn follows<T: Real, S: Solid<SVector<T, N>> + Copy, const N: usize>(
         let (k, b) = (parts.stiffness.f64(), parts.damping.f64());
         let (depth, normal) = nearest(which, from, wide(parts.edges), parts.radius.f64());
         let leaving: f64 = (0..N).map(|axis| v[axis] * normal[axis]).sum();
-        // Lengths and velocities are below one and four; near an edge, or the middle of a ball, the normal is rounding's.
+        // Lengths and velocities are below one and four; near an edge, or the middle of a ball, rounding decides the
+        // normal.
         let slack = 64.0 * T::unit();
         let distance = from.iter().fold(0.0, |sum, x| sum + x * x).sqrt();
         let turned = if which == 1 { slack / distance } else { slack };
@@ -160,7 +161,7 @@ mod check {
         follows::<T, _, 3>(2, Parts::cuboid);
     }
 
-    /// A plane that faces `−x` is the wall, in effort and credit, bit for bit, whatever moves along it.
+    /// A plane that faces `−x` is the wall, in effort and credit, bit for bit, whatever the motion along it.
     pub(super) fn facing_back_a_plane_is_the_wall<T: Real>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let Parts { center, stiffness, damping, sample, .. } = Parts::<T, 2>::of(&bits, 0);
@@ -177,7 +178,7 @@ mod check {
         });
     }
 
-    /// Any length of a normal, down to the least number and up to the largest.
+    /// The length of a normal, from the smallest number to the largest.
     fn parts_length<T: Real>(bits: Bits) -> T {
         match hostile::<T>(bits).magnitude() {
             length if length > T::of(0.0) => length,
@@ -185,8 +186,8 @@ mod check {
         }
     }
 
-    /// A NaN on any axis gives no effort that passes for one.
-    pub(super) fn what_is_no_number_stays_none<T: Real>() {
+    /// With a NaN on any axis no effort passes for a number.
+    pub(super) fn nan_on_an_axis_is_not_hidden<T: Real>() {
         hold(CASES, uniform16(any::<Bits>()), |bits| {
             let parts = Parts::<T, 3>::of(&bits, 0);
             let (axis, nan) = (bits[15] as usize % 3, T::of(f64::NAN));
@@ -205,7 +206,7 @@ mod check {
                 prop_assert!(lost(parts.contact(parts.sphere()).respond(&sample)), "{sample:?}");
                 let boxed = parts.contact(parts.cuboid()).respond(&sample);
                 let plane = parts.contact(parts.plane()).respond(&sample);
-                // On the surface of a plane there is no contact, nor is there along a box's face.
+                // On the surface of a plane there is no contact, nor along the face of a box.
                 prop_assert!(lost(boxed) || position == parts.center, "{sample:?}");
                 prop_assert!(lost(plane) || position == parts.center, "{sample:?}");
             }
@@ -219,7 +220,7 @@ crate::support::every_real!(
     sphere,
     cuboid,
     facing_back_a_plane_is_the_wall,
-    what_is_no_number_stays_none,
+    nan_on_an_axis_is_not_hidden,
 );
 
 fn lanes_equal<L: Scalar, R: Real, const N: usize>() {
@@ -272,7 +273,7 @@ fn lanes() {
     lanes_equal::<AutoF32x8, f32, 3>();
 }
 
-/// Turned about an axis through the origin by an angle with this sine and cosine.
+/// A vector turned about an axis through the origin by an angle with this sine and cosine.
 fn turned(of: Vector3<f64>, about: usize, (sine, cosine): (f64, f64)) -> Vector3<f64> {
     let (one, other) = ((about + 1) % 3, (about + 2) % 3);
     let mut turned = of;
@@ -322,7 +323,7 @@ fn the_frame_does_not_matter() {
 
 /// At the center `+x`; in a box the first of equal axes, and in the middle of it the side `+`.
 #[test]
-fn where_several_ways_out_are_as_short() {
+fn ties_of_the_nearest_face() {
     let ball = Sphere::new(Vector3::new(1.0, 2.0, 3.0), 0.5).expect("a ball");
     let middle = ball.nearest(Vector3::new(1.0, 2.0, 3.0));
     assert_eq!((middle.depth, middle.normal), (0.5, Vector3::x()));
@@ -341,7 +342,7 @@ fn where_several_ways_out_are_as_short() {
     assert_eq!(flat.nearest(Vector2::zeros()).normal, Vector2::y());
 }
 
-/// The surface itself is outside, its inner neighbour inside; a solid does not hold back what leaves fast.
+/// The surface itself is outside, its inner neighbour inside; a solid does not pull on a point that leaves fast.
 #[test]
 fn contact_is_strict_and_only_pushes() {
     let ball = Sphere::new(Vector2::zeros(), 0.5).expect("a ball");

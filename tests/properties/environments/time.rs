@@ -1,4 +1,4 @@
-//! What swings does so by the count of its calls.
+//! Time of oscillating environments, by the count of their calls.
 
 use std::f64::consts::TAU;
 
@@ -10,14 +10,14 @@ use lyapunov::{
 
 use crate::support::Double;
 
-/// The turn that `frequency n / rate` is at, in 32 digits, and so without the rounding of many turns.
+/// The turn of `frequency n / rate`, in 32 digits, and so without the rounding of many turns.
 fn turn(frequency: f64, rate: f64, n: u32) -> f64 {
     let turns = Double::product(frequency, f64::from(n)).over(Double::of(rate));
     (turns - Double::of(turns.value().floor())).value()
 }
 
-/// 1e4 s at 100 Hz: within 1e-12 of the amplitude of the formula in `f64`, and of the true sine within the rounding
-/// of the phase.
+/// After 1e4 s at 100 Hz: within 1e-12 of the amplitude of the formula in `f64`, and of the true sine within the
+/// rounding of the phase.
 #[test]
 fn a_phase_does_not_drift() {
     let rate = 100.0;
@@ -60,7 +60,7 @@ fn the_credit_has_a_rate_of_its_own() {
         if tick % 10 == 0 {
             let force = if depth > 0.0 { damping * relative } else { 0.0 };
             assert!(abs_diff_eq!(moving.respond(&sample), force, epsilon = 1e-12), "at {tick}");
-            // Made of a wall that is on its way, a credit still begins at the first tick.
+            // Made from a wall that is already moving, a credit still begins at the first tick.
             let mut fresh = moving.dissipation(1000.0).expect("its damper");
             let relative = velocity - TAU * frequency * amplitude;
             let first = damping * relative * relative * 1e-3;

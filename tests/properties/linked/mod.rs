@@ -28,7 +28,7 @@ fn linked(of: [f64; 8]) -> TwoMassBody<f64> {
     TwoMassBody::new(parts(of), 1.0 / of[7]).expect("two masses")
 }
 
-/// The effort of the references.
+/// Effort of the references.
 fn effort(tick: usize) -> f64 {
     0.5 * ((tick * 7 % 5) as f64 - 1.5)
 }
@@ -39,7 +39,7 @@ fn state(plant: &TwoMassBody<f64>, sample: &PortSample<f64>) -> [f64; 4] {
     [position, sample.position, velocity, sample.velocity]
 }
 
-/// Each of the matrices as the references have it, of `f64` made in the same order.
+/// The matrix of a reference, of `f64` made in the same order.
 fn matrix([mo, bo, kh, md, bd, kl, bl, rate]: [f64; 8]) -> SMatrix<f64, 5, 5> {
     let (both, t) = (mo + md, 1.0 / rate);
     let (so, sd) = (md / both, mo / both);
@@ -56,8 +56,8 @@ fn matrix([mo, bo, kh, md, bd, kl, bl, rate]: [f64; 8]) -> SMatrix<f64, 5, 5> {
     SMatrix::from_row_slice(rows.as_flattened()) * t
 }
 
-/// Stiff, undamped, overdamped, and with masses a million apart: within 1e-12 of each entry, or a few roundings of
-/// what the link's own oscillation at `Ω` would give it, `(1, 1, Ω, Ω)` per `(1, 1, Ω, Ω, k_l)`.
+/// Stiff, undamped, overdamped, and with masses a million apart: within 1e-12 of each entry, or a few roundings of the
+/// entry that the link's own oscillation at `Ω` would have, `(1, 1, Ω, Ω)` per `(1, 1, Ω, Ω, k_l)`.
 #[test]
 fn held_input_of_stiff_links() {
     for Reference { parts, increments, .. } in REFERENCES {
@@ -75,7 +75,7 @@ fn held_input_of_stiff_links() {
     }
 }
 
-/// Every tick's rounding included: within 1e-12 of the largest of each on the way.
+/// Rounding of every tick included: within 1e-12 of the largest value of each on the way.
 #[test]
 fn linked_equals_its_references() {
     for Reference { parts, third, end, most, .. } in REFERENCES {
@@ -95,9 +95,9 @@ fn linked_equals_its_references() {
     }
 }
 
-/// A kilometre away a position has 1.2e-13 m of rounding, which the operator's spring feels and the link must not:
-/// each tick may move a velocity by `k_h T / m_o` times that. A link that knew only the difference of two positions
-/// would move it by `√(k_l / μ)` times that, a hundred times as much.
+/// A kilometre away a position has 1.2e-13 m of rounding, which the operator's spring may feel and the link must not:
+/// each tick may change a velocity by `k_h T / m_o` times that. A link known only by the difference of two positions
+/// would change it by `√(k_l / μ)` times that, a hundred times as much.
 #[test]
 fn far_from_the_origin_only_the_position_is_rounded() {
     for Reference { parts, end, .. } in REFERENCES.into_iter().skip(1).take(3) {
@@ -114,7 +114,7 @@ fn far_from_the_origin_only_the_position_is_rounded() {
     }
 }
 
-/// The start: both masses at one place, and a displacement that is what position does.
+/// The start: both masses in one place, and a displacement equal to the change of position.
 #[test]
 fn both_masses_start_together() {
     let plant = linked(REFERENCES[0].parts).resting_at(0.5).starting(-0.004, 0.3);
@@ -132,7 +132,7 @@ fn both_masses_start_together() {
     assert_ne!(moved.operator().0, last.position);
 }
 
-/// What a stiff link gives is the force in it over its stiffness, `O(1 / k_l)`, and no more: the two move as one.
+/// A stiff link stretches by its force over its stiffness, `O(1 / k_l)`, and no more: the two move as one.
 #[test]
 fn a_stiff_link_makes_one_mass() {
     let apart = |stiffness: f64| {
@@ -147,14 +147,14 @@ fn a_stiff_link_makes_one_mass() {
         })
     };
     for stiffness in [1e5, 1e7, 1e9] {
-        // 1.5 N of effort and spring at the most, amplified a few times by the operator's undamped spring.
+        // 1.5 N of effort and spring at most, amplified a few times by the operator's undamped spring.
         assert!(apart(stiffness) < 15.0 / stiffness, "{:e} at {stiffness:e}", apart(stiffness));
     }
     assert!(apart(1e5) > 1e-6);
 }
 
-/// The energy of an undamped pair in `f32` over a million ticks, as the amplitude that one mass would have: what is
-/// lost or gained stays within what the rounding of the increments explains for one mass, `3 u (ω T)² / 2` a tick.
+/// The energy of an undamped pair in `f32` over a million ticks, as the amplitude of one mass: loss or gain stays
+/// within the rounding of the increments for one mass, `3 u (ω T)² / 2` a tick.
 #[test]
 fn undamped_f32_keeps_its_amplitude() {
     for (stiffness, rate) in [(50.0, 1000.0), (2000.0, 4000.0), (50.0, 100.0)] {
@@ -174,13 +174,13 @@ fn undamped_f32_keeps_its_amplitude() {
             most = most.max(((now / first).sqrt() - 1.0).abs());
         }
         let turn = stiffness / 0.3 / (rate * rate);
-        // The positions that the energy is read from are rounded to 2e-10 m against a stretch of a micrometre.
+        // The positions that give the energy are rounded to 2e-10 m, against a stretch of a micrometre.
         let bound = 3e-4 + 1e6 * 1.5 * f32::unit() * turn;
         assert!(most < bound, "{most:e} at {stiffness} N/m and {rate} Hz, {bound:e} allowed");
     }
 }
 
-/// Other masses have another centre; what is where, and how fast, stays.
+/// Other masses have another centre; positions and velocities stay.
 #[test]
 fn other_masses_stay_where_they_are() {
     let mut plant = linked(REFERENCES[0].parts).starting(0.01, 0.2);
@@ -205,7 +205,7 @@ fn refused(of: [f64; 8]) -> (&'static str, Requirement) {
 }
 
 #[test]
-fn what_no_link_can_be_made_of() {
+fn invalid_links_are_refused() {
     use Requirement::{InRange, NonNegative, Positive};
     let good = REFERENCES[0].parts;
     let names = [

@@ -1,11 +1,12 @@
-//! Two masses and a link with 150 digits, tick by tick: made by `scripts/body_references.py`, which says how.
+//! References of two masses and a link with 150 digits, tick by tick: made by `scripts/body_references.py`, which says
+//! how.
 
-/// A link and what it does.
+/// A link and its motion.
 pub(super) struct Reference {
-    /// Mass, damping and stiffness of the operator, mass and damping of the device, stiffness and damping of the
-    /// link, rate.
+    /// Mass, damping and stiffness of the operator, mass and damping of the device, stiffness and damping of the link,
+    /// rate.
     pub(super) parts: [f64; 8],
-    /// What centre, stretch and their velocities gain over a tick, per unit of each and of effort.
+    /// The gains of centre, stretch and their velocities over a tick, per unit of each and of effort.
     pub(super) increments: [[f64; 5]; 4],
     /// Positions and velocities of operator and device after 100 and after 300 ticks.
     pub(super) third: [f64; 4],

@@ -1,9 +1,9 @@
-//! Sums and products with about 32 digits, to have something to check `f64` against.
+//! Sums and products with about 32 digits, to check `f64` against.
 
 use approx::assert_abs_diff_eq;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// An unevaluated sum of two `f64`: the number and what it lacks (Dekker, Numerische Mathematik 18, 1971).
+/// An unevaluated sum of two `f64`: the number and its error (Dekker, Numerische Mathematik 18, 1971).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Double {
     high: f64,
@@ -74,7 +74,7 @@ impl Mul for Double {
     }
 }
 
-/// `(1 + 2⁻⁶⁰)² − 1 = 2⁻⁵⁹ + 2⁻¹²⁰`, of which an `f64` would keep nothing.
+/// `(1 + 2⁻⁶⁰)² − 1 = 2⁻⁵⁹ + 2⁻¹²⁰`, which an `f64` would lose.
 #[test]
 fn keeps_what_f64_drops() {
     let small = 2f64.powi(-60);

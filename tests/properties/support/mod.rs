@@ -1,4 +1,4 @@
-//! What the properties share: ports to be generic over, numbers to try, and arithmetic to check against.
+//! Shared by the properties: generic ports, numbers to try, and reference arithmetic.
 
 mod double;
 mod models;
@@ -26,15 +26,15 @@ pub(crate) use numbers::{Bits, bad, hostile, log_between, ordinary, unit, wild};
 pub(crate) use ports::{Faulty, Scripted, Spy};
 pub(crate) use two_masses::TwoMasses;
 
-/// How many random cases a property has to hold for.
+/// Number of random cases of a property.
 pub(crate) const CASES: u32 = 10_000;
 
 /// One value at a time: `f32` or `f64`.
 pub(crate) trait Real: Scalar<Mask = bool> + Into<f64> + PartialOrd {
-    /// The largest and the smallest exponent of two that hostile numbers have.
+    /// The largest and the smallest power of two among hostile numbers.
     const EXPONENTS: (i32, i32);
 
-    /// Any bit pattern at all.
+    /// The scalar with any bit pattern.
     fn of_bits(bits: u64) -> Self;
 
     fn f64(self) -> f64 {
@@ -109,7 +109,7 @@ macro_rules! port {
 
 port!(f32, f64);
 
-/// Open strictly beyond a surface on the first axis of several.
+/// A gate that is open strictly beyond a surface on the first axis of several.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FirstAxis<T> {
     surface: T,
@@ -150,7 +150,7 @@ pub(crate) fn same_axes<V: Port>(a: V, b: V) -> bool {
     a.axes().zip(b.axes()).all(|(a, b)| same(a.f64(), b.f64()))
 }
 
-/// Tries `property` on `cases` values, always the same ones, and shrinks what fails.
+/// Tests `property` on `cases` values, always the same ones, and shrinks a failure.
 pub(crate) fn hold<S: Strategy>(
     cases: u32,
     strategy: S,
@@ -159,7 +159,7 @@ pub(crate) fn hold<S: Strategy>(
     run(cases, strategy, &property);
 }
 
-/// One runner for all properties of the same values: compiled for each of them it takes minutes.
+/// One runner for all properties of the same values: compiling one for each takes minutes.
 fn run<S: Strategy>(cases: u32, strategy: S, property: &dyn Fn(S::Value) -> TestCaseResult) {
     let config = Config {
         cases,

@@ -9,16 +9,16 @@ use lyapunov::{DampingLimit, PortSample, Scalar};
 
 use crate::support::{Bits, Double, Port, Real, bad, hostile, log_between, ordinary};
 
-/// The shares of `m / T` that `α` is limited to.
+/// Limits of `α` as shares of `m / T`.
 const CAPS: [f64; 5] = [0.0, 0.25, 0.5, 1.0, f64::INFINITY];
 
-/// What happens at a port, sample by sample, and the stabilizer's parameters.
+/// The events at a port, sample by sample, and the stabilizer's parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream<V: Port> {
     pub(crate) limit: DampingLimit<V::Scalar>,
-    /// Of a damper to credit, N·s/m.
+    /// Damping to credit, N·s/m.
     pub(crate) damping: V::Scalar,
-    /// Where the contact credit begins on the first axis, m.
+    /// Surface of the contact credit on the first axis, m.
     pub(crate) surface: V::Scalar,
     pub(crate) samples: Vec<(PortSample<V>, V)>,
 }
@@ -50,7 +50,7 @@ pub(crate) fn stream<V: Port>(faults: bool) -> impl Strategy<Value = Stream<V>> 
     )
 }
 
-/// One sample: a sample of `period`, or if not `tame` of a period of its own, and the effort behind.
+/// One sample, of `period`, or if not `tame` of a period of its own, and the effort behind.
 pub(crate) fn drive_of<V: Port>(
     bits: [Bits; 16],
     tame: bool,
@@ -69,7 +69,7 @@ pub(crate) fn drive_of<V: Port>(
     (PortSample::new(period, position, velocity, displacement, applied), effort)
 }
 
-/// The sample with something that is not finite in it.
+/// The sample with a value that is not finite in it.
 fn spoil<V: Port>(sample: PortSample<V>, effort: V, bits: Bits) -> (PortSample<V>, V) {
     let wrong = bad::<V::Scalar>(bits / 8);
     let axis = (bits / 64) as usize % V::AXES;
@@ -89,7 +89,7 @@ fn spoil<V: Port>(sample: PortSample<V>, effort: V, bits: Bits) -> (PortSample<V
     }
 }
 
-/// `v · v` with the axes summed as the port documents it: the even ones plus the odd ones.
+/// `v · v` with the axes summed as the port documents: the even ones plus the odd ones.
 pub(crate) fn power<V: Port>(velocity: V) -> V::Scalar {
     let square = |axis: usize| velocity.axis(axis) * velocity.axis(axis);
     match V::AXES {
@@ -99,14 +99,14 @@ pub(crate) fn power<V: Port>(velocity: V) -> V::Scalar {
     }
 }
 
-/// Which work is booked.
+/// The work that is booked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Book {
     Held,
     Sampled,
 }
 
-/// What is credited.
+/// The credit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Credit<T> {
     None,
@@ -115,7 +115,7 @@ pub(crate) enum Credit<T> {
     InContact(T, T),
 }
 
-/// The recursion of the tick contract, in double-double, carrying `α(n−1)` and `v(n−1)² T` as it is written.
+/// The recursion of the tick contract, in double-double, carrying `α(n−1)` and `v(n−1)² T` as the contract writes them.
 ///
 /// A decrease that is not finite is left out; a sample is accepted if the sum, `v² T` and the effort are finite.
 #[derive(Clone, Debug)]
@@ -125,11 +125,11 @@ pub(crate) struct Ledger<T> {
     limit: f64,
     sum: Double,
     burnt: Double,
-    /// How far the sum of the scalar may be from this one: a few roundings of all that went in.
+    /// Largest distance of the scalar's sum from this one: a few roundings of everything that went in.
     error: f64,
 }
 
-/// What the contract says of one tick.
+/// The contract for one tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tick<T> {
     pub(crate) sum: f64,
@@ -137,9 +137,9 @@ pub(crate) struct Tick<T> {
     pub(crate) shortfall: f64,
     /// `v² T`, in the scalar.
     pub(crate) square: T,
-    /// Nothing where rounding decides whether the corrected effort is still in range.
+    /// `None` where rounding decides whether the corrected effort is still in range.
     pub(crate) accepted: Option<bool>,
-    /// How far the sum may be off, J.
+    /// Largest error of the sum, J.
     pub(crate) error: f64,
 }
 
@@ -185,7 +185,7 @@ impl<T: Real> Ledger<T> {
             error: self.error,
         };
         if accepted != Some(false) {
-            // The contract takes the debt as removed also where α is too small for a number.
+            // In the contract the debt is removed even where α is too small for a number.
             let vanishes = alpha.value() < f64::MIN_POSITIVE && self.limit > 0.0 && moving;
             let burnt = if vanishes { -self.sum } else { alpha * Double::of(squared) };
             let burnt = if sum < 0.0 { burnt } else { Double::default() };
@@ -198,7 +198,7 @@ impl<T: Real> Ledger<T> {
         tick
     }
 
-    /// Nothing was corrected on this tick after all: what rounding decided.
+    /// Takes back this tick's correction: rounding decided against it.
     pub(crate) fn rejected(&mut self) {
         self.burnt = Double::default();
     }
@@ -234,7 +234,7 @@ impl<T: Real> Ledger<T> {
             }
             _ => None,
         };
-        // What the scalar has no number for is not credited.
+        // A dissipation that the scalar cannot represent is not credited.
         let burnt = |damping| damping * (sample.velocity.inner(sample.velocity) * sample.period);
         if let Some(damping) = damping.filter(|&damping| burnt(damping).f64().is_finite()) {
             for axis in 0..V::AXES {
@@ -245,7 +245,7 @@ impl<T: Real> Ledger<T> {
         (decrease, size)
     }
 
-    /// Whether the corrected effort is finite, if that can be told.
+    /// Whether the corrected effort is finite, if that is certain.
     fn fits<V: Port<Scalar = T>>(
         &self,
         velocity: V,

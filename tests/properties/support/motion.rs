@@ -1,4 +1,4 @@
-//! The motion of a mass with a damper and a spring under a held effort, found without the library.
+//! Motion of a mass with a damper and a spring under a held effort, computed without the library.
 
 use crate::support::Double;
 use approx::assert_abs_diff_eq;
@@ -12,7 +12,7 @@ const GAUSS: [(f64, f64); 5] = [
     (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
 ];
 
-/// Where the mass is and how fast it moves.
+/// Position and velocity of the mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct State {
     pub(crate) position: f64,
@@ -21,9 +21,9 @@ pub(crate) struct State {
 
 /// `m ẍ + b ẋ + k (x − rest) = −f` with `f` held.
 ///
-/// Over a time `t` everything follows from `h(t)`, the answer to an impulse (`h(0) = 0`, `h'(0) = 1`), from its
-/// slope and from its area. Their Taylor series are summed in double-double, which serves every damping alike: the
-/// textbook forms cancel near critical damping and for short times.
+/// Over a time `t` everything follows from `h(t)`, the impulse response (`h(0) = 0`, `h'(0) = 1`), its slope and its
+/// area. Their Taylor series are summed in double-double, which works for every damping: the textbook forms cancel near
+/// critical damping and for short times.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion {
     pub(crate) mass: f64,
@@ -32,7 +32,7 @@ pub(crate) struct Motion {
     pub(crate) rest: f64,
 }
 
-/// What position and velocity gain over a time, per unit of deflection, velocity and effort.
+/// The gains of position and velocity over a time, per unit of deflection, velocity and effort.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gain {
     pub(crate) position: [f64; 3],
@@ -51,12 +51,12 @@ impl Gain {
 }
 
 impl Motion {
-    /// What happens up to the nodes of a quadrature over `period`, with their weights.
+    /// The gains up to the nodes of a quadrature over `period`, with their weights.
     pub(crate) fn nodes(&self, period: f64) -> Vec<(Gain, f64)> {
         quadrature(period).into_iter().map(|(t, weight)| (self.over(t), weight)).collect()
     }
 
-    /// What a time `t` does.
+    /// The gain over a time `t`.
     pub(crate) fn over(&self, t: f64) -> Gain {
         let friction = Double::of(self.damping).over(Double::of(self.mass));
         let spring = Double::of(self.stiffness).over(Double::of(self.mass));
@@ -81,8 +81,8 @@ pub(crate) fn quadrature(period: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// `h`, its slope and its area at `t`. By `h'' = −b/m h' − k/m h` the coefficients of `h = Σ cⱼ tʲ / j!` follow one
-/// another.
+/// `h`, its slope and its area at `t`. With `h'' = −b/m h' − k/m h` the coefficients of `h = Σ cⱼ tʲ / j!` follow from
+/// one another.
 fn answer(friction: Double, spring: Double, t: Double) -> (Double, Double, Double) {
     let size = friction.value() * t.value() + spring.value() * t.value() * t.value();
     assert!(size < 24.0, "too long a time for one series: {size}");
@@ -102,8 +102,8 @@ fn answer(friction: Double, spring: Double, t: Double) -> (Double, Double, Doubl
     (h, slope, area)
 }
 
-/// The same motion by the classical method of Runge and Kutta in `steps` steps, and the work `∫ f v dt` and the
-/// burnt energy `∫ b v² dt` on the way.
+/// The same motion by the classical Runge-Kutta method in `steps` steps, and the work `∫ f v dt` and the dissipated
+/// energy `∫ b v² dt` on the way.
 pub(crate) fn runge_kutta(
     motion: &Motion,
     start: State,

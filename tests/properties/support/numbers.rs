@@ -25,8 +25,8 @@ fn power_of_two(exponent: i32) -> f64 {
     2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2)
 }
 
-/// Zeros of either sign, subnormals, ones with a bit too much, numbers whose square is near the smallest normal
-/// number, and magnitudes from the smallest number up to 1e18 (`f32`) or 1e150 (`f64`).
+/// Zeros of either sign, subnormals, ones with an extra bit, numbers whose square is near the smallest normal number,
+/// and magnitudes from the smallest number up to 1e18 (`f32`) or 1e150 (`f64`).
 pub(crate) fn hostile<T: Real>(bits: Bits) -> T {
     let sign = if bits & 0x10 == 0 { 1.0 } else { -1.0 };
     let mantissa = 1.0 + unit(bits);

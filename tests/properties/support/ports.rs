@@ -2,7 +2,7 @@
 
 use lyapunov::{Correction, OnePort, PortSample, Scalar, Signal};
 
-/// Answers like the port it owns and remembers what it was asked.
+/// A port that answers like the port it owns and records the samples it received.
 #[derive(Clone, Debug)]
 pub(crate) struct Spy<P, V: Signal> {
     port: P,
@@ -26,7 +26,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Spy<P, V> {
     }
 }
 
-/// Answers with the given efforts one after the other, then with none.
+/// A port that answers with the given efforts one after the other, then with 0.
 #[derive(Clone, Debug)]
 pub(crate) struct Scripted<V> {
     efforts: Vec<V>,
@@ -46,7 +46,7 @@ impl<V: Signal> OnePort<V> for Scripted<V> {
     }
 }
 
-/// Answers with NaN on the calls from `from` to before `until`, which are numbers of calls of each lane's own.
+/// A port that answers with NaN on the calls from `from` to before `until`, counted in each lane by itself.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Faulty<P, T> {
     port: P,

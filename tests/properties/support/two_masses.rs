@@ -1,4 +1,4 @@
-//! An operator and a device joined by a spring and a damper, made for the tests.
+//! Operator and device joined by a spring and a damper, made for the tests.
 
 use nalgebra::{Matrix4, Matrix5};
 
@@ -7,7 +7,7 @@ use lyapunov::{
     bodies::{Impedance, Linear, OperatedBody, held_input},
 };
 
-/// Operator, link (its mass is nothing) and device.
+/// Operator, link (without mass) and device.
 pub(crate) type Parts = [Impedance<f64>; 3];
 
 #[derive(Clone, Copy, Debug)]

@@ -44,7 +44,7 @@ impl ODE<f64, State> for Held {
     }
 }
 
-/// Records nothing; the method keeps the state.
+/// Recorder of nothing; the method keeps the state.
 struct Unrecorded;
 
 impl Solout<f64, State> for Unrecorded {

@@ -12,7 +12,7 @@ pub(super) fn rows() -> Vec<Row> {
     Row::adaptive(Origin::Crate, "diffsol tsit45", tsit45).collect()
 }
 
-/// One solver for the whole run: at each period it is told that the slope has changed, and goes on with its state.
+/// One solver for the whole run: at each period it is notified of the changed slope, and goes on with its state.
 fn tsit45(positions: &mut Positions, tolerance: f64) {
     let held = Rc::new(Cell::new(0.0));
     let force = Rc::clone(&held);

@@ -26,7 +26,7 @@ fn ended(states: &[Vector2<f64>]) -> State {
     (*states.last().expect("the end of the period")).into()
 }
 
-/// Numbers of steps after which the solver gives up, and looks for stiffness.
+/// Numbers of steps after which the solver gives up, and after which it looks for stiffness.
 const LIMITS: [u32; 2] = [100_000, 1000];
 
 // Dense output, the default, can leave the end of the period out by rounding; sparse output always ends with it. The

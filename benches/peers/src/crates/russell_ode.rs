@@ -1,5 +1,5 @@
-//! `russell_ode`: explicit pairs of orders 5 to 8, and RK4. As it comes by default, it needs no C library; the one it can
-//! be given computes with matrices, which explicit methods have none of.
+//! `russell_ode`: explicit pairs of orders 5 to 8, and RK4, with the default features. The optional C library computes
+//! with matrices, of which explicit methods have none.
 
 use ::russell_lab::Vector;
 use ::russell_ode::{Method, OdeSolver, Params, System};

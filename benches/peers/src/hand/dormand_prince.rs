@@ -1,8 +1,8 @@
-//! Order 5 with an error estimate of order 4.
+//! Dormand and Prince's pair by hand: order 5 with an error estimate of order 4.
 
 use crate::scene::{PERIOD, Positions, State, rate, rollout};
 
-/// The pair of Dormand and Prince (1980) with its step chosen by the estimate; the last slope is the next step's first, and
+/// Pair of Dormand and Prince (1980) with its step chosen by the estimate; the last slope is the next step's first, and
 /// the step is carried on from period to period (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations
 /// I, 1993, II.4 and II.5).
 #[inline(never)]
@@ -22,7 +22,7 @@ pub(crate) fn dormand_prince(positions: &mut Positions, tolerance: f64) {
                 continue;
             }
             (state, slope) = (tried.state, tried.slopes[6]);
-            // A step that was cut to fit tells nothing against the longer one.
+            // A step that was cut to fit the period is no reason against a longer one.
             proposed = if last { proposed.max(step * factor) } else { step * factor };
             if last {
                 return state;
@@ -32,7 +32,7 @@ pub(crate) fn dormand_prince(positions: &mut Positions, tolerance: f64) {
     });
 }
 
-/// A step, before it is judged.
+/// Trial step.
 struct Tried {
     state: State,
     slopes: [State; 7],

@@ -1,8 +1,8 @@
-//! The closed form.
+//! Closed form of the motion, by hand.
 
 use crate::scene::{DAMPING, MASS, PERIOD, Positions, STIFFNESS, rollout};
 
-/// The motion of a mass on a damped spring under a held force, from the textbook: it swings about `−f / k`.
+/// Textbook motion of a mass on a damped spring under a held force: an oscillation about `−f / k`.
 #[inline(never)]
 pub(crate) fn exact(positions: &mut Positions) {
     let decay = DAMPING / (2.0 * MASS);

@@ -1,4 +1,4 @@
-//! What one would write without any library.
+//! Integrators by hand, without any library.
 
 mod dormand_prince;
 mod exact;

@@ -1,8 +1,8 @@
-//! Order 4.
+//! Runge-Kutta method of order 4, by hand.
 
 use crate::scene::{PERIOD, Positions, rate, rollout};
 
-/// The classical Runge-Kutta method (Kutta 1901) for `ẍ = a(x, ẋ, f)`, with the slopes of the position put in.
+/// Classical Runge-Kutta method (Kutta 1901) for `ẍ = a(x, ẋ, f)`, with the slopes of the position substituted.
 #[inline(never)]
 pub(crate) fn runge_kutta_4(positions: &mut Positions, steps: u32) {
     let step = PERIOD / f64::from(steps);

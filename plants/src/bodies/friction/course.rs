@@ -1,17 +1,17 @@
-//! From event to event through one period.
+//! Motion through one period, from event to event.
 
 use super::Transition::{Cut, Reverse, Slip, Stick};
 use super::root::{Polynomial, first_fall};
 use super::series::{Series, System};
 use super::transition::Log;
 
-/// How many pieces a period may have.
+/// Most pieces of a period.
 const PIECES: usize = 1024;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Phase {
     Stuck,
-    /// In the direction ±1.
+    /// Sliding in the direction ±1.
     Sliding(f64),
 }
 
@@ -21,15 +21,15 @@ pub(super) struct Trajectory<'a, const S: usize> {
     state: [f64; S],
     elapsed: f64,
     remaining: f64,
-    /// What was gained in all, without the rounding of adding it to a deflection.
+    /// The total gain, without the rounding of adding it to a deflection.
     pub(super) gain: [f64; S],
-    /// What friction burnt, J.
+    /// The energy that friction dissipated, J.
     pub(super) heat: f64,
     pub(super) log: Log,
 }
 
 impl<'a, const S: usize> Trajectory<'a, S> {
-    /// From `state` through `interval` s.
+    /// The motion from `state` through `interval` s.
     pub(super) fn run(system: &'a System<S>, state: [f64; S], interval: f64) -> Self {
         let (gain, log) = ([0.0; S], Log::default());
         let mut course =
@@ -61,17 +61,17 @@ impl<'a, const S: usize> Trajectory<'a, S> {
         course
     }
 
-    /// Whether it came to the end of the period.
+    /// Whether it reached the end of the period.
     pub(super) fn complete(&self) -> bool {
         self.remaining <= 0.0
     }
 
-    /// Entry `index` of the state, a velocity. It is no sum of gains: a device at rest is exactly so.
+    /// Entry `index` of the state, a velocity. It is not a sum of gains: a device at rest has exactly 0.
     pub(super) fn velocity(&self, index: usize) -> f64 {
         self.state[index]
     }
 
-    /// What becomes of a device that has come to rest.
+    /// The phase of a device that has come to rest.
     fn at_rest(&self) -> Phase {
         let force = self.system.force(&self.state);
         if force.abs() <= self.system.law.breakaway {
@@ -87,7 +87,8 @@ impl<'a, const S: usize> Trajectory<'a, S> {
         let breakaway = self.system.law.breakaway;
         let slip = |sense: f64| {
             let mut reserve = force.map(|coefficient| -sense * coefficient);
-            // A rounding above static friction is at it: what has just stuck had been found to hold.
+            // A force within a rounding above static friction counts as equal to it: this device was just found to
+            // stick.
             reserve[0] = (reserve[0] + breakaway).max(0.0);
             first_fall(&reserve).map(|share| (share, sense))
         };
@@ -121,13 +122,13 @@ impl<'a, const S: usize> Trajectory<'a, S> {
         }
         self.state[S - 1] = 0.0;
         let next = match self.at_rest() {
-            // It did not get away: the force is at static friction within rounding, and falls.
+            // The device did not leave rest: the force equals static friction within rounding, and falls.
             Phase::Sliding(_) if start == 0.0 && fall == Some(0.0) => Phase::Stuck,
             next => next,
         };
         match next {
             Phase::Stuck => self.log.note(self.elapsed, Stick),
-            // At the end of the period it is the next effort that decides.
+            // At the end of the period the next effort decides.
             Phase::Sliding(towards) if towards != sense && self.remaining > 0.0 => {
                 self.log.note(self.elapsed, Reverse);
             }
@@ -136,7 +137,7 @@ impl<'a, const S: usize> Trajectory<'a, S> {
         Some(next)
     }
 
-    /// Moves on by the share `share` of the step.
+    /// Moves on by `share` of the step.
     fn pass(&mut self, series: &Series<S>, share: f64) {
         for (index, value) in self.state.iter_mut().enumerate() {
             let gain = series.gain(index, share);

@@ -18,19 +18,20 @@ pub use transition::{Transition, Transitions};
 /// A linear body with [`Stribeck`] friction on its device: `m v̇ = f − F(|v|) sgn v` while it slides, with `f` all
 /// other forces on the device, and `v = 0` exactly while it sticks.
 ///
-/// It sticks where it comes to rest with `|f| ≤ static`, and slips at the first instant at which `|f|` exceeds it.
-/// Within a period each piece of sliding or sticking is a polynomial (Taylor's method, order 24, to rounding), and
-/// the instant at which it ends is a root of that polynomial, isolated for certain and polished to the last digit.
-/// There is no band of velocities that counts as rest (Karnopp 1985), and the position of a device that sticks does
-/// not move by a bit.
+/// The device sticks where it comes to rest with `|f| ≤ static`, and slips at the first instant at which `|f|` exceeds
+/// it. Within a period each piece of sliding or sticking is a polynomial (Taylor's method, order 24, to rounding), and
+/// the instant at which it ends is a root of that polynomial, isolated with certainty and polished to the last digit.
+/// No band of velocities counts as rest (Karnopp 1985), and the position of a device that sticks does not change by a
+/// bit.
 ///
-/// One axis. Events branch, so each lane is computed by itself, in `f64`, and rounded at the end of the period; a
-/// step is not of constant time. With `static` 0 the body moves as it does without friction, bit for bit.
+/// Friction acts on one axis. Events branch, so each lane is computed by itself, in `f64`, and rounded at the end of
+/// the period; a step does not take constant time. With `static` 0 the body moves as it does without friction, bit for
+/// bit.
 ///
 /// A period may have 1024 pieces, about one for every radian that the fastest mode turns and one for each event.
-/// One that needs more, or leaves the range of `f64` on the way, is moved over roughly: with the friction that
-/// applied at its start, held, if that takes energy from the device; if not, everything stands still for the period
-/// and the device is at rest after it. [`Transition::Cut`] tells. Friction adds energy in no case.
+/// A period that needs more, or leaves the range of `f64` on the way, is moved over roughly: with the friction that
+/// applied at its start, held, if that takes energy from the device; if not, everything stands still for the period and
+/// the device is at rest after it. [`Transition::Cut`] reports it. Friction never adds energy.
 ///
 /// ```
 /// use approx::abs_diff_eq;
@@ -74,12 +75,12 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
         &self.body
     }
 
-    /// What friction has burnt so far, J.
+    /// The energy that friction has dissipated so far, J.
     pub fn heat(&self) -> T {
         self.heat.value()
     }
 
-    /// What happened in the last period.
+    /// The transitions of the last period.
     pub fn transitions(&self) -> &Transitions<T> {
         &self.transitions
     }
@@ -99,7 +100,8 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
         core::array::from_fn(|at| state[at].lane(lane) - if at % 2 == 0 { rest } else { 0.0 })
     }
 
-    /// Where one lane of the body that stood as `self` ends, and what friction burns.
+    /// Moves one lane from where `self` stands, writes its end to `after` and returns the energy that friction
+    /// dissipates.
     fn passed(&mut self, lane: usize, effort: T, interval: T, after: &mut [T; S]) -> f64 {
         let (system, state) = (self.system(lane, effort), self.deflected(lane));
         let before = self.body.state();
@@ -120,7 +122,7 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
         course.heat
     }
 
-    /// The same where the course has too many pieces.
+    /// The same, roughly, for a period with too many pieces.
     fn passed_roughly(&mut self, lane: usize, effort: T, after: &mut [T; S]) -> f64 {
         let (system, state) = (self.system(lane, effort), self.deflected(lane));
         let (before, velocity) = (self.body.state(), state[S - 1]);
@@ -163,7 +165,7 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
             }
         }
         self.heat.add(heat);
-        // A body may keep its state in other numbers than those it tells: where nothing rubs it is left alone.
+        // A body may store its state in other numbers than it reports: a lane without friction is left alone.
         let rubbed = rubbed.above(T::zero());
         moved.place(rubbed, after);
         self.body = moved;

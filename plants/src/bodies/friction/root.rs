@@ -1,4 +1,4 @@
-//! The first root of a polynomial, found for certain.
+//! First root of a polynomial, isolated with certainty.
 
 /// The degree of every polynomial here.
 pub(super) const ORDER: usize = 24;
@@ -9,10 +9,10 @@ pub(super) type Polynomial = [f64; ORDER + 1];
 /// The first `τ` in `[0, 1]` at which the polynomial stops being positive; where it starts from 0, the first
 /// after it has been positive, or 0 if it never is.
 ///
-/// The Bernstein coefficients of an interval have at least as many changes of sign as the polynomial has roots
-/// in it, and as many if there is none or one (Lane and Riesenfeld 1981): none, and the interval is passed; one, and
-/// the root is polished; more, and the interval is halved. From powers of `τ` to Bernstein's form on `[0, 1]` no
-/// number grows, so no digits are lost. Two roots closer than `2^-DEEPEST` are a graze within rounding; they
+/// The Bernstein coefficients of an interval have at least as many changes of sign as the polynomial has roots in it,
+/// and as many if there is none or one (Lane and Riesenfeld 1981): with none the interval is passed over; with one the
+/// root is polished; with more the interval is halved. Conversion from powers of `τ` to Bernstein's form on `[0, 1]`
+/// makes no number grow, so no digits are lost. Two roots closer than `2^-DEEPEST` are a graze within rounding; they
 /// are passed over.
 pub(super) fn first_fall(polynomial: &Polynomial) -> Option<f64> {
     let lead = polynomial.iter().position(|&coefficient| coefficient != 0.0)?;
@@ -46,7 +46,7 @@ fn search(polynomial: &Polynomial, whole: &Polynomial) -> Option<f64> {
             _ => {}
         }
         index += 1;
-        // On to the widest interval that starts here.
+        // Moves on to the widest interval that starts here.
         while index.is_multiple_of(2) && depth > 0 {
             (index, depth) = (index / 2, depth - 1);
         }

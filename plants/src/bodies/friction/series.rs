@@ -1,11 +1,11 @@
-//! The motion over a step as a polynomial: Taylor's method.
+//! Motion over a step as a polynomial, by Taylor's method.
 
 use nalgebra::SMatrix;
 
 use super::Stribeck;
 use super::root::{ORDER, Polynomial};
 
-/// A linear body under a held effort, with friction on its device; one lane of it.
+/// A linear body under a held effort, with friction on its device, in one lane.
 pub(super) struct System<const S: usize> {
     pub(super) rate: SMatrix<f64, S, S>,
     pub(super) mass: f64,
@@ -15,23 +15,23 @@ pub(super) struct System<const S: usize> {
 
 /// State and friction over a step as polynomials of the share `τ` of it.
 pub(super) struct Series<const S: usize> {
-    /// s.
+    /// Length of the step, s.
     pub(super) step: f64,
     pub(super) state: [Polynomial; S],
-    /// Magnitude, N.
+    /// Magnitude of the friction, N.
     pub(super) friction: Polynomial,
 }
 
-/// What the last terms may amount to, as a share of the largest: half a rounding.
+/// The most that the last terms may amount to, as a share of the largest: half a rounding.
 const TAIL: f64 = f64::EPSILON / 8.0;
 
 impl<const S: usize> System<S> {
-    /// What acts on the device at rest besides friction, N.
+    /// The force on the device at rest besides friction, N.
     pub(super) fn force(&self, state: &[f64; S]) -> f64 {
         self.force_of(|index| state[index]) - self.effort
     }
 
-    /// The share of it that comes with the state, of whatever coefficient.
+    /// The part of it that depends on the state, for any coefficient.
     fn force_of(&self, state: impl Fn(usize) -> f64) -> f64 {
         self.mass * self.derivative(S - 1, state)
     }
@@ -40,7 +40,7 @@ impl<const S: usize> System<S> {
         (0..S).map(|index| self.rate[(row, index)] * state(index)).sum()
     }
 
-    /// How fast the motion changes, rad/s: at least the fastest of its modes, the device held or not.
+    /// The rate at which the motion changes, rad/s: at least that of its fastest mode, the device held or not.
     fn pace(&self, device: bool) -> f64 {
         let rows = if device { S } else { S - 2 };
         let row = |row: usize| {
@@ -52,7 +52,7 @@ impl<const S: usize> System<S> {
         (1..rows).step_by(2).map(row).fold(0.0, f64::max)
     }
 
-    /// The device slides in the direction `sense`, ±1, for `longest` s or less.
+    /// The series while the device slides in the direction `sense`, ±1, for `longest` s or less.
     pub(super) fn slide(&self, state: &[f64; S], sense: f64, longest: f64) -> Option<Series<S>> {
         let speed = state[S - 1].abs();
         let varying = self.law.constant_above(speed).is_none();
@@ -65,12 +65,12 @@ impl<const S: usize> System<S> {
             let applied = if k == 0 { self.effort } else { 0.0 };
             let force = self.force_of(|index| series.state[index][k]) - applied;
             let gain = (force - sense * series.friction[k]) / self.mass;
-            // What starts from rest does not start backwards, not even by a rounding.
+            // A motion from rest does not start backwards, not even by a rounding.
             if k == 0 && speed == 0.0 { sense * (sense * gain).max(0.0) } else { gain }
         })
     }
 
-    /// The device stands still for `longest` s or less while the rest of the body moves.
+    /// The series while the device stands still for `longest` s or less and the rest of the body moves.
     pub(super) fn stick(&self, state: &[f64; S], longest: f64) -> Option<Series<S>> {
         self.series(state, self.pace(false), longest, |_, _, _| 0.0)
     }
@@ -83,8 +83,8 @@ impl<const S: usize> System<S> {
         })
     }
 
-    /// The series from `state` over a step in which they converge; `device` is the device's acceleration,
-    /// coefficient by coefficient. Nothing if none is found.
+    /// The series from `state` over a step in which they converge, or none if no such step is found; `device` is the
+    /// device's acceleration, coefficient by coefficient.
     fn series(
         &self,
         state: &[f64; S],
@@ -108,7 +108,7 @@ impl<const S: usize> System<S> {
             if series.settle(self.law.breakaway) {
                 return Some(series);
             }
-            // Out of range. A shorter step makes the high coefficients smaller by far.
+            // Out of range. A shorter step makes the high coefficients far smaller.
             step *= 1.0 / 4096.0;
         }
         None
@@ -157,12 +157,12 @@ impl<const S: usize> Series<S> {
         tail(0) && tail(1) && rest
     }
 
-    /// What state `index` gains until `share`.
+    /// The gain of state `index` until `share`.
     pub(super) fn gain(&self, index: usize, share: f64) -> f64 {
         self.state[index][1..].iter().rev().fold(0.0, |sum, c| (sum + c) * share)
     }
 
-    /// What friction burns until `share`, J.
+    /// The energy that friction dissipates until `share`, J.
     pub(super) fn heat(&self, share: f64) -> f64 {
         if self.friction[1..].iter().all(|&c| c == 0.0) {
             return self.friction[0] * self.gain(S - 2, share).abs();
@@ -183,7 +183,7 @@ struct Exponential {
 }
 
 impl Exponential {
-    /// Coefficient `k` of the friction, those before it having been asked for.
+    /// Coefficient `k` of the friction; the earlier ones must have been computed.
     fn coefficient(&mut self, law: &Stribeck<f64>, velocity: &Polynomial, k: usize) -> f64 {
         let ratio = |k: usize| velocity[k] / law.stribeck_velocity;
         self.exponent[k] = -(0..=k).map(|j| ratio(j) * ratio(k - j)).sum::<f64>();

@@ -1,16 +1,16 @@
-//! The friction law.
+//! Stribeck friction law.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
-/// Stribeck friction: `(coulomb + (static − coulomb) exp(−(v / stribeck_velocity)²)) sgn v` against the motion,
-/// and at rest whatever holds the device, up to `static`.
+/// Stribeck friction: `(coulomb + (static − coulomb) exp(−(v / stribeck_velocity)²)) sgn v` against the motion, and at
+/// rest the force that holds the device, up to `static`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stribeck<T> {
-    /// Force at high speed, N: Coulomb friction.
+    /// Friction at high speed, N: Coulomb friction.
     pub coulomb: T,
-    /// Most force at rest, N: static friction, or break-away force. Named `static` in errors and scenes.
+    /// Largest friction at rest, N: static friction, or break-away force. Named `static` in errors and scenes.
     pub breakaway: T,
-    /// Speed over which friction falls from the one to the other, m/s.
+    /// Speed over which friction falls from static to Coulomb friction, m/s.
     pub stribeck_velocity: T,
 }
 
@@ -34,7 +34,7 @@ impl<T: Scalar> Stribeck<T> {
         T::from_lanes(|lane| self.lane(lane).at(velocity.lane(lane)))
     }
 
-    /// How fast it grows with the velocity, N·s/m.
+    /// The slope of the friction over the velocity, N·s/m.
     pub(crate) fn slope(self, velocity: T) -> T {
         let fallen = (self.force(velocity) - self.coulomb) / self.stribeck_velocity;
         fallen * T::of(-2.0) * (velocity / self.stribeck_velocity)
@@ -49,7 +49,8 @@ impl<T: Scalar> Stribeck<T> {
     }
 }
 
-/// From this many Stribeck velocities on friction is Coulomb's: what is left of the rest is `exp(−64)` of it.
+/// From this many Stribeck velocities on, friction counts as Coulomb's: the remaining difference is `exp(−64)` of the
+/// full one.
 const FAST: f64 = 8.0;
 
 impl Stribeck<f64> {
@@ -59,12 +60,13 @@ impl Stribeck<f64> {
         self.coulomb + (self.breakaway - self.coulomb) * libm::exp(-ratio * ratio)
     }
 
-    /// Down to which speed friction is as good as constant, m/s, if it is so at `speed`.
+    /// The speed, m/s, down to which friction is as good as constant, if it is so at `speed`.
     pub(super) fn constant_above(&self, speed: f64) -> Option<f64> {
         if self.coulomb == self.breakaway {
             return Some(0.0);
         }
-        // A little more to get in than to stay in: a motion that has just left does not come back at once.
+        // Entering takes a little more speed than staying, so that a motion that has just left does not come back at
+        // once.
         let fast = speed > (FAST + 1.0) * self.stribeck_velocity;
         fast.then_some(FAST * self.stribeck_velocity)
     }

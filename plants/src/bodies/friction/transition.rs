@@ -1,8 +1,8 @@
-//! What happened between friction and the device.
+//! Transitions between sticking and sliding.
 
 use lyapunov_core::Scalar;
 
-/// What a device under friction did at an instant.
+/// Transition of a device under friction at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Transition {
     /// It came to rest and stays.
@@ -11,14 +11,14 @@ pub enum Transition {
     Slip,
     /// It came to rest and went back at once: the other forces exceed static friction.
     Reverse,
-    /// There was more than a period's work can be given to: the period was moved over roughly.
+    /// The period had more pieces than its work allows: it was moved over roughly.
     Cut,
 }
 
 const KINDS: [Transition; 4] =
     [Transition::Stick, Transition::Slip, Transition::Reverse, Transition::Cut];
 
-/// How many transitions of a period are kept.
+/// Number of transitions kept per period.
 const KEPT: usize = 4;
 
 /// The transitions of one period in one lane.
@@ -57,12 +57,12 @@ impl<T: Scalar> Transitions<T> {
         }
     }
 
-    /// How many there were in lane `lane`; 0 past the last lane.
+    /// The number of transitions in lane `lane`; 0 past the last lane.
     pub fn count(&self, lane: usize) -> usize {
         self.count.lane(lane) as usize
     }
 
-    /// The last four of them at most, in order: the time since the start of the period, s, and what happened.
+    /// The last transitions, four at most, in order: the time since the start of the period, s, and the transition.
     pub fn last(&self, lane: usize) -> impl Iterator<Item = (f64, Transition)> {
         let all = *self;
         let first = KEPT - self.count(lane).min(KEPT);
@@ -71,7 +71,7 @@ impl<T: Scalar> Transitions<T> {
     }
 }
 
-/// Lets lane `lane` of `scalar` be `value`.
+/// Sets lane `lane` of `scalar` to `value`.
 pub(super) fn set<T: Scalar>(scalar: &mut T, lane: usize, value: f64) {
     let all = *scalar;
     *scalar = T::from_lanes(|index| if index == lane { value } else { all.lane(index) });

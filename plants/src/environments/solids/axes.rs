@@ -1,8 +1,8 @@
-//! All axes of a signal at once.
+//! Checks and lengths over all axes of a signal.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
-/// `value` if every axis of it is right.
+/// `value` if every axis of it meets the requirement.
 pub(super) fn check_axes<V: Signal>(
     requirement: Requirement,
     parameter: &'static str,
@@ -27,12 +27,12 @@ pub(super) fn largest_axis<V: Signal>(value: V) -> V::Scalar {
     largest
 }
 
-/// The length of `value` and the direction it points in; of zero there is no direction, and `otherwise` is given.
+/// The length of `value` and its direction; a value of 0 has none and gets `otherwise`.
 #[inline]
 pub(super) fn length_and_direction<V: Signal>(value: V, otherwise: V) -> (V::Scalar, V) {
     let largest = largest_axis(value);
     let none = largest.below(V::Scalar::smallest_positive());
-    // Scaled first, so that no square leaves the range; a NaN, which is never the largest, stays in the sum.
+    // Scaling first keeps every square in range; a NaN, which is never the largest, stays in the sum.
     let unit = V::Scalar::choose(none, V::Scalar::of(1.0), largest);
     let scaled = value.map(|axis| axis / unit);
     let length = scaled.inner(scaled).sqrt();

@@ -1,4 +1,4 @@
-//! What a solid answers a point that enters it.
+//! Contact of a point with a solid.
 
 use lyapunov_core::{
     Dissipation, LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar,
@@ -9,14 +9,14 @@ use crate::environments::one_sided::{depth_stored, one_sided};
 use crate::{DissipationOf, ForceLaw, Kinematics, NearestPoint, Solid};
 
 /// Contact with a solid that pushes out what enters it: `f = max(0, k p − b v·n)` along the outward normal `n` for a
-/// depth `p > 0` below the nearest point of the surface, else nothing.
+/// depth `p > 0` below the nearest point of the surface, else 0.
 ///
-/// As efforts act against the plant, the one handed out is `−f n`: on a plane whose normal is `−x` this is the
+/// Efforts act against the plant, so the effort returned is `−f n`: on a plane whose normal is `−x` this is the
 /// [`Wall`](crate::Wall). There is no friction.
 ///
-/// Force from depth alone has no memory of where the point came in: in a thin or soft solid the nearest surface can
-/// become the far one, and the point is pushed through (Zilles and Salisbury, A constraint-based god-object method
-/// for haptic display, IROS 1995, who remember the entry instead).
+/// A force from depth alone has no memory of the point of entry: in a thin or soft solid the nearest surface can become
+/// the far one, and the point is pushed through (Zilles and Salisbury, A constraint-based god-object method for haptic
+/// display, IROS 1995, who remember the entry instead).
 ///
 /// ```
 /// use lyapunov_core::{PortSample, OnePort};

@@ -1,4 +1,4 @@
-//! A box.
+//! Box with its edges along the axes.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
@@ -9,7 +9,7 @@ use crate::{NearestPoint, Solid};
 /// A box with its edges along the axes, on two axes a rectangle: `p = minᵢ (halfᵢ − |xᵢ − centerᵢ|)`, and `n` along
 /// that axis towards the point's side.
 ///
-/// Of axes with the same depth it takes the first, exactly in the middle of one the side `+`.
+/// Of axes with the same depth the first counts; exactly in the middle of an axis, the side `+`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid<V> {
     center: V,
@@ -17,7 +17,7 @@ pub struct Cuboid<V> {
 }
 
 impl<V: Signal> Cuboid<V> {
-    /// A box about `center`, from there to each side as far as `half`, m.
+    /// A box about `center` that extends by `half`, m, to each side.
     ///
     /// # Errors
     /// A coordinate of `center` infinite or NaN; one of `half` not above 0 and finite.
@@ -42,7 +42,7 @@ impl<T: Scalar, const N: usize> Solid<SVector<T, N>> for Cuboid<SVector<T, N>> {
             let side = T::choose(from[axis].below(zero), -one, one);
             normal[axis] = T::choose(nearer, side, normal[axis]);
         }
-        // A NaN is nearer than nothing: of the other axes alone nothing can be told.
+        // A NaN counts as nearest: the other axes alone do not determine the depth.
         let known = from.finite();
         NearestPoint { depth: T::choose(known, least, T::of(f64::NAN)), normal }
     }

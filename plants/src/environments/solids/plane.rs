@@ -1,11 +1,11 @@
-//! Half of the space.
+//! Half-space.
 
 use lyapunov_core::{ParameterError, Requirement, Signal};
 
 use super::axes::{check_axes, largest_axis, length_and_direction};
 use crate::{NearestPoint, Solid};
 
-/// All that is below a plane: `p = (point − x)·n`.
+/// The half-space below a plane: `p = (point − x)·n`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<V> {
     point: V,

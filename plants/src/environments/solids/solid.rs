@@ -1,11 +1,11 @@
-//! What a point can be inside of.
+//! `Solid` trait: a solid, known by the nearest point of its surface.
 
 use lyapunov_core::Signal;
 
-/// Where the surface of a solid is, seen from a point.
+/// Nearest point on the surface of a solid, seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestPoint<V: Signal> {
-    /// How deep the point is below its nearest point on the surface, m; above 0 inside the solid only.
+    /// Depth of the point below its nearest point on the surface, m; above 0 inside the solid only.
     pub depth: V::Scalar,
     /// The outward normal there, of length 1.
     pub normal: V,
@@ -17,7 +17,7 @@ pub struct NearestPoint<V: Signal> {
 /// use lyapunov_core::{ParameterError, Signal};
 /// use lyapunov_plants::{Contact, NearestPoint, Solid};
 /// use nalgebra::Vector3;
-/// /// Round about the z axis, without end.
+/// /// An endless cylinder about the z axis.
 /// struct Cylinder { radius: f64 }
 /// impl Solid<Vector3<f64>> for Cylinder {
 ///     fn nearest(&self, position: Vector3<f64>) -> NearestPoint<Vector3<f64>> {
@@ -30,7 +30,7 @@ pub struct NearestPoint<V: Signal> {
 /// # Ok::<(), ParameterError>(())
 /// ```
 pub trait Solid<V: Signal> {
-    /// The nearest point of the surface, for a point inside. Of one outside only that the depth is not above 0 is
-    /// asked; where `position` is NaN, the depth is.
+    /// The nearest point of the surface, for a point inside. For a point outside, only a depth not above 0 is required;
+    /// where `position` is NaN, the depth is NaN.
     fn nearest(&self, position: V) -> NearestPoint<V>;
 }

@@ -1,4 +1,4 @@
-//! A ball.
+//! Ball.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
@@ -8,7 +8,7 @@ use crate::{NearestPoint, Solid};
 
 /// A ball, on two axes a disc: `p = radius − |x − center|`, `n = (x − center) / |x − center|`.
 ///
-/// At the very center every direction is as near; it takes `+x`, the first axis.
+/// At the very center all directions are equally near; it takes `+x`, the first axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<V: Signal> {
     center: V,
