@@ -26,7 +26,7 @@ use crate::StabilizerExt;
 ///
 /// It is derived here from the memory of forces of Ryu and Yoon ([`MemoryBased`](crate::MemoryBased)), which keeps no debt: what
 /// that one gives too much where a motion turns round, this one gives less later. It looks one period ahead whatever
-/// the delay; for a force that acts later the debt makes up. InContact the last cell, which reaches on without an
+/// the delay; for a force that acts later the debt makes up. Beyond the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
 /// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a
