@@ -8,19 +8,23 @@
 //! ```
 //! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer};
 //!
-//! fn control(read: impl Fn() -> f64, drive_motor: impl Fn(f64) -> f64) -> Result<(), ParameterError> {
+//! fn control(
+//!     read: impl Fn() -> f64,
+//!     motor: impl Fn(f64) -> f64,
+//! ) -> Result<(), ParameterError> {
 //!     let period = 1e-3; // s
-//!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // half of m / T; 0.2 kg surely move
+//!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // half of 0.2 kg / T
 //!     let mut popc = Popc::new(PortEnergy, limit);
 //!     let (mut last, mut applied) = (read(), 0.0); // the first reading is no displacement
 //!     for _ in 0..1000 {
 //!         let position = read();
 //!         let displacement = position - last;
 //!         last = position;
-//!         let sample = PortSample::new(period, position, displacement / period, displacement, applied);
+//!         let velocity = displacement / period;
+//!         let sample = PortSample::new(period, position, velocity, displacement, applied);
 //!         let wall = if position > 0.0 { 8000.0 * position } else { 0.0 };
 //!         let correction = popc.stabilize(&sample, wall);
-//!         applied = drive_motor(correction.effort); // what the amplifier did, after its own limits
+//!         applied = motor(correction.effort); // what it did, after its own limits
 //!     }
 //!     Ok(())
 //! }

@@ -6,8 +6,8 @@ use std::process::{Command, Output};
 
 use approx::abs_diff_eq;
 use lyapunov_lab::Scene;
-use lyapunov_lab::compare::{Comparison, Contestants, Score};
-use lyapunov_lab::family::{Member, Members};
+use lyapunov_lab::compare::{Comparison, Entrants, Score};
+use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use serde_json::Value;
 
 fn shipped(name: &str) -> PathBuf {
@@ -155,9 +155,9 @@ fn the_trade_off_agrees_with_144_comparisons() {
         let stiffness = 2000.0 * 16f64.powf(f64::from(column) / 5.5 - 1.0);
         let text = scene(stiffness, 0.3 * 200.0 * f64::from(row) / 11.0);
         let wall = Scene::parse(&text, "wall").unwrap();
-        let members: Members = names.parse().unwrap();
-        let contestants = Contestants::<f64>::of(members);
-        let comparison = Comparison::of("wall", &wall, &contestants).unwrap();
+        let members: StabilizerNames = names.parse().unwrap();
+        let entrants = Entrants::<f64>::of(members);
+        let comparison = Comparison::of("wall", &wall, &entrants).unwrap();
         let error =
             |score: &Score| (score.stable == Some(true)).then(|| score.force_error.unwrap());
         errors.push(comparison.scores().map(error).collect());
@@ -271,7 +271,7 @@ fn the_family_takes_part_by_name() {
     assert_eq!((all.status.code(), said.as_str()), (Some(0), ""));
     let narrow = |line: &str| line.chars().count() <= 100 || line.contains(".toml");
     assert!(table.lines().all(narrow), "{table}");
-    for member in Member::ALL {
+    for member in StabilizerName::ALL {
         let rows = table.lines().filter(|line| line.split(' ').next() == Some(member.name()));
         assert_eq!(rows.count(), 2, "{member}: {table}");
     }

@@ -29,7 +29,7 @@ fn text(bytes: &[u8]) -> String {
 }
 
 #[test]
-fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
+fn the_tables_fit_the_terminal_and_have_a_row_for_each_entrant() {
     let mut arguments = vec!["compare".into()];
     arguments.extend(NAMES.map(|name| path(name).into_os_string()));
     let said = lyapunov(arguments);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use lyapunov_lab::shipped::SCENES;
+use lyapunov_lab::scenes::SCENES;
 
 /// The widest line that fits a terminal.
 const WIDTH: usize = 100;

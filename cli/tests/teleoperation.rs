@@ -25,7 +25,7 @@ const ROWS: [&str; 5] =
     ["none", "popc-at-each-end", "two-port-popc", "drift-compensated", "wave-variables"];
 
 #[test]
-fn the_tables_fit_the_terminal_and_have_a_row_for_each_contestant() {
+fn the_tables_fit_the_terminal_and_have_a_row_for_each_entrant() {
     let mut arguments = vec!["compare".into()];
     arguments.extend(NAMES.map(|name| path(name).into_os_string()));
     let said = lyapunov(arguments);

@@ -1,7 +1,9 @@
-//! Scene files, simulation, studies and their figures: what the command `lyapunov` is made of.
+//! Scene files, simulation, studies and their figures: the library behind the command `lyapunov`.
 //!
-//! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with anybody
-//! else's:
+//! The crate has six floors, and each uses only those below it: text, files, simulation, measures, their presentation,
+//! and on top the studies, one for each command.
+//!
+//! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with any other:
 //!
 //! ```
 //! use lyapunov::{Correction, PortSample, Stabilizer};
@@ -21,47 +23,49 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod accuracy;
-pub mod bounds;
-mod building;
-pub mod causes;
-pub mod compare;
-mod csv;
-mod described;
-mod equilibrium;
-pub mod family;
-pub mod hard;
-mod html;
-pub mod map;
-mod meters;
-pub mod models;
-pub mod observe;
-mod output_error;
-pub mod paper;
-mod prices;
-mod quartiles;
-mod rollout;
-mod row;
-pub mod scene;
-pub mod shipped;
-pub mod subjects;
-mod summary;
-mod table;
-pub mod teleoperation;
-mod tick;
-mod timing;
-mod words;
+mod files;
+mod measure;
+mod show;
+mod simulate;
+mod studies;
+mod text;
 
-pub use self::csv::{COLUMNS, Csv};
-pub use building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
+// Files.
+pub use files::scene::{self, Render, Scene};
+
+/// Control-affine plants, and the comparison of stabilizers at their ports.
+pub mod models {
+    pub use crate::files::models::*;
+    pub use crate::measure::models::{BOUND, Score};
+    pub use crate::simulate::models::Entrant;
+    pub use crate::studies::compare::models::Comparison;
+}
+
+/// Teleoperators, and the comparison of their stabilizers.
+pub mod teleoperation {
+    pub use crate::files::teleoperation::*;
+    pub use crate::measure::teleoperation::{BOUND, Curves, Score};
+    pub use crate::simulate::teleoperation::Entrant;
+    pub use crate::studies::compare::teleoperation::Comparison;
+}
+
+// Simulation.
+pub use simulate::building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
+pub use simulate::family;
+pub use simulate::rollout::Rollout;
+pub use simulate::row::{Row, further_columns, further_numbers};
+pub use simulate::tick::{OperatorMotion, Tick};
+
+// Measures and their presentation.
+pub use measure::summary::Summary;
+pub use show::csv::{COLUMNS, Csv};
+pub use show::output_error::OutputError;
+
+// Studies, one for each command.
+pub use studies::{accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes};
+
+// Names of other crates that the interface above uses.
 #[doc(no_inline)]
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]
 pub use nalgebra::SVector;
-pub use output_error::OutputError;
-pub use prices::{Prices, PricesError};
-pub use rollout::Rollout;
-pub use row::{Row, further_columns, further_numbers};
-pub use scene::{Render, Scene};
-pub use summary::Summary;
-pub use tick::{Apart, Tick};

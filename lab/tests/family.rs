@@ -11,7 +11,7 @@ use lyapunov::{
         ForceBound, ReferenceFollowing, StabilizerExt, Tank, TankLimits, WindowedCredit,
     },
 };
-use lyapunov_lab::family::{Member, Members};
+use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use lyapunov_lab::{AnyStabilizer, Rollout, Row, Scene};
 
 /// A hand of 0.2 + 0.3 kg on 50 N/m, let go 40 mm before a wall that is computed every fourth tick.
@@ -96,8 +96,8 @@ fn each_stabilizer_is_set_as_the_page_says() {
         Rollout::stabilized_by(&scene, stabilizer).unwrap().rows().collect()
     };
     let mut built = 0;
-    let none = rows(Member::ALL[0].on(&scene).unwrap());
-    for member in Member::ALL {
+    let none = rows(StabilizerName::ALL[0].on(&scene).unwrap());
+    for member in StabilizerName::ALL {
         let Some(by_hand) = by_hand(member.name()) else { continue };
         let ours = rows(member.on(&scene).unwrap());
         alike(member.name(), &ours, &rows(by_hand));
@@ -120,19 +120,19 @@ fn every_parameter_makes_a_difference() {
         .replace("position = -0.04", "position = -0.002")
         .replace("20000.0", "500.0")
         .replace("stiffness = 50.0", &format!("stiffness = 50.0, {motion}"));
-    let forces = |text: &str, member: Member| -> Vec<f64> {
+    let forces = |text: &str, member: StabilizerName| -> Vec<f64> {
         let scene = Scene::parse(text, "test").unwrap();
         let rollout = Rollout::stabilized_by(&scene, member.on::<f64>(&scene).unwrap()).unwrap();
         rollout.map(|tick| tick.command).collect()
     };
-    let popc: Member = "popc".parse().unwrap();
-    let same: Vec<&str> = Member::ALL
+    let popc: StabilizerName = "popc".parse().unwrap();
+    let same: Vec<&str> = StabilizerName::ALL
         .into_iter()
         .filter(|member| {
             let texts = [SCENE, &coarse, &pressed];
             texts.iter().all(|text| forces(text, *member) == forces(text, popc))
         })
-        .map(Member::name)
+        .map(StabilizerName::name)
         .collect();
     // The budget is zero here, since nothing is stored at the start.
     assert_eq!(same, ["popc", "lolc-spring", "popc-budgeted"]);
@@ -143,7 +143,7 @@ fn every_parameter_makes_a_difference() {
 fn a_budget_is_the_energy_stored_at_the_start() {
     let scene = SCENE.replace("position = -0.04", "position = 0.003");
     let scene = Scene::parse(&scene, "test").unwrap();
-    let member: Member = "popc-budgeted".parse().unwrap();
+    let member: StabilizerName = "popc-budgeted".parse().unwrap();
     let mut budgeted = member.on::<f64>(&scene).unwrap();
     let still = PortSample::starting(PERIOD, 0.003, 0.0);
     let sum = budgeted.stabilize(&still, 40.0).observed_energy;
@@ -153,15 +153,15 @@ fn a_budget_is_the_energy_stored_at_the_start() {
 #[test]
 fn names_are_read_and_written() {
     let mut names = Vec::new();
-    for member in Member::ALL {
+    for member in StabilizerName::ALL {
         let name = member.name();
         assert_eq!(name.parse(), Ok(member));
         assert!(name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{name}");
         assert!(!names.contains(&name), "{name} is there twice");
         names.push(name);
     }
-    let all: Members = "all".parse().unwrap();
-    assert_eq!(*all, Member::ALL);
+    let all: StabilizerNames = "all".parse().unwrap();
+    assert_eq!(*all, StabilizerName::ALL);
     assert_eq!(all.to_string(), names.join(","));
     assert_eq!(all.to_string().parse(), Ok(all));
     for (given, words) in [
@@ -171,7 +171,7 @@ fn names_are_read_and_written() {
         ("popc,,tank", &["``"]),
         ("tank,popc,tank", &["`tank` is named twice"]),
     ] {
-        let said = given.parse::<Members>().unwrap_err().to_string();
+        let said = given.parse::<StabilizerNames>().unwrap_err().to_string();
         words.iter().for_each(|word| assert!(said.contains(word), "{word}: {said}"));
         assert!(said.lines().all(|line| line.chars().count() <= 100), "{said}");
     }
@@ -191,7 +191,7 @@ fn first<L: Scalar>(sample: &PortSample<L>) -> PortSample<f64> {
 #[test]
 fn lanes_and_scalars_are_set_alike() {
     let scene = Scene::parse(SCENE, "test").unwrap();
-    for member in Member::ALL {
+    for member in StabilizerName::ALL {
         let mut lanes = member.on::<AutoF64x8>(&scene).unwrap();
         let mut alone = member.on::<f64>(&scene).unwrap();
         member.on::<f32>(&scene).unwrap();
@@ -235,7 +235,7 @@ fn every_stabilizer_can_be_made_for_odd_scenes() {
             .replace("20000.0", "[2000.0, 20000.0], depth = 0.001"),
     ] {
         let scene = Scene::parse(&odd, "odd").unwrap_or_else(|fault| panic!("{odd}: {fault}"));
-        for member in Member::ALL {
+        for member in StabilizerName::ALL {
             let made = member.on::<f64>(&scene).unwrap_or_else(|error| panic!("{member}: {error}"));
             let rows = Rollout::stabilized_by(&scene, made).unwrap().count();
             assert!(rows > 0, "{member} {odd}");

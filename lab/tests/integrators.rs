@@ -2,7 +2,7 @@
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov_lab::scene::{Draft, Integrator, Positive, Scalar, StepsPerTick};
-use lyapunov_lab::shipped::{SCENES, text_of};
+use lyapunov_lab::scenes::{SCENES, text_of};
 use lyapunov_lab::{Rollout, Scene, Space, Tick, further_numbers, in_space};
 
 /// Rows that are compared: too few for errors to grow.

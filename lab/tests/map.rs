@@ -1,11 +1,11 @@
 //! Maps from outside: lanes against single runs, and both against the comparison of stabilizers.
 
 use lyapunov_lab::Scene;
-use lyapunov_lab::bounds::Limits;
-use lyapunov_lab::compare::{Comparison, Contestants};
-use lyapunov_lab::family::Member;
+use lyapunov_lab::bound::Limits;
+use lyapunov_lab::compare::{Comparison, Entrants};
+use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::map::{
-    Bounds, Contender, Grid, Instructions, Kernel, Lanes, Outcome, OverExact, Run, Survey,
+    BasicName, Bounds, Grid, Instructions, Kernel, Lanes, Outcome, OverExact, Run, Survey,
 };
 use proptest::prelude::*;
 
@@ -27,7 +27,7 @@ fn scene(more: &str) -> Scene {
     Scene::parse(&format!("{text}{more}"), "test").unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-fn grid(more: &str, x: &str, y: &str, members: &[impl Copy + Into<Member>]) -> Grid {
+fn grid(more: &str, x: &str, y: &str, members: &[impl Copy + Into<StabilizerName>]) -> Grid {
     let axis = |text: &str| text.parse().unwrap();
     Grid::new(scene(more), axis(x), axis(y), members.iter().copied()).unwrap()
 }
@@ -51,7 +51,7 @@ const STIFFNESS: &str = "environment.wall.stiffness";
 #[test]
 fn lanes_have_the_bits_of_single_runs() {
     let x = format!("{STIFFNESS}=100..50000:13");
-    let grid = grid("", &x, "environment.wall.damping=0..100:7", &Contender::ALL);
+    let grid = grid("", &x, "environment.wall.damping=0..100:7", &BasicName::ALL);
     let (lanes, alone) = (outcomes(&grid, false, 2), outcomes(&grid, true, 1));
     assert_eq!(lanes, alone);
     let stable = lanes.iter().flatten().filter(|outcome| outcome.stable == Some(true)).count();
@@ -65,7 +65,7 @@ fn lanes_have_them_with_sampled_work_and_other_caps_too() {
         "environment_rate = 1000.0\n",
     ] {
         let x = format!("{STIFFNESS}=100..20000:9:log");
-        let grid = grid(more, &x, "device.mass=0.01..0.4:5", &Contender::ALL);
+        let grid = grid(more, &x, "device.mass=0.01..0.4:5", &BasicName::ALL);
         assert_eq!(outcomes(&grid, false, 2), outcomes(&grid, true, 1), "{more}");
     }
 }
@@ -79,7 +79,7 @@ proptest! {
         pair in 0_usize..4,
         scalar in prop_oneof![Just("f32"), Just("f64")],
         rate in prop_oneof![Just(100.0), Just(500.0), Just(1000.0)],
-        contender in 0_usize..6,
+        basic_name in 0_usize..6,
         damping in 0.0..30.0_f64,
         width in 1.5..20.0_f64,
     ) {
@@ -94,13 +94,13 @@ proptest! {
             "environment_rate = {rate:?}\nscalar = \"{scalar}\"\n\
              environment.wall = {{ stiffness = 3000.0, damping = {damping:?} }}\n"
         );
-        let contender = Contender::ALL[contender];
-        let grid = grid(&more, x, y, &[contender]);
+        let basic_name = BasicName::ALL[basic_name];
+        let grid = grid(&more, x, y, &[basic_name]);
         let cells: Vec<u64> = (0..grid.cells()).collect();
         let of = |set, lanes| {
             let kernel = Kernel::of(&grid, set, lanes).unwrap().unwrap();
-            let verdicts = kernel.verdicts(contender, &cells, &|| true).unwrap().unwrap();
-            (verdicts, kernel.measures(contender, &cells, &|| true).unwrap().unwrap())
+            let verdicts = kernel.verdicts(basic_name, &cells, &|| true).unwrap().unwrap();
+            (verdicts, kernel.measures(basic_name, &cells, &|| true).unwrap().unwrap())
         };
         let alone = of(Instructions::Base, Lanes::One);
         for set in Instructions::all() {
@@ -117,12 +117,12 @@ fn cells_are_what_the_comparison_says() {
         "duration = 1.2\neffects.delay.ticks = 2\neffects.saturation.force = 3.0\n",
     ] {
         let x = format!("{STIFFNESS}=500..9000:3");
-        let grid = grid(more, &x, "environment.wall.damping=1..30:2", &Member::ALL);
+        let grid = grid(more, &x, "environment.wall.damping=1..30:2", &StabilizerName::ALL);
         let all = outcomes(&grid, false, 2);
         for (cell, outcomes) in (0..).zip(all) {
             let scene = grid.scene_of(cell).unwrap();
-            let contestants = Contestants::<f64>::of(Member::ALL);
-            let comparison = Comparison::of("cell", &scene, &contestants).unwrap();
+            let entrants = Entrants::<f64>::of(StabilizerName::ALL);
+            let comparison = Comparison::of("cell", &scene, &entrants).unwrap();
             for (score, outcome) in comparison.scores().zip(outcomes) {
                 assert_eq!(outcome.stable, score.stable);
                 if score.stable == Some(true) {
@@ -140,7 +140,7 @@ fn cells_are_what_the_comparison_says() {
 #[test]
 fn any_number_of_a_scene_makes_an_axis() {
     let more = "duration = 0.2\neffects = { delay.ticks = 1, encoder.resolution = 1e-5 }\n";
-    let grid = grid(more, "effects.delay.ticks=0..4:5", "duration=0.1..0.3:3", &[Contender::Popc]);
+    let grid = grid(more, "effects.delay.ticks=0..4:5", "duration=0.1..0.3:3", &[BasicName::Popc]);
     let all = outcomes(&grid, false, 2);
     assert_eq!(all.len(), 15);
     assert!(all.iter().flatten().all(|outcome| outcome.stable.is_some()));
@@ -151,7 +151,7 @@ fn any_number_of_a_scene_makes_an_axis() {
 fn a_scene_without_a_spring_is_not_judged_but_measured() {
     let more = "operator = { mass = 0.1 }\ninitial = { position = -0.004, velocity = 0.1 }\nduration = 1.1\n";
     let x = format!("{STIFFNESS}=100..1000:3");
-    let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[Contender::Nobody]);
+    let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[BasicName::NoStabilizer]);
     for outcomes in outcomes(&grid, false, 1) {
         assert_eq!(outcomes[0].stable, None);
         assert!(outcomes[0].measures.peak_force.unwrap() > 0.0);
@@ -167,7 +167,7 @@ fn told(x: &str, held: [u64; 3]) -> Option<OverExact> {
 /// Reported ratio of a map of ten stiffnesses in three rows with these verdicts.
 fn told_of(x: &str, stable: &dyn Fn(u64, u64) -> Option<bool>) -> Option<OverExact> {
     let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
-    let grid = grid(more, x, "initial.position=-0.005..-0.003:3", &[Contender::Popc]);
+    let grid = grid(more, x, "initial.position=-0.005..-0.003:3", &[BasicName::Popc]);
     let mut survey = Survey::of(&grid);
     for cell in 0..grid.cells() {
         let stable = stable(cell / 10, cell % 10);

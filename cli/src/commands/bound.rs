@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::bounds::Limits;
+use lyapunov_lab::bound::Limits;
 use lyapunov_lab::scene::Scene;
 
 use super::{End, heed_interrupts, standard_output};

@@ -8,9 +8,9 @@ use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_figures::Figure;
 use lyapunov_lab::compare::{
-    Column, CompareError, Comparison, Contestants, Energies, TradeOff, document,
+    Column, CompareError, Comparison, Energies, Entrants, TradeOff, document,
 };
-use lyapunov_lab::family::Members;
+use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::{Space, models, teleoperation};
 
@@ -39,8 +39,8 @@ pub(crate) struct Compare {
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
     /// Who takes part, by the names of docs/family.md, or all; files that are no scenes have rows of their own.
-    #[arg(long, default_value_t = Members::standard(), value_name = "NAMES")]
-    pub(super) stabilizers: Members,
+    #[arg(long, default_value_t = StabilizerNames::standard(), value_name = "NAMES")]
+    pub(super) stabilizers: StabilizerNames,
     /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
     /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
@@ -94,8 +94,8 @@ impl Compare {
             let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
             once + self.out.as_ref().map_or(0, |_| drawn)
         };
-        let contestants = self.stabilizers.len() as u64;
-        let ticks = scenes.iter().map(|(_, scene)| contestants * ticks(scene)).sum();
+        let entrants = self.stabilizers.len() as u64;
+        let ticks = scenes.iter().map(|(_, scene)| entrants * ticks(scene)).sum();
         let bar = self.progress(ticks);
         let met = scenes.iter().map(|(name, scene)| match scene.scalar {
             Scalar::F64 => self.meet::<f64>(name, scene, &bar),
@@ -127,21 +127,21 @@ impl Compare {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let contestants = Contestants::<T>::of(self.stabilizers.iter().copied());
+        let entrants = Entrants::<T>::of(self.stabilizers.iter().copied());
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),
         };
         let mut comparison =
-            Comparison::watched(name, scene, &contestants, &watch).map_err(refused)?;
+            Comparison::watched(name, scene, &entrants, &watch).map_err(refused)?;
         if let Some(column) = self.by {
             comparison.sort_by(column);
         }
         let mut answers = Answers::default();
         if self.out.is_some() {
-            let energies = Energies::of(&comparison, &contestants, &watch).map_err(refused)?;
+            let energies = Energies::of(&comparison, &entrants, &watch).map_err(refused)?;
             answers.push("energy", &energies.figure(), energies.csv())?;
-            let trade_off = TradeOff::of(&comparison, &contestants, &watch).map_err(refused)?;
+            let trade_off = TradeOff::of(&comparison, &entrants, &watch).map_err(refused)?;
             if let Some(trade_off) = trade_off {
                 answers.push("trade-off", &trade_off.figure(), trade_off.csv())?;
             }

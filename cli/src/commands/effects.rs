@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use lyapunov_lab::{Prices, PricesError};
+use lyapunov_lab::effects::{Costs, CostsError};
 
 use super::{End, heed_interrupts, standard_output};
 
@@ -37,8 +37,8 @@ impl Effects {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let prices = Prices::measured(&watch).map_err(|error| match error {
-            PricesError::Stopped => End::Interrupted,
+        let prices = Costs::measured(&watch).map_err(|error| match error {
+            CostsError::Stopped => End::Interrupted,
             error => End::internal(error),
         })?;
         bar.finish_and_clear();
@@ -57,7 +57,7 @@ impl Effects {
         if self.quiet || !io::stdout().is_terminal() {
             return Ok(ProgressBar::hidden());
         }
-        let loops = Prices::loops().map_err(End::internal)? as u64;
+        let loops = Costs::loops().map_err(End::internal)? as u64;
         let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
         let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
         Ok(ProgressBar::new(loops).with_style(style))

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::causes::Explanation;
+use lyapunov_lab::explain::Explanation;
 use lyapunov_lab::scene::{Scalar, Scene};
 
 use super::{End, heed_interrupts, standard_output};

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use lyapunov_lab::family::{Contender, Member};
+use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
@@ -29,7 +29,7 @@ pub(crate) struct Hard {
     ///
     /// A bound that it does not promise may be passed: the case is then reported as over, and is no failure.
     #[arg(long, value_name = "NAME")]
-    stabilizer: Option<Member>,
+    stabilizer: Option<StabilizerName>,
     /// Write hard.json and report.html into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -44,7 +44,7 @@ pub(crate) struct Hard {
 impl Hard {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
-        if self.stabilizer == Some(Member::Plain(Contender::Nobody)) {
+        if self.stabilizer == Some(StabilizerName::Basic(BasicName::NoStabilizer)) {
             return Err(End::input(
                 "`none` is no stabilizer to be tried\n  = --out writes a page that tells of every loop without one",
             ));

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
-use lyapunov_lab::family::Members;
+use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
-    Axis, Book, BookError, Bounds, Computation, Grid, MergeError, Run, RunError, Shard, Survey,
-    areas, document, figures, merge, page,
+    Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, MergeError, Run, RunError, Shard,
+    Survey, areas, document, figures, merge, page,
 };
 use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
@@ -46,7 +46,7 @@ pub(crate) struct Map {
     y: Option<Axis>,
     /// Who runs in each cell, by the names of docs/family.md, or all.
     #[arg(long, default_value = "none,popc,lolc", value_name = "NAMES")]
-    stabilizers: Members,
+    stabilizers: StabilizerNames,
     /// Write the map into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -91,8 +91,8 @@ pub(crate) struct Merge {
     quiet: bool,
 }
 
-impl From<BookError> for End {
-    fn from(error: BookError) -> Self {
+impl From<CheckpointError> for End {
+    fn from(error: CheckpointError) -> Self {
         Self::input(error)
     }
 }
@@ -114,24 +114,25 @@ impl Map {
             Run::of(&grid, self.threads.map(usize::from)).map_err(|error| self.blame(error))?;
         let mut survey = Survey::of(&grid);
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-        let mut book = match &folder {
+        let mut checkpoint = match &folder {
             None => None,
             Some(folder) => {
-                let book = Book::open(folder.path(), &grid, shard, self.resume, &mut survey)?;
+                let checkpoint =
+                    Checkpoint::open(folder.path(), &grid, shard, self.resume, &mut survey)?;
                 folder.keep();
-                Some(book)
+                Some(checkpoint)
             }
         };
-        let effort = self.compute(&run, &grid, shard, &mut book, &mut survey)?;
+        let effort = self.compute(&run, &grid, shard, &mut checkpoint, &mut survey)?;
         let computation = Computation::of(&run, effort);
         // A shard does not know the cells along a whole axis.
         let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
-        if let (Some(folder), Some(book)) = (&folder, book) {
+        if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
             if shard == Shard::WHOLE {
                 fill(folder.path(), &survey, bounds.as_ref(), &text, &self.command())?;
             }
-            book.finish().map_err(End::input)?;
+            checkpoint.finish().map_err(End::input)?;
         }
         self.say(&survey, bounds.as_ref(), shard, &computation, &text)
     }
@@ -141,11 +142,11 @@ impl Map {
         run: &Run<'_>,
         grid: &Grid,
         shard: Shard,
-        book: &mut Option<Book>,
+        checkpoint: &mut Option<Checkpoint>,
         survey: &mut Survey,
-    ) -> Result<lyapunov_lab::map::Effort, End> {
+    ) -> Result<lyapunov_lab::map::Workload, End> {
         let cells = shard.cells(grid.cells());
-        let first = book.as_ref().map_or(cells.start, Book::next);
+        let first = checkpoint.as_ref().map_or(cells.start, Checkpoint::next);
         let bar = if self.quiet {
             ProgressBar::hidden()
         } else {
@@ -155,8 +156,8 @@ impl Map {
         bar.reset_eta();
         let go_on = || End::if_interrupted().is_ok();
         let done = run.cells(first..cells.end, &go_on, &mut |first, outcomes| {
-            if let Some(book) = book {
-                book.put(grid, outcomes)?;
+            if let Some(checkpoint) = checkpoint {
+                checkpoint.put(grid, outcomes)?;
             }
             for (cell, outcomes) in (first..).zip(outcomes) {
                 survey.add(cell, outcomes);
@@ -165,12 +166,12 @@ impl Map {
             Ok(())
         });
         bar.finish_and_clear();
-        done.map_err(|error| match (error, book.as_ref()) {
-            (RunError::Stopped, Some(book)) => End::Kept(format!(
+        done.map_err(|error| match (error, checkpoint.as_ref()) {
+            (RunError::Stopped, Some(checkpoint)) => End::Kept(format!(
                 "interrupted: {} of {} cells are in {}\n  = go on with --resume",
-                book.next() - cells.start,
+                checkpoint.next() - cells.start,
                 cells.end - cells.start,
-                book.part().display()
+                checkpoint.part().display()
             )),
             (RunError::Stopped, None) => End::Interrupted,
             (error @ RunError::Threads(_), _) => End::internal(error),
@@ -216,7 +217,7 @@ impl Map {
         }
         said += &areas(survey, bounds);
         let how = match computation.instructions {
-            Some(set) if survey.grid().members.iter().all(|it| it.contender().is_some()) => {
+            Some(set) if survey.grid().stabilizers.iter().all(|it| it.basic_name().is_some()) => {
                 format!("{} cells at once ({set})", computation.lanes)
             }
             Some(set) => format!(

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov::ParameterError;
-use lyapunov_lab::causes::Hint;
+use lyapunov_lab::explain::Hint;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{
     Csv, OutputError, Rollout, Row, Space, Summary, further_columns, further_numbers, in_space,

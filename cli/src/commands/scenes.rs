@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use clap::Args;
-use lyapunov_lab::shipped::{self, Shipped};
+use lyapunov_lab::scenes::{self, Shipped};
 
 use super::{End, standard_output};
 
@@ -27,8 +27,8 @@ pub(crate) struct Scenes {
 impl Scenes {
     pub(crate) fn run(&self) -> Result<(), End> {
         let text = match &self.name {
-            Some(name) => shipped::text_of(name).map_err(End::input)?.to_owned(),
-            None if self.json => shipped::json().map_err(End::internal)?,
+            Some(name) => scenes::text_of(name).map_err(End::input)?.to_owned(),
+            None if self.json => scenes::json().map_err(End::internal)?,
             None if self.quiet => listed(|scene| scene.name.to_owned()),
             None => listed(|scene| {
                 let [what, look] = scene.comment();
@@ -40,5 +40,5 @@ impl Scenes {
 }
 
 fn listed(line: impl Fn(&Shipped) -> String) -> String {
-    shipped::SCENES.iter().map(|scene| line(scene) + "\n").collect()
+    scenes::SCENES.iter().map(|scene| line(scene) + "\n").collect()
 }

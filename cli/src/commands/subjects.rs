@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use lyapunov_lab::Scene;
-use lyapunov_lab::family::Members;
+use lyapunov_lab::compare::{Compared, RunError, Sheet, Subject, page};
+use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::models::Model;
-use lyapunov_lab::subjects::{CompareError, Compared, Sheet, Subject, page};
 use lyapunov_lab::teleoperation::Teleoperator;
 
 use super::compare::{Compare, RESULTS, names};
@@ -59,7 +59,7 @@ pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> 
             "--by names a column of scenes\n  = the rows of a {noun} keep their order: leave it out"
         )));
     }
-    if asked.stabilizers != Members::standard() {
+    if asked.stabilizers != StabilizerNames::standard() {
         return Err(End::input(format!(
             "--stabilizers names stabilizers of scenes\n  = of a {noun} the same are always compared: leave it out"
         )));
@@ -76,7 +76,7 @@ pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> 
     let compared = files.iter().map(|(name, file)| C::of(name, file, &watch));
     let comparisons: Result<Vec<_>, _> = compared.collect();
     let comparisons = comparisons.map_err(|error| match error {
-        CompareError::Stopped => End::Interrupted,
+        RunError::Stopped => End::Interrupted,
         error => End::internal(error),
     })?;
     bar.finish_and_clear();

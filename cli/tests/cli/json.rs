@@ -56,9 +56,9 @@ fn the_json_agrees_with_the_rows() {
     let work: f64 = (1..x.len()).map(|n| f_act[n - 1] * (x[n] - x[n - 1])).sum();
     near(&json["energy_into_port_mj"], 1e3 * work);
     let stabilizer = &json["stabilizer"];
-    near(&stabilizer["observer_least_mj"], -1e3 * most(observer, |sum| -sum));
-    near(&stabilizer["observer_most_mj"], 1e3 * most(observer, |sum| sum));
-    near(&stabilizer["observer_end_mj"], 1e3 * observer.last().unwrap());
+    near(&stabilizer["observed_energy_least_mj"], -1e3 * most(observer, |sum| -sum));
+    near(&stabilizer["observed_energy_most_mj"], 1e3 * most(observer, |sum| sum));
+    near(&stabilizer["observed_energy_end_mj"], 1e3 * observer.last().unwrap());
     let active = alpha.iter().filter(|alpha| **alpha > 0.0).count();
     near(&stabilizer["active_percent"], 100.0 * active as f64 / x.len() as f64);
     let asked: f64 = f_ctl.iter().zip(v).map(|(force, v)| force * v * 0.01).sum();

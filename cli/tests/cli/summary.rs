@@ -20,7 +20,7 @@ fn the_summary_has_one_form() {
     assert_eq!(lines[2], "  wall         8000 N/m, 2 N.s/m");
     let stabilizer = "LOLC: mass-spring-damper, held work, damping cap 0.5 m / T";
     assert_eq!(lines[3], format!("  stabilizer   {stabilizer}"));
-    let rest = ["settled", "peak force", "energy", "observer", "controller"];
+    let rest = ["settled", "peak force", "energy", "observed", "controller"];
     assert_eq!(lines.len(), 4 + rest.len(), "{}", said.out);
     for (line, label) in lines[4..].iter().zip(rest) {
         assert!(line.starts_with(&format!("  {label:<13}")), "{line}");

@@ -228,7 +228,7 @@ fn sums(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCaseEr
     let held = course(steps.iter().map(|step| step.work + log.credit(step)));
     let sampled = course(steps.iter().map(|step| step.sampled + log.credit(step)));
     for (sum, (lowest, last, first, clear)) in
-        [(&report.observer, held), (&report.printed, sampled)]
+        [(&report.observed_energy, held), (&report.printed, sampled)]
     {
         near("lowest", sum.lowest, lowest, all)?;
         near("last", sum.last, last, all)?;

@@ -25,15 +25,19 @@ fn rollout(rows: usize) -> Vec<Row> {
 fn the_observer_agrees_with_our_own_simulation() {
     let (report, rows) = (report(), rollout(201));
     assert_eq!((report.rows, report.bad_rows.count, report.gaps.count), (201, 0, 0));
-    let first = rows.iter().find(|row| row.observer < 0.0).unwrap();
-    assert_eq!(report.observer.negative_at, Some(first.t));
-    assert_eq!(report.observer.debts, 1);
+    let first = rows.iter().find(|row| row.observed_energy < 0.0).unwrap();
+    assert_eq!(report.observed_energy.negative_at, Some(first.t));
+    assert_eq!(report.observed_energy.debts, 1);
 
     // The simulators agree within 2e-15 m in the first contact and, as the loop diverges, 6e-12 m at the end.
     const SHARE: f64 = 1e-9;
-    assert_relative_eq!(report.observer.last, rows[200].observer, max_relative = SHARE);
-    let lowest = rows.iter().map(|row| row.observer).fold(0.0, f64::min);
-    assert_relative_eq!(report.observer.lowest, lowest, max_relative = SHARE);
+    assert_relative_eq!(
+        report.observed_energy.last,
+        rows[200].observed_energy,
+        max_relative = SHARE
+    );
+    let lowest = rows.iter().map(|row| row.observed_energy).fold(0.0, f64::min);
+    assert_relative_eq!(report.observed_energy.lowest, lowest, max_relative = SHARE);
     let works: Vec<f64> =
         rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).collect();
     assert_relative_eq!(
@@ -84,8 +88,8 @@ fn the_command_prints_the_same_as_json() {
     assert_eq!((ended.status, ended.error.as_str()), (Some(0), ""));
     let json: serde_json::Value = serde_json::from_str(&ended.out).unwrap();
     let report = report();
-    assert_eq!(json["observer"]["final"], report.observer.last);
-    assert_eq!(json["observer"]["negative_at"], 0.15);
+    assert_eq!(json["observed_energy"]["final"], report.observed_energy.last);
+    assert_eq!(json["observed_energy"]["negative_at"], 0.15);
     assert_eq!(json["contacts"]["worst"][0]["generated"], report.contacts.worst[0].generated);
     assert_eq!(json["candidate"]["name"], "spring");
     let ended = run(&[LOG]);
@@ -100,7 +104,7 @@ fn a_credit_as_large_as_the_repair_leaves_no_debt() {
         let credited = ["--candidate", "device-damping", "--damping", &damping];
         let ended = run(&[&[LOG, "--json"], &credited[..]].concat());
         let json: serde_json::Value = serde_json::from_str(&ended.out).unwrap();
-        assert_eq!(json["observer"]["debts"], debts, "{damping}");
+        assert_eq!(json["observed_energy"]["debts"], debts, "{damping}");
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use lyapunov::{Correction, PortSample, Signal, Stabilizer, laws};
 use lyapunov_lab::Scene;
-use lyapunov_lab::compare::{Comparison, Contestants};
+use lyapunov_lab::compare::{Comparison, Entrants};
 
 /// A virtual coupling damper that always acts: `f_out = f + b v`.
 #[derive(Clone, Copy)]
@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/paper-8k-none.toml");
     let scene = Scene::load(&path)?;
-    let contestants = Contestants::<f64>::standard().with("coupling damper", move |_| Ok(damper));
-    print!("{}", Comparison::of("8 kN/m", &scene, &contestants)?);
+    let entrants = Entrants::<f64>::standard().with("coupling damper", move |_| Ok(damper));
+    print!("{}", Comparison::of("8 kN/m", &scene, &entrants)?);
     Ok(())
 }

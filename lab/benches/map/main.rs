@@ -6,7 +6,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use lyapunov_lab::Scene;
-use lyapunov_lab::map::{Contender, Grid, Instructions, Kernel, Lanes};
+use lyapunov_lab::map::{BasicName, Grid, Instructions, Kernel, Lanes};
 
 const SIDE: u64 = 256;
 
@@ -24,7 +24,7 @@ fn scene(scalar: &str) -> Scene {
 fn kernel(scalar: &str, lanes: Lanes, instructions: Instructions) -> Kernel {
     let x = format!("environment.wall.stiffness=100..50000:{SIDE}").parse().expect("an axis");
     let y = format!("environment.wall.damping=0..100:{SIDE}").parse().expect("an axis");
-    let grid = Grid::new(scene(scalar), x, y, vec![Contender::Lolc]).expect("a grid");
+    let grid = Grid::new(scene(scalar), x, y, vec![BasicName::Lolc]).expect("a grid");
     Kernel::of(&grid, instructions, lanes).expect("values").expect("a scene of the kernel")
 }
 
@@ -47,7 +47,7 @@ fn map(c: &mut Criterion) {
                 let id =
                     if index == 0 { scalar.to_owned() } else { format!("{scalar}/{}", set.name()) };
                 group.bench_function(BenchmarkId::new(name, id), |b| {
-                    b.iter(|| kernel.verdicts(Contender::Lolc, &cells, &|| true));
+                    b.iter(|| kernel.verdicts(BasicName::Lolc, &cells, &|| true));
                 });
             }
         }

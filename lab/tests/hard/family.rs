@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov_lab::family::{Contender, Member};
+use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::Catalogue;
 
 /// Laws that hold for every stabilizer: every output is finite, bad samples are rejected and the ones after them are
@@ -11,8 +11,8 @@ use lyapunov_lab::hard::Catalogue;
 #[test]
 fn every_stabilizer_keeps_the_laws_and_its_promises() {
     let (mut cases, mut over) = (Vec::new(), 0);
-    let nobody = Member::Plain(Contender::Nobody);
-    let family = || Member::ALL.into_iter().filter(|member| *member != nobody);
+    let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
+    let family = || StabilizerName::ALL.into_iter().filter(|member| *member != nobody);
     for member in family() {
         let catalogue = Catalogue::of(Some(member), &|| ControlFlow::Continue(())).unwrap();
         assert_eq!(catalogue.stabilizer, Some(member.name()));

@@ -94,7 +94,7 @@ fn a_model_is_not_taken_for_a_scene() {
         assert!(fault.contains("a model of a plant, not a scene"), "{fault}");
         assert!(fault.contains("lyapunov compare"), "{fault}");
     }
-    for scene in lyapunov_lab::shipped::SCENES {
+    for scene in lyapunov_lab::scenes::SCENES {
         assert!(!Model::is_in(scene.text), "{}", scene.name);
     }
     // A broken text counts too, so that its error is about models.

@@ -10,7 +10,7 @@ use lyapunov::{
         TwoLinkArm, WithState, decrease_of,
     },
 };
-use lyapunov_lab::models::Contestant;
+use lyapunov_lab::models::Entrant;
 use nalgebra::{SVector, Vector1, Vector2, Vector3, Vector4};
 
 use crate::models::shipped::{compared, curve, model};
@@ -63,14 +63,14 @@ impl<P, F, const N: usize> Example<P, F, N> {
         F: LyapunovFunction<SVector<f64, N>> + Copy,
     {
         let comparison = compared(&model(name));
-        for (contestant, cap) in [(Contestant::None, 0.0), (Contestant::Decay, 0.5)] {
+        for (entrant, cap) in [(Entrant::None, 0.0), (Entrant::Decay, 0.5)] {
             let (told, example) =
-                (curve(&comparison, contestant), self.values(cap, controller.clone()));
+                (curve(&comparison, entrant), self.values(cap, controller.clone()));
             assert_eq!(told.len(), example.len());
             let began = example[0];
             for (tick, (told, example)) in told.iter().zip(&example).enumerate() {
                 let off = (told - example).abs() / example.max(began);
-                assert!(off <= 1e-9, "{name}, {contestant:?} at {tick}: {told}, {example}");
+                assert!(off <= 1e-9, "{name}, {entrant:?} at {tick}: {told}, {example}");
             }
         }
     }

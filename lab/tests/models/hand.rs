@@ -1,7 +1,7 @@
 //! Two hand-written models that use nothing of the library but the file.
 
 use approx::abs_diff_eq;
-use lyapunov_lab::models::{Contestant, Model, Plant, Score};
+use lyapunov_lab::models::{Entrant, Model, Plant, Score};
 
 use crate::models::shipped::{compared, curve, model};
 
@@ -42,7 +42,7 @@ impl Hand {
         ([x[0] + place, x[1] + rate], integral)
     }
 
-    fn run(&self, model: &Model, contestant: Contestant) -> Found {
+    fn run(&self, model: &Model, entrant: Entrant) -> Found {
         let (delay, decay) = (model.controller.delay.get() as usize, model.stabilizer.decay.get());
         let mut x = [0, 1].map(|i| model.initial[i].get());
         let (mut found, mut commands) = (Found::default(), Vec::new());
@@ -51,11 +51,11 @@ impl Hand {
         for tick in 0..=ticks {
             let value = (self.value)(x);
             let lost = found.values.last().map_or(0.0, |before| before - value);
-            sum += match contestant {
-                Contestant::None => 0.0,
-                Contestant::Popc => effort * integral,
-                Contestant::Decrease => lost,
-                Contestant::Decay => lost - decay * value * self.period,
+            sum += match entrant {
+                Entrant::None => 0.0,
+                Entrant::Popc => effort * integral,
+                Entrant::Decrease => lost,
+                Entrant::Decay => lost - decay * value * self.period,
             };
             let square = x[1] * x[1] * self.period;
             let alpha = if sum < 0.0 && square > f64::MIN_POSITIVE {
@@ -78,10 +78,10 @@ impl Hand {
 
     fn equals(&self, model: &Model) {
         let comparison = compared(model);
-        for (contestant, score) in Contestant::ALL.into_iter().zip(comparison.scores()) {
-            let name = contestant.name();
-            let found = self.run(model, contestant);
-            let told = curve(&comparison, contestant);
+        for (entrant, score) in Entrant::ALL.into_iter().zip(comparison.scores()) {
+            let name = entrant.name();
+            let found = self.run(model, entrant);
+            let told = curve(&comparison, entrant);
             assert_eq!(told.len(), found.values.len(), "{name}");
             for (tick, (told, hand)) in told.iter().zip(&found.values).enumerate() {
                 let size = hand.max(found.values[0]);

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use approx::abs_diff_eq;
-use lyapunov_lab::models::{Comparison, Contestant, Model, schema_text};
+use lyapunov_lab::compare::Compared;
+use lyapunov_lab::models::{Comparison, Entrant, Model, schema_text};
 use lyapunov_lab::scene::Positive;
-use lyapunov_lab::subjects::Compared;
 use serde_json::Value;
 
 pub(crate) const NAMES: [&str; 6] = [
@@ -31,9 +31,9 @@ pub(crate) fn compared(model: &Model) -> Comparison {
     Comparison::of("test", model, &|_| ControlFlow::Continue(())).unwrap()
 }
 
-/// V at every tick under `contestant`.
-pub(crate) fn curve(comparison: &Comparison, contestant: Contestant) -> Vec<f64> {
-    let (_, points) = comparison.curves().find(|(it, _)| *it == contestant).unwrap();
+/// V at every tick under `entrant`.
+pub(crate) fn curve(comparison: &Comparison, entrant: Entrant) -> Vec<f64> {
+    let (_, points) = comparison.curves().find(|(it, _)| *it == entrant).unwrap();
     points.iter().map(|(_, value)| *value).collect()
 }
 

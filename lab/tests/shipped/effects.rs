@@ -158,7 +158,9 @@ fn the_tour_works_all_its_parts() {
     ];
     assert!(has.iter().all(|has| *has));
     let rows = rows_of(&scene);
-    assert!(rows.iter().any(|row| row.alpha > 0.0) && least(&rows, |row| row.observer) < 0.0);
+    assert!(
+        rows.iter().any(|row| row.alpha > 0.0) && least(&rows, |row| row.observed_energy) < 0.0
+    );
     for second in 0..4 {
         let stroke = between(&rows, second.into(), f64::from(second) + 1.0);
         assert!(most(stroke, |row| row.f_env) > 1.0 && least(stroke, |row| row.x) < -0.01);

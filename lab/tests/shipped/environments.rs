@@ -64,7 +64,7 @@ fn hunt_crossley_takes_a_share_that_falls_with_speed() {
 #[test]
 fn moving_wall_works_on_the_hand() {
     let rows = rows("moving-wall");
-    let observer = |t: f64| between(&rows, t, t + 1e-9)[0].observer;
+    let observer = |t: f64| between(&rows, t, t + 1e-9)[0].observed_energy;
     assert_abs_diff_eq!(observer(3.0) - observer(2.0), -2.6e-3, epsilon = 0.05e-3);
     assert!(rows.iter().all(|row| row.alpha == 0.0));
 }

@@ -5,7 +5,7 @@ use std::fs;
 use jsonschema::Validator;
 use lyapunov_lab::Scene;
 use lyapunov_lab::scene::schema_text;
-use lyapunov_lab::shipped::{SCENES, text_of};
+use lyapunov_lab::scenes::{SCENES, text_of};
 use serde_json::Value;
 
 use crate::shipped::rows::folder;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use lyapunov_lab::scene::{Effects, Scalar};
-use lyapunov_lab::shipped::SCENES;
+use lyapunov_lab::scenes::SCENES;
 use lyapunov_lab::{Rollout, in_space};
 
 use crate::shipped::rows::{edited, folder, scene};

@@ -76,7 +76,7 @@ fn kinds_of_files_are_distinguished() {
         assert!(fault.contains("a teleoperator, not a scene"), "{fault}");
         assert!(fault.contains("lyapunov compare"), "{fault}");
     }
-    for scene in lyapunov_lab::shipped::SCENES {
+    for scene in lyapunov_lab::scenes::SCENES {
         assert!(!Teleoperator::is_in(scene.text), "{}", scene.name);
     }
 }

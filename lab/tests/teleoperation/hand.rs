@@ -2,7 +2,7 @@
 
 use approx::abs_diff_eq;
 use lyapunov::effects::{Random, Source};
-use lyapunov_lab::teleoperation::{Contestant, Score, Teleoperator};
+use lyapunov_lab::teleoperation::{Entrant, Score, Teleoperator};
 
 use crate::teleoperation::shipped::{NAMES, compared, parsed, text};
 
@@ -140,13 +140,13 @@ struct Found {
     active: [usize; 2],
 }
 
-fn run(file: &Teleoperator, contestant: Contestant) -> Found {
+fn run(file: &Teleoperator, entrant: Entrant) -> Found {
     let seed = file.channel.seed.map_or(0, |seed| seed.get());
     let (mut there, mut back) = (Post::of(file, seed), Post::of(file, !seed));
     let mut near = Port { most: CAP * MASS / T, ..Port::default() };
     let mut far = Port { most: CAP / ((K + B / T) * T), ..Port::default() };
-    let (guarded, waves) = (contestant != Contestant::None, contestant == Contestant::Waves);
-    let joined = matches!(contestant, Contestant::TwoPort | Contestant::Compensated);
+    let (guarded, waves) = (entrant != Entrant::None, entrant == Entrant::Waves);
+    let joined = matches!(entrant, Entrant::TwoPort | Entrant::Compensated);
     let ([mut x, mut v], [mut y, mut w]) = ([START, 0.0], [START, 0.0]);
     let (mut found, mut arrived) = (Found { command: START, ..Found::default() }, (0.0, 0.0));
     let (mut works, mut load, mut drift, mut crossed) = ([[0.0; 2]; 2], 0.0, 0.0, 0.0);
@@ -171,7 +171,7 @@ fn run(file: &Teleoperator, contestant: Contestant) -> Found {
             far.received = far.received.max(energy);
             let (beta, sum, short) = far.serve(works[1], load, joined);
             (flow, unpaid, alphas[1]) = (flow + beta * load, unpaid + short, beta);
-            if contestant == Contestant::Compensated {
+            if entrant == Entrant::Compensated {
                 let back = (-drift / T).clamp(-SPEED, SPEED);
                 let answer = (K * T + B) * back.abs() * (flow.abs() + back.abs());
                 let draw = (answer - back * load) * T;
@@ -249,8 +249,8 @@ fn every_row_matches_the_hand_written_run() {
     for name in NAMES {
         let file = parsed(&text(name));
         let comparison = compared(&file);
-        for ((contestant, curves), score) in comparison.curves().zip(comparison.scores()) {
-            let found = run(&file, contestant);
+        for ((entrant, curves), score) in comparison.curves().zip(comparison.scores()) {
+            let found = run(&file, entrant);
             let mut size = 0.01;
             for (device, told, hand) in
                 [("master", &curves.master, &found.master), ("slave", &curves.slave, &found.slave)]
@@ -259,7 +259,7 @@ fn every_row_matches_the_hand_written_run() {
                 for ((t, told), hand) in told.iter().zip(hand) {
                     size = hand.abs().max(size);
                     let near = (told - hand).abs() <= FINEST + 1e-8 * size;
-                    let name = format!("{device} of {} in {name}", contestant.name());
+                    let name = format!("{device} of {} in {name}", entrant.name());
                     assert!(near, "{name} at {t} s: {told}, {hand}");
                 }
             }

@@ -1,6 +1,6 @@
 //! Both ports together give no more than they took, over seeds of channels.
 
-use lyapunov_lab::teleoperation::Contestant;
+use lyapunov_lab::teleoperation::Entrant;
 
 use crate::teleoperation::shipped::{compared, parsed, scores, text};
 
@@ -15,11 +15,11 @@ fn energy_that_both_ports_generated_is_reported_as_shortfall() {
             .replace("loss = 0.3", &format!("loss = {loss}"))
             .replace("seed = 1", &format!("seed = {seed}"));
         let rows = scores(&compared(&parsed(&text)));
-        for (contestant, row) in Contestant::ALL.into_iter().zip(rows) {
+        for (entrant, row) in Entrant::ALL.into_iter().zip(rows) {
             let (kept, shortfall) = (row.kept.unwrap(), row.shortfall.unwrap());
-            match contestant {
-                Contestant::None => generated += i32::from(kept < -1.0),
-                Contestant::Waves => {}
+            match entrant {
+                Entrant::None => generated += i32::from(kept < -1.0),
+                Entrant::Waves => {}
                 // The tolerance is for ledgers of some 10 mJ.
                 _ => assert!(kept >= -shortfall - 1e-9, "{row:?} in\n{text}"),
             }

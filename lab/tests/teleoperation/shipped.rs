@@ -4,8 +4,8 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use lyapunov_lab::compare::Compared;
 use lyapunov_lab::scene::Scalar;
-use lyapunov_lab::subjects::Compared;
 use lyapunov_lab::teleoperation::{Comparison, Score, Teleoperator, schema_text};
 use serde_json::Value;
 

@@ -104,7 +104,7 @@ impl fmt::Display for Law {
             Self::Rejects => "a sample that is not finite must be rejected with a finite effort",
             Self::Recovers => "after a sample that is not finite, the next must be finite again",
             Self::NothingForNothing => "where nothing happens, nothing must be credited",
-            Self::TellsTheTruth => "the sample must tell what moved and what applied",
+            Self::TellsTheTruth => "the sample must tell what moved and which effort was applied",
             Self::HandsOn => "an adaptor must hand on the correction of the port it owns",
             Self::LaneByLane => "a lane must not depend on the others",
             Self::Converges => "the error must fall with the step as the order says",

@@ -1,0 +1,128 @@
+//! The interface of every kind of environment.
+
+use std::fmt;
+
+use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance};
+use nalgebra::SVector;
+
+use super::render::Render;
+use crate::files::scene::Draft;
+use crate::files::scene::check::Conflict;
+use crate::files::scene::quantity::{Finite, NonNegative};
+
+/// A function that formats a number.
+pub(crate) type Number = fn(f64) -> String;
+
+/// The properties of an environment that the lab needs besides its force law, which is the library's.
+pub(crate) trait EnvironmentKind: fmt::Debug {
+    /// Mass, damping and stiffness about its surface or its rest; none if it has no stiffness there.
+    fn impedance(&self) -> Option<Impedance<f64>>;
+
+    /// The parts that [`impedance`](Self::impedance) leaves out, in words.
+    fn impedance_note(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// The spring that a device at rest feels, beyond the surface if there is one; none if the force is no straight
+    /// line.
+    fn static_spring(&self) -> Option<StaticSpring> {
+        None
+    }
+
+    /// Whether its force law changes with time.
+    fn swings(&self) -> bool {
+        false
+    }
+
+    /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
+    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
+        let _ = stiffness;
+        None
+    }
+
+    /// Whether a part of its force that depends on the motion is computed in `f64`, whatever the scalar.
+    fn is_double(&self) -> bool {
+        false
+    }
+
+    /// The keys of its vectors in its table, with their lengths; empty in one dimension.
+    fn vectors(&self) -> Vec<(&'static str, usize)> {
+        Vec::new()
+    }
+
+    /// The rules between its own values.
+    fn check(&self) -> Result<(), Conflict> {
+        Ok(())
+    }
+
+    /// A description in one line, without its name.
+    fn words(&self, number: Number) -> String;
+}
+
+/// An environment of one dimension.
+pub(super) trait OnALine: EnvironmentKind {
+    /// The result of `to` for the library's environment.
+    fn make<T: Scalar, R: Render<T>>(&self, rates: Rates, to: R)
+    -> Result<R::Made, ParameterError>;
+}
+
+/// An environment of several dimensions.
+pub(super) trait InSpace: EnvironmentKind {
+    /// The result of `to` for the library's environment.
+    fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
+        &self,
+        to: R,
+    ) -> Result<R::Made, ParameterError>;
+}
+
+/// The rates, in Hz, at which an environment and the credit of its damper advance their time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rates {
+    pub(super) environment: f64,
+    pub(super) servo: f64,
+}
+
+impl Rates {
+    pub(crate) fn of(scene: &Draft) -> Self {
+        // Environments tick at their own rate, credits at the servo rate. The former is computed from the latter,
+        // because the two rates of a scene divide each other only within 1e-9, and the difference would add up.
+        let servo = scene.servo_rate.get();
+        Self { environment: servo / scene.environment_ratio() as f64, servo }
+    }
+}
+
+/// A spring of `stiffness` N/m that is relaxed at `position` m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StaticSpring {
+    pub(crate) stiffness: f64,
+    pub(crate) position: f64,
+}
+
+impl StaticSpring {
+    pub(super) fn new(stiffness: impl Into<f64>, position: Finite) -> Self {
+        Self { stiffness: stiffness.into(), position: position.get() }
+    }
+}
+
+/// An impedance without a mass.
+pub(super) fn spring_and_damper(
+    stiffness: impl Into<f64>,
+    damping: impl Into<f64>,
+) -> Impedance<f64> {
+    Impedance { mass: 0.0, damping: damping.into(), stiffness: stiffness.into() }
+}
+
+/// Stiffness and damping in words.
+pub(super) fn damped(number: Number, stiffness: impl Into<f64>, damping: impl Into<f64>) -> String {
+    format!("{} N/m, {} N.s/m", number(stiffness.into()), number(damping.into()))
+}
+
+/// The credit of an environment without a damper.
+pub(super) fn no_credit<T: Scalar>() -> Result<Dissipation<T>, ParameterError> {
+    Dissipation::of(T::zero())
+}
+
+/// Whether something with this amplitude and frequency ever moves.
+pub(super) fn swings(amplitude: Finite, frequency: NonNegative) -> bool {
+    amplitude.get() != 0.0 && frequency.get() != 0.0
+}

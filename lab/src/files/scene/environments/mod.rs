@@ -1,0 +1,164 @@
+//! The environments that a device touches.
+//!
+//! Each kind has its own file: its keys, the library's environment made from them, and the properties that the lab
+//! needs besides the force law. The force law itself is in the library only. The table below lists the kinds.
+
+mod cubic_spring;
+mod cuboid;
+mod hunt_crossley;
+mod kind;
+mod layered_wall;
+mod mass_spring_damper;
+mod moving_wall;
+mod plane;
+mod render;
+mod sphere;
+mod spring;
+mod varying_spring;
+mod wall;
+
+use lyapunov::{ParameterError, Requirement, Scalar, environments::ForceLaw};
+use nalgebra::SVector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::files::scene::Draft;
+use crate::files::scene::book::{Key, count, joined};
+use kind::{InSpace, OnALine};
+use render::Boxed;
+
+pub(crate) use kind::{EnvironmentKind, Rates, StaticSpring};
+pub use render::Render;
+
+macro_rules! environments {
+    (
+        on a line { $($(#[$about:meta])* $line:ident = $line_name:literal in $line_file:ident;)* }
+        in space { $($(#[$solid_about:meta])* $solid:ident = $solid_name:literal in $solid_file:ident;)* }
+    ) => {
+        $(pub use $line_file::$line;)*
+        $(pub use $solid_file::$solid;)*
+
+        /// What the device touches: in one dimension x - position > 0 is inside.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+        pub enum Environment {
+            $($(#[$about])* #[serde(rename = $line_name)] $line($line),)*
+            $($(#[$solid_about])* #[serde(rename = $solid_name)] $solid($solid),)*
+        }
+
+        /// The names of the environments of one dimension, and of several.
+        pub(super) const NAMES: [&[&str]; 2] = [&[$($line_name),*], &[$($solid_name),*]];
+
+        const TABLES: &[&[Key]] = &[$($line_file::KEYS,)* $($solid_file::KEYS,)*];
+
+        impl Environment {
+            /// Its name in a scene file.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$line(_) => $line_name,)*
+                    $(Self::$solid(_) => $solid_name,)*
+                }
+            }
+
+            /// The interface of its kind.
+            pub(crate) fn kind(&self) -> &dyn EnvironmentKind {
+                match self {
+                    $(Self::$line(it) => it,)*
+                    $(Self::$solid(it) => it,)*
+                }
+            }
+
+            /// The same, mutable.
+            pub(crate) fn kind_mut(&mut self) -> &mut dyn EnvironmentKind {
+                match self {
+                    $(Self::$line(it) => it,)*
+                    $(Self::$solid(it) => it,)*
+                }
+            }
+
+            /// The result of `to` for the library's environment of one dimension.
+            pub(crate) fn on_a_line<T: Scalar, R: Render<T>>(
+                &self,
+                rates: Rates,
+                to: R,
+            ) -> Result<R::Made, ParameterError> {
+                match self {
+                    $(Self::$line(it) => it.make(rates, to),)*
+                    _ => Err(elsewhere(1)),
+                }
+            }
+
+            /// The result of `to` for the library's environment of several dimensions.
+            pub(crate) fn in_space<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
+                &self,
+                to: R,
+            ) -> Result<R::Made, ParameterError> {
+                match self {
+                    $(Self::$solid(it) => it.make(to),)*
+                    _ => Err(elsewhere(N)),
+                }
+            }
+        }
+    };
+}
+
+environments! {
+    on a line {
+        /// A one-sided wall.
+        Wall = "wall" in wall;
+        /// A two-sided spring.
+        Spring = "spring" in spring;
+        /// A two-sided mass, spring and damper.
+        MassSpringDamper = "mass-spring-damper" in mass_spring_damper;
+        /// A one-sided wall of two layers.
+        LayeredWall = "layered-wall" in layered_wall;
+        /// A one-sided wall whose damping grows with its depth.
+        HuntCrossley = "hunt-crossley" in hunt_crossley;
+        /// A one-sided wall that swings.
+        MovingWall = "moving-wall" in moving_wall;
+        /// A two-sided spring whose stiffness swings.
+        VaryingSpring = "varying-spring" in varying_spring;
+        /// A two-sided spring that hardens.
+        CubicSpring = "cubic-spring" in cubic_spring;
+    }
+    in space {
+        /// A half space; needs `space`.
+        Plane = "plane" in plane;
+        /// A ball; needs `space`.
+        Sphere = "sphere" in sphere;
+        /// A box along the axes; needs `space`.
+        Cuboid = "box" in cuboid;
+    }
+}
+
+/// The keys of all environments, for messages.
+pub(super) const KEYS: &[Key] = &joined::<{ count(TABLES) }>(TABLES);
+
+impl Environment {
+    /// Whether it needs several dimensions.
+    pub(super) fn is_solid(&self) -> bool {
+        NAMES[1].contains(&self.name())
+    }
+
+    /// The wall, if it is one, for measures that apply to walls only.
+    pub(crate) fn wall(&self) -> Option<&Wall> {
+        if let Self::Wall(wall) = self { Some(wall) } else { None }
+    }
+
+    /// The same, mutable.
+    pub(crate) fn wall_mut(&mut self) -> Option<&mut Wall> {
+        if let Self::Wall(wall) = self { Some(wall) } else { None }
+    }
+}
+
+impl Draft {
+    /// The force law of the environment in `f64`; none in more than one dimension.
+    pub(crate) fn law(&self) -> Option<Box<dyn ForceLaw<f64>>> {
+        self.environment.on_a_line(Rates::of(self), Boxed).ok()
+    }
+}
+
+/// The error of an environment that does not exist in this number of dimensions.
+fn elsewhere(dimensions: usize) -> ParameterError {
+    let requirement = Requirement::InRange;
+    ParameterError { parameter: "dimensions", value: dimensions as f64, requirement }
+}

@@ -1,0 +1,86 @@
+//! A two-sided spring whose stiffness swings.
+
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{
+    EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper, swings,
+};
+use super::render::Render;
+use crate::files::scene::book::{Key, key};
+use crate::files::scene::quantity::{Finite, NonNegative, of};
+
+/// A two-sided spring whose stiffness swings: k(t) = stiffness + amplitude sin(2 pi frequency t).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VaryingSpring {
+    /// Position at which it is relaxed, in m; default 0.
+    #[serde(default)]
+    pub position: Finite,
+    /// Mean stiffness in N/m; required.
+    pub stiffness: Finite,
+    /// Amplitude of the stiffness in N/m; required.
+    pub amplitude: Finite,
+    /// Frequency of the stiffness in Hz, 0 or more; required.
+    pub frequency: NonNegative,
+}
+
+pub(super) const KEYS: &[Key] = &[
+    key(
+        "environment.varying-spring",
+        "",
+        "[environment.varying-spring]\nstiffness = 500.0  # N/m\namplitude = 100.0  # N/m\nfrequency = 2.0  # Hz",
+    ),
+    key("environment.varying-spring.position", "m", "position = 0.0  # m"),
+    key("environment.varying-spring.stiffness", "N/m", "stiffness = 500.0  # N/m"),
+    key("environment.varying-spring.amplitude", "N/m", "amplitude = 100.0  # N/m"),
+    key("environment.varying-spring.frequency", "Hz", "frequency = 2.0  # Hz"),
+];
+
+impl EnvironmentKind for VaryingSpring {
+    fn impedance(&self) -> Option<Impedance<f64>> {
+        Some(spring_and_damper(self.stiffness, 0.0))
+    }
+
+    fn impedance_note(&self) -> Option<&'static str> {
+        Some("the stiffness is the spring's mean; what swings may add energy of its own")
+    }
+
+    fn static_spring(&self) -> Option<StaticSpring> {
+        Some(StaticSpring::new(self.stiffness, self.position))
+    }
+
+    fn swings(&self) -> bool {
+        swings(self.amplitude, self.frequency)
+    }
+
+    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
+        self.stiffness = Finite::new(stiffness).ok()?;
+        Some(())
+    }
+
+    fn words(&self, number: Number) -> String {
+        let (stiffness, amplitude) = (number(self.stiffness.get()), number(self.amplitude.get()));
+        format!("{stiffness} +- {amplitude} N/m at {} Hz", number(self.frequency.get()))
+    }
+}
+
+impl OnALine for VaryingSpring {
+    fn make<T: Scalar, R: Render<T>>(
+        &self,
+        rates: Rates,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let spring =
+            lyapunov::environments::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
+        let (amplitude, frequency) = (of(self.amplitude), of(self.frequency));
+        let spring = lyapunov::environments::VaryingSpring::new(
+            spring,
+            amplitude,
+            frequency,
+            of(rates.environment),
+        )?;
+        to.render(spring, no_credit()?)
+    }
+}

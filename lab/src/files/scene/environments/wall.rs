@@ -1,0 +1,71 @@
+//! A one-sided wall.
+
+use lyapunov::{ParameterError, Scalar, bodies::Impedance};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::kind::{
+    EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper,
+};
+use super::render::Render;
+use crate::files::scene::book::{Key, key};
+use crate::files::scene::quantity::{Finite, NonNegative, of};
+
+/// A one-sided wall: f = max(0, k p + b v) for the depth p = x - position > 0, else 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wall {
+    /// Position of the surface in m; default 0.
+    #[serde(default)]
+    pub position: Finite,
+    /// Stiffness k in N/m, 0 or more; required.
+    pub stiffness: NonNegative,
+    /// Damping b in N.s/m, 0 or more; default 0.
+    #[serde(default)]
+    pub damping: NonNegative,
+}
+
+pub(super) const KEYS: &[Key] = &[
+    key("environment.wall", "", "[environment.wall]\nstiffness = 8000.0  # N/m"),
+    key("environment.wall.stiffness", "N/m", "stiffness = 8000.0  # N/m"),
+    key("environment.wall.position", "m", "position = 0.0  # m"),
+    key("environment.wall.damping", "N.s/m", "damping = 2.0  # N.s/m"),
+];
+
+impl Wall {
+    /// The library's wall.
+    pub(crate) fn law<T: Scalar>(&self) -> Result<lyapunov::environments::Wall<T>, ParameterError> {
+        Ok(lyapunov::environments::Wall::new(of(self.stiffness), of(self.damping))?
+            .at(of(self.position)))
+    }
+}
+
+impl EnvironmentKind for Wall {
+    fn impedance(&self) -> Option<Impedance<f64>> {
+        Some(spring_and_damper(self.stiffness, self.damping))
+    }
+
+    fn static_spring(&self) -> Option<StaticSpring> {
+        Some(StaticSpring::new(self.stiffness, self.position))
+    }
+
+    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
+        self.stiffness = NonNegative::new(stiffness).ok()?;
+        Some(())
+    }
+
+    fn words(&self, number: Number) -> String {
+        damped(number, self.stiffness, self.damping)
+    }
+}
+
+impl OnALine for Wall {
+    fn make<T: Scalar, R: Render<T>>(
+        &self,
+        _rates: Rates,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let wall = self.law()?;
+        to.render(wall, wall.dissipation())
+    }
+}

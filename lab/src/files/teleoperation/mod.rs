@@ -1,0 +1,15 @@
+//! Teleoperator files: a master in a hand and a slave before a wall, joined by a channel.
+//!
+//! A [`Teleoperator`] is a separate kind of file from a [`Scene`](crate::Scene): it has two devices, a channel between
+//! them and a port at each end. docs/teleoperation.md has its equations.
+
+mod check;
+mod keys;
+mod parts;
+mod teleoperator;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use keys::BOOK;
+pub use parts::{Channel, Coordination, Master, Slave, Stabilizer, Wall};
+pub use teleoperator::{Teleoperator, schema_text};

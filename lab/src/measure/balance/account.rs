@@ -1,0 +1,288 @@
+//! Where the energy of a run came from and where it went.
+
+use serde::Serialize;
+
+use super::body::{Body, Masses, Passed};
+use super::law::{Law, Motion};
+use crate::files::scene::{Scene, Velocity};
+use crate::measure::share::{Share, Split};
+use crate::simulate::{Space, Tick};
+
+/// The energies of a stretch of a run by cause, J; docs/explain.md has the equations.
+///
+/// ```text
+/// gained = hand + push + hold + delay + filter + encoder + saturation
+///          − device − operator − link − wall − controller − friction + closing
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Balance {
+    /// When it begins, s.
+    pub from_s: f64,
+    /// When it ends, s.
+    pub to_s: f64,
+    /// What kinetic energy and the springs of operator and link gained.
+    pub gained: f64,
+    /// What the hand gave by moving its rest or changing its grip.
+    pub hand: f64,
+    /// What load and pulse gave.
+    pub push: f64,
+    /// What came in because forces are sampled and held, and the velocity is a difference.
+    pub hold: f64,
+    /// What came in because the force acts late.
+    pub delay: f64,
+    /// What came in because the velocity is filtered.
+    pub filter: f64,
+    /// What came in because positions are counted, or noisy.
+    pub encoder: f64,
+    /// What came in because the force is clipped.
+    pub saturation: f64,
+    /// What the device's damper burnt.
+    pub device: f64,
+    /// What the operator's damper burnt.
+    pub operator: f64,
+    /// What the link's damper burnt.
+    pub link: f64,
+    /// What the environment took by its own law, in continuous time: burnt, and stored at the end.
+    pub wall: f64,
+    /// What the stabilizer took.
+    pub controller: f64,
+    /// What friction took, and what jitter moves between the dampers: the rest of the balance, where a scene has them.
+    pub friction: f64,
+    /// What is left over: rounding.
+    pub closing: f64,
+}
+
+impl Balance {
+    /// What the parts are called, each with what it gave; what was taken is below 0.
+    pub fn parts(&self) -> [(&'static str, f64); 14] {
+        [
+            ("store", -self.gained),
+            ("hand", self.hand),
+            ("push", self.push),
+            ("hold", self.hold),
+            ("delay", self.delay),
+            ("filter", self.filter),
+            ("encoder", self.encoder),
+            ("saturation", self.saturation),
+            ("device", -self.device),
+            ("operator", -self.operator),
+            ("link", -self.link),
+            ("wall", -self.wall),
+            ("controller", -self.controller),
+            ("friction", -self.friction),
+        ]
+    }
+
+    /// What came in through the sampled loop, all causes together, J.
+    pub fn leaked(&self) -> f64 {
+        self.hold + self.delay + self.filter + self.encoder + self.saturation
+    }
+
+    /// The largest leak, with its name.
+    pub fn largest_leak(&self) -> (&'static str, f64) {
+        let leaks = [
+            ("hold", self.hold),
+            ("delay", self.delay),
+            ("filter", self.filter),
+            ("encoder", self.encoder),
+            ("saturation", self.saturation),
+        ];
+        leaks.into_iter().fold(leaks[0], |one, other| if other.1 > one.1 { other } else { one })
+    }
+
+    fn rest(&self) -> f64 {
+        let taken = self.device + self.operator + self.link + self.wall + self.controller;
+        self.gained - (self.hand + self.push + self.leaked() - taken)
+    }
+
+    fn is_finite(&self) -> bool {
+        self.rest().is_finite()
+    }
+}
+
+/// One tick as a balance needs it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Moment {
+    masses: Masses,
+    measured: f64,
+    estimated: f64,
+    environment: f64,
+    acting: f64,
+    split: Split,
+}
+
+/// A balance in the making.
+pub(super) struct Account {
+    scene: Scene,
+    law: Law,
+    body: Body,
+    share: Share,
+    ticks: u64,
+    last: Option<(Moment, Samples)>,
+    whole: Balance,
+    first: Option<Balance>,
+    touching: bool,
+    left: bool,
+}
+
+/// The motions that the law is asked with, from the measured to the true one.
+#[derive(Clone, Copy, Debug, Default)]
+struct Samples {
+    filtered: Motion,
+    counted: Motion,
+    truly: Motion,
+}
+
+impl Account {
+    pub(super) fn new<V: Space>(scene: &Scene, body: Body) -> Self {
+        Self {
+            body,
+            share: Share::new::<V>(scene),
+            ticks: 0,
+            last: None,
+            whole: Balance::default(),
+            first: None,
+            touching: false,
+            left: false,
+            law: Law::of(scene),
+            scene: scene.clone(),
+        }
+    }
+
+    /// Books one tick more; false once the numbers are out of range.
+    pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) -> bool {
+        let tick = Moment {
+            masses: Masses::at(tick),
+            measured: tick.measured.position.axis(0),
+            estimated: tick.measured.velocity.axis(0),
+            environment: tick.environment.axis(0),
+            acting: tick.applied.axis(0),
+            split: self.share.split(tick),
+        };
+        let samples = self.samples(&tick);
+        let touches = tick.environment != 0.0 || self.law.force(samples.truly) != 0.0;
+        if let Some((last, before)) = self.last {
+            let moved = self.moved(&last, &before, &tick, &samples);
+            if touches && self.first.is_none() {
+                // The surface was met on the way here.
+                let from_s = before.truly.time;
+                self.first = Some(Balance { from_s, ..Balance::default() });
+            }
+            let mut whole = self.whole;
+            book(&mut whole, &moved, samples.truly.time);
+            if !whole.is_finite() {
+                return false;
+            }
+            self.whole = whole;
+            if let Some(first) = self.first.as_mut().filter(|_| !self.left) {
+                book(first, &moved, samples.truly.time);
+            }
+        }
+        if touches && self.last.is_none() {
+            self.first = Some(Balance::default());
+        }
+        // What is still on its way belongs to the contact.
+        let acts = tick.acting != 0.0 || tick.split.late != 0.0 || self.share.is_waiting();
+        self.left |= self.touching && !touches && !acts;
+        self.touching |= touches;
+        self.last = Some((tick, samples));
+        self.ticks += 1;
+        true
+    }
+
+    /// The balance of the whole run and, if there was one, of the first contact.
+    pub(super) fn finish(self) -> (Balance, Option<Balance>) {
+        let has_rest = self.scene.effects.friction.is_some() || self.scene.effects.jitter.is_some();
+        let close = |balance: Balance| {
+            let rest = balance.rest();
+            if has_rest {
+                Balance { friction: -rest, ..balance }
+            } else {
+                Balance { closing: rest, ..balance }
+            }
+        };
+        (close(self.whole), self.first.map(close))
+    }
+
+    fn samples(&self, tick: &Moment) -> Samples {
+        let period = self.scene.period();
+        let time = self.ticks as f64 * period;
+        let [position, velocity] = tick.masses.device;
+        let of = |position: f64, velocity: f64, before: f64| Motion {
+            time,
+            position,
+            velocity,
+            acceleration: if self.last.is_some() { (velocity - before) / period } else { 0.0 },
+        };
+        let (last, before) = self.last.unwrap_or((*tick, Samples::default()));
+        let (counted, truly) = match self.scene.velocity {
+            Velocity::Exact => (velocity, velocity),
+            Velocity::BackwardDifference => (
+                (tick.measured - last.measured) / period,
+                (position - last.masses.device[0]) / period,
+            ),
+        };
+        Samples {
+            filtered: of(tick.measured, tick.estimated, before.filtered.velocity),
+            counted: of(tick.measured, counted, before.counted.velocity),
+            truly: of(position, truly, before.truly.velocity),
+        }
+    }
+
+    /// The balance of one tick, without its rest.
+    fn moved(&mut self, last: &Moment, before: &Samples, now: &Moment, after: &Samples) -> Balance {
+        let index = self.ticks - 1;
+        let passed = self.body.pass(index, last.masses, now.masses, last.acting);
+        let Passed { hand, push, burnt: [device, operator, link], gained } = passed;
+        let way = now.masses.device[0] - last.masses.device[0];
+        let Split { late, environment: clipped, controller } = last.split;
+        let law = |motion: Motion| self.law.force(motion);
+        let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
+        let real = |tick: &Moment, time: f64| {
+            let [position, velocity] = tick.masses.device;
+            Motion { time, position, velocity, acceleration: 0.0 }
+        };
+        let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
+        let wall = self.law.work(from, to);
+        let slow = (last.environment - filtered) * way;
+        Balance {
+            gained,
+            hand,
+            push,
+            device,
+            operator,
+            link,
+            wall,
+            controller: controller * way,
+            saturation: -(clipped - late) * way,
+            delay: -(late - last.environment) * way,
+            filter: -(filtered - counted) * way,
+            encoder: -(counted - truly) * way,
+            hold: -slow - (truly * way - wall),
+            ..Balance::default()
+        }
+    }
+}
+
+/// Adds a tick that ends at `time`.
+fn book(sum: &mut Balance, tick: &Balance, time: f64) {
+    sum.to_s = time;
+    let pairs = [
+        (&mut sum.gained, tick.gained),
+        (&mut sum.hand, tick.hand),
+        (&mut sum.push, tick.push),
+        (&mut sum.hold, tick.hold),
+        (&mut sum.delay, tick.delay),
+        (&mut sum.filter, tick.filter),
+        (&mut sum.encoder, tick.encoder),
+        (&mut sum.saturation, tick.saturation),
+        (&mut sum.device, tick.device),
+        (&mut sum.operator, tick.operator),
+        (&mut sum.link, tick.link),
+        (&mut sum.wall, tick.wall),
+        (&mut sum.controller, tick.controller),
+    ];
+    for (total, part) in pairs {
+        *total += part;
+    }
+}

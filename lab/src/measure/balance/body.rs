@@ -1,0 +1,223 @@
+//! What the body of a scene stores, is given and burns.
+
+use lyapunov::{
+    ParameterError,
+    trajectories::{Constant, Pulse, Ramp, Samples, Sine, Step, Trajectory},
+};
+use nalgebra::{DMatrix, DVector};
+
+use crate::files::scene::{Motion, Scene};
+use crate::simulate::{Space, Tick};
+
+/// Terms of a series in a matrix whose rows sum to no more than a half.
+const TERMS: u32 = 24;
+
+type Value = Box<dyn Fn(u64) -> f64>;
+
+/// The body of a scene, with what is done to it from outside of the port.
+pub(super) struct Body {
+    scene: Scene,
+    rest: Value,
+    push: Value,
+    shape: Shape,
+    next: usize,
+}
+
+/// The body between two changes of grip.
+struct Shape {
+    /// The operator's stiffness and damping, N/m and N·s/m.
+    stiffness: f64,
+    damping: f64,
+    /// `∫ v² dt` of the device, of the operator and of the one against the other, by the state at the start of a tick.
+    burnt: [DMatrix<f64>; 3],
+}
+
+/// Where the masses are at a tick: operator and device, which are one without a link.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Masses {
+    pub(super) operator: [f64; 2],
+    pub(super) device: [f64; 2],
+}
+
+impl Masses {
+    /// Those of `tick`.
+    pub(super) fn at<V: Space>(tick: &Tick<V>) -> Self {
+        let along = |position: V, velocity: V| [position.axis(0), velocity.axis(0)];
+        let device = along(tick.truth.position, tick.truth.velocity);
+        let operator = tick.operator.map_or(device, |it| along(it.position, it.velocity));
+        Self { operator, device }
+    }
+}
+
+/// What a tick came to beside the port, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Passed {
+    /// What the hand gave by moving its rest or its grip, before the tick.
+    pub(super) hand: f64,
+    /// What load and pulse gave.
+    pub(super) push: f64,
+    /// What burnt in device, operator and link.
+    pub(super) burnt: [f64; 3],
+    /// What kinetic and spring energy gained.
+    pub(super) gained: f64,
+}
+
+impl Body {
+    pub(super) fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        let (operator, rate) = (&scene.operator, scene.servo_rate.get());
+        let load = scene.effects.load.map_or(0.0, |load| load.force.get());
+        let load = Constant::new(load)?;
+        let pulse = scene
+            .effects
+            .pulse
+            .map(|it| Pulse::new(it.force.get(), it.start.get(), it.duration.get(), rate));
+        let pulse = pulse.transpose()?;
+        let push = move |tick| -> f64 {
+            let load: f64 = load.at(tick);
+            load + pulse.as_ref().map_or(0.0, |pulse| pulse.at(tick))
+        };
+        let shape = Shape::of(scene, operator.stiffness.get(), operator.damping.get());
+        let (scene, rest) = (scene.clone(), rest(scene)?);
+        Ok(Self { scene, rest, push: Box::new(push), shape, next: 0 })
+    }
+
+    /// What happened from `tick` to the next, the body moving `from` to `to` under `effort` at the port.
+    pub(super) fn pass(&mut self, tick: u64, from: Masses, to: Masses, effort: f64) -> Passed {
+        let own = self.scene.operator.rest.get();
+        let before = self.stored(from, tick.checked_sub(1).map_or(own, &self.rest));
+        self.grip(tick);
+        let rest = (self.rest)(tick);
+        let push = (self.push)(tick);
+        let start = self.stored(from, rest);
+        let state = self.state(from, rest, effort - push);
+        let burnt = &self.shape.burnt;
+        let burn =
+            |index: usize, damping: f64| damping * (state.transpose() * &burnt[index] * &state)[0];
+        let device = self.scene.device.damping.get();
+        let link = self.scene.link.map_or(0.0, |link| link.damping.get());
+        Passed {
+            hand: start - before,
+            push: push * (to.device[0] - from.device[0]),
+            burnt: [burn(0, device), burn(1, self.shape.damping), burn(2, link)],
+            gained: self.stored(to, rest) - before,
+        }
+    }
+
+    /// Takes the grip of a tick.
+    fn grip(&mut self, tick: u64) {
+        let Some(grip) = &self.scene.operator.grip else { return };
+        let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
+        let due = rows
+            .skip(self.next)
+            .take_while(|((time, _), _)| self.scene.tick_of(time.get()) <= tick);
+        let Some((count, ((_, stiffness), damping))) = due.enumerate().last() else { return };
+        self.next += count + 1;
+        self.shape = Shape::of(&self.scene, stiffness.get(), damping.get());
+    }
+
+    fn stored(&self, masses: Masses, rest: f64) -> f64 {
+        let scene = &self.scene;
+        let kinetic = |mass: f64, velocity: f64| 0.5 * mass * velocity * velocity;
+        let link = scene.link.map_or(0.0, |link| link.stiffness.get());
+        let stretch = masses.operator[0] - masses.device[0];
+        let deflection = masses.operator[0] - rest;
+        kinetic(scene.operator.mass.get(), masses.operator[1])
+            + kinetic(scene.device.mass.get(), masses.device[1])
+            + 0.5 * self.shape.stiffness * deflection * deflection
+            + 0.5 * link * stretch * stretch
+    }
+
+    fn state(&self, masses: Masses, rest: f64, effort: f64) -> DVector<f64> {
+        let of = |[position, velocity]: [f64; 2]| [position - rest, velocity];
+        let mut state = of(masses.device).to_vec();
+        if self.scene.link.is_some() {
+            state.extend(of(masses.operator));
+        }
+        state.push(effort);
+        DVector::from_vec(state)
+    }
+}
+
+impl Shape {
+    fn of(scene: &Scene, stiffness: f64, damping: f64) -> Self {
+        let (device, operator) = (scene.device, scene.operator.mass.get());
+        let (m, b) = (device.mass.get(), device.damping.get());
+        let (rates, outputs) = match scene.link {
+            None => {
+                let (m, b) = (m + operator, b + damping);
+                let rates = [[0.0, 1.0, 0.0], [-stiffness / m, -b / m, -1.0 / m], [0.0; 3]];
+                let rates = DMatrix::from_row_slice(3, 3, &rates.concat());
+                (rates, [vec![0.0, 1.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0; 3]])
+            }
+            Some(link) => {
+                let (kl, bl) = (link.stiffness.get(), link.damping.get());
+                let rates = [
+                    [0.0, 1.0, 0.0, 0.0, 0.0],
+                    [-kl / m, -(b + bl) / m, kl / m, bl / m, -1.0 / m],
+                    [0.0, 0.0, 0.0, 1.0, 0.0],
+                    [
+                        kl / operator,
+                        bl / operator,
+                        -(stiffness + kl) / operator,
+                        -(damping + bl) / operator,
+                        0.0,
+                    ],
+                    [0.0; 5],
+                ];
+                let row = |device: f64, operator: f64| vec![0.0, device, 0.0, operator, 0.0];
+                let rates = DMatrix::from_row_slice(5, 5, &rates.concat());
+                (rates, [row(1.0, 0.0), row(0.0, 1.0), row(1.0, -1.0)])
+            }
+        };
+        let burnt = outputs.map(|row| squared(&rates, &DVector::from_vec(row), scene.period()));
+        Self { stiffness, damping, burnt }
+    }
+}
+
+/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`: by its series over a short part, which is then doubled,
+/// `G(2 t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
+fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<f64> {
+    let size = rates.row_iter().map(|row| row.iter().map(|it| it.abs()).sum::<f64>());
+    let size = period * size.fold(0.0, f64::max);
+    let halvings = if size > 0.25 { (size / 0.25).log2().ceil().min(1100.0) as i32 } else { 0 };
+    let short = period / 2f64.powi(halvings);
+    let n = rates.nrows();
+    let (mut power, mut square) = (DMatrix::identity(n, n), output * output.transpose());
+    let (mut moved, mut sum) = (power.clone(), &square * short);
+    for term in 1..=TERMS {
+        let share = short / f64::from(term);
+        power = &power * rates * share;
+        moved += &power;
+        square = (rates.transpose() * &square + &square * rates) * share;
+        sum += &square * (short / f64::from(term + 1));
+    }
+    for _ in 0..halvings {
+        sum = &sum + moved.transpose() * &sum * &moved;
+        moved = &moved * &moved;
+    }
+    sum
+}
+
+/// Where the operator's spring rests, tick by tick.
+fn rest(scene: &Scene) -> Result<Value, ParameterError> {
+    let (rest, rate) = (scene.operator.rest.get(), scene.servo_rate.get());
+    Ok(match &scene.operator.motion {
+        None => Box::new(move |_| rest),
+        Some(Motion::Step { at, to }) => {
+            let course = Step::new(rest, to.get(), at.get(), rate)?;
+            Box::new(move |tick| course.at(tick))
+        }
+        Some(Motion::Ramp { at, to, rate: speed }) => {
+            let course = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            Box::new(move |tick| course.at(tick))
+        }
+        Some(Motion::Sine { amplitude, frequency }) => {
+            let course = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
+            Box::new(move |tick| course.at(tick))
+        }
+        Some(Motion::File { samples, .. }) => {
+            let course = Samples::new(std::sync::Arc::clone(samples), rate)?;
+            Box::new(move |tick| course.at(tick))
+        }
+    })
+}

@@ -1,0 +1,103 @@
+//! One run, with what it is judged by.
+
+use std::ops::ControlFlow;
+
+use lyapunov::ParameterError;
+
+use super::account::{Account, Balance};
+use super::body::{Body, Masses};
+use super::fate::Fate;
+use super::law::{Law, Motion};
+use crate::files::Scene;
+use crate::measure::linear::LinearPart;
+use crate::simulate::{Rollout, Space};
+
+/// Beyond this, m and m/s, squares leave the range of the numbers before long.
+const FAR: f64 = 1e100;
+
+/// Ticks between two reports of progress.
+const BREATH: u64 = 1 << 14;
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trial {
+    pub(crate) is_bounded: bool,
+    pub(crate) whole: Balance,
+    pub(crate) first: Option<Balance>,
+    pub(crate) feel: Feel,
+}
+
+/// What is felt in a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Feel {
+    /// Largest force on the plant, N.
+    pub(crate) peak: f64,
+    /// Root mean square of the force on the plant less the law's on the true motion, in contact, N.
+    pub(crate) error: f64,
+}
+
+impl Trial {
+    /// Runs `scene` as it is.
+    pub(crate) fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
+        Self::along(scene, Rollout::<V>::of(scene)?, &|_| ControlFlow::Continue(()))
+    }
+
+    /// Runs a loop of `scene`, telling `watch` now and then how many more ticks are done; where it says so, no further.
+    pub(crate) fn along<V: Space>(
+        scene: &Scene,
+        rollout: Rollout<V>,
+        watch: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Result<Self, ParameterError> {
+        let mut fate = Fate::new(scene);
+        let mut account = Account::new::<V>(scene, Body::of(scene)?);
+        let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
+        let law = Law::of(scene);
+        let mut open = true;
+        for (tick, number) in rollout.zip(1..) {
+            fate.add(&tick);
+            let [position, velocity] = Masses::at(&tick).device;
+            let (applied, environment) = (tick.applied.axis(0), tick.environment.axis(0));
+            peak = peak.max(applied.abs());
+            let motion = Motion { time: tick.time, position, velocity, acceleration: 0.0 };
+            let ideal = law.force(motion);
+            if environment != 0.0 || ideal != 0.0 {
+                square += (applied - ideal) * (applied - ideal);
+                touched += 1;
+            }
+            let near = position.abs() < FAR && velocity.abs() < FAR;
+            open = open && near && account.add(&tick);
+            if (number + 1) % BREATH == 0 && watch(BREATH).is_break() {
+                break;
+            }
+        }
+        let (whole, first) = account.finish();
+        let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
+        Ok(Self { is_bounded: fate.is_bounded(), whole, first, feel: Feel { peak, error } })
+    }
+
+    /// The same, where the loop is bounded and, if it is linear and has no stabilizer, decays in contact.
+    pub(crate) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
+        let decays = scene.stabilizer.is_some()
+            || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
+            || LinearPart::of(scene).is_err();
+        if !decays {
+            return None;
+        }
+        Self::of::<V>(scene).ok().filter(|trial| trial.is_bounded)
+    }
+}
+
+impl Balance {
+    /// That of a whole run of `scene`, under whichever stabilizer, or of as much of it as is in the range of the numbers.
+    /// `watch` is told now and then how many more ticks are done; where it says so, the run ends there.
+    ///
+    /// # Errors
+    /// A scene whose body cannot be made.
+    pub fn along<V: Space>(
+        scene: &Scene,
+        rollout: Rollout<V>,
+        watch: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Result<Self, ParameterError> {
+        Trial::along(scene, rollout, watch).map(|trial| trial.whole)
+    }
+}

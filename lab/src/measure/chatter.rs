@@ -1,0 +1,229 @@
+//! How much a force shakes.
+
+use std::f64::consts::TAU;
+
+use lyapunov::Scalar;
+
+/// The band, Hz: what the hand feels as buzzing.
+const BAND: (f64, f64) = (5.0, 50.0);
+
+/// Watches a force's root mean square between 5 and 50 Hz by Welch's method: the mean over segments of one
+/// second, overlapping by half, of the power in the band under a Hann window.
+///
+/// The window is there because a force that merely stays or drifts would otherwise leak into the band. The
+/// sums run along with the ticks, one turning phasor for each frequency, and keep no sample: a transform of
+/// the whole run would need as much memory as the run is long.
+#[derive(Clone, Debug)]
+pub(crate) struct Chatter<T> {
+    length: u64,
+    hop: u64,
+    tick: u64,
+    windows: [Phasor; 2],
+    lines: Vec<Line<T>>,
+    power: T,
+    segments: u64,
+}
+
+/// One frequency: its phasor, and the sums of the two segments that overlap.
+#[derive(Clone, Copy, Debug)]
+struct Line<T> {
+    phasor: Phasor,
+    sums: [(T, T); 2],
+    /// 2 for a line that stands for its mirror image as well.
+    weight: f64,
+}
+
+/// `e^(−i angle n)`, kept by turning it.
+#[derive(Clone, Copy, Debug)]
+struct Phasor {
+    turn: (f64, f64),
+    now: (f64, f64),
+}
+
+impl Phasor {
+    fn new(angle: f64) -> Self {
+        Self { turn: (libm::cos(angle), -libm::sin(angle)), now: (1.0, 0.0) }
+    }
+
+    /// Its value, or 1 if it starts `anew`; then turns it.
+    #[inline(always)]
+    fn next(&mut self, anew: bool) -> (f64, f64) {
+        let (cos, sin) = if anew { (1.0, 0.0) } else { self.now };
+        let turn = self.turn;
+        self.now = (cos * turn.0 - sin * turn.1, cos * turn.1 + sin * turn.0);
+        (cos, sin)
+    }
+}
+
+impl<T: Scalar> Chatter<T> {
+    /// A meter of a force at `rate` samples a second; none below 100, where the band is not in the samples.
+    pub(crate) fn new(rate: f64) -> Option<Self> {
+        // Above 1e9 no scene lasts a second.
+        if !(2.0 * BAND.1..=1e9).contains(&rate) {
+            return None;
+        }
+        let length = rate.round();
+        let within = 1e-9;
+        let first = (BAND.0 * length / rate - within).ceil() as u64;
+        let last = ((BAND.1 * length / rate + within).floor() as u64).min(length as u64 / 2);
+        let line = |index: u64| {
+            let angle = TAU * index as f64 / length;
+            let weight = if 2.0 * index as f64 == length { 1.0 } else { 2.0 };
+            Line { phasor: Phasor::new(angle), sums: [(T::zero(), T::zero()); 2], weight }
+        };
+        let lines = (first..=last).map(line).collect();
+        let windows = [Phasor::new(TAU / length); 2];
+        let length = length as u64;
+        Some(Self {
+            length,
+            hop: length.div_ceil(2),
+            tick: 0,
+            windows,
+            lines,
+            power: T::zero(),
+            segments: 0,
+        })
+    }
+
+    #[inline(always)]
+    pub(crate) fn add(&mut self, force: T) {
+        let parts = [0, 1].map(|which| self.windowed(which, force));
+        // Every line comes round within a segment; starting anew there keeps rounding from adding up.
+        let anew = self.tick.is_multiple_of(self.length);
+        for line in &mut self.lines {
+            let (cos, sin) = line.phasor.next(anew);
+            for (sum, part) in line.sums.iter_mut().zip(parts) {
+                sum.0 += part * T::of(cos);
+                sum.1 += part * T::of(sin);
+            }
+        }
+        for which in [0, 1] {
+            if self.place(which) == Some(self.length - 1) {
+                self.close(which as usize);
+            }
+        }
+        self.tick += 1;
+    }
+
+    /// Where the tick is in the segments of even or odd number, if it is in one.
+    fn place(&self, which: u64) -> Option<u64> {
+        let since = self.tick.checked_sub(which * self.hop)? % (2 * self.hop);
+        (since < self.length).then_some(since)
+    }
+
+    /// The force under the Hann window of the segment of even or odd number that the tick is in.
+    #[inline(always)]
+    fn windowed(&mut self, which: u64, force: T) -> T {
+        let Some(place) = self.place(which) else { return T::zero() };
+        let (cos, _) = self.windows[which as usize].next(place == 0);
+        force * T::of(0.5 - 0.5 * cos)
+    }
+
+    fn close(&mut self, which: usize) {
+        for line in &mut self.lines {
+            let (re, im) = std::mem::replace(&mut line.sums[which], (T::zero(), T::zero()));
+            self.power += T::of(line.weight) * (re * re + im * im);
+        }
+        self.segments += 1;
+    }
+
+    /// The root mean square in the band, N; none before a whole second.
+    pub(crate) fn root_mean_square(&self) -> Option<T> {
+        let length = self.length as f64;
+        // The squares of a Hann window of this length add up to 3/8 of it.
+        let scale = length * 0.375 * length * self.segments as f64;
+        (self.segments > 0).then(|| (self.power / T::of(scale)).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+
+    use super::*;
+
+    fn chatter(rate: f64, count: u32, force: impl Fn(f64) -> f64) -> Option<f64> {
+        let mut meter = Chatter::<f64>::new(rate)?;
+        (0..count).for_each(|n| meter.add(force(f64::from(n) / rate)));
+        meter.root_mean_square()
+    }
+
+    fn tone(frequency: f64) -> impl Fn(f64) -> f64 {
+        move |t| 3.0 * (TAU * frequency * t + 0.7).sin()
+    }
+
+    /// Welch's method as it is written down, over stored samples.
+    fn welch(rate: f64, samples: &[f64]) -> f64 {
+        let length = rate.round() as usize;
+        let hop = length - length / 2;
+        let starts: Vec<usize> =
+            (0..).map(|i| i * hop).take_while(|s| s + length <= samples.len()).collect();
+        let window = |j: usize| (std::f64::consts::PI * j as f64 / length as f64).sin().powi(2);
+        let squares: f64 = (0..length).map(|j| window(j).powi(2)).sum();
+        let mut mean_square = 0.0;
+        for k in 0..=length / 2 {
+            let frequency = k as f64 * rate / length as f64;
+            if !(5.0 - 1e-9..=50.0 + 1e-9).contains(&frequency) {
+                continue;
+            }
+            let sides = if 2 * k == length { 1.0 } else { 2.0 };
+            for start in &starts {
+                let part = |f: fn(f64) -> f64| -> f64 {
+                    let angle = |j: usize| TAU * (k * j % length) as f64 / length as f64;
+                    (0..length).map(|j| window(j) * samples[start + j] * f(angle(j))).sum()
+                };
+                let power = part(f64::cos).powi(2) + part(f64::sin).powi(2);
+                mean_square += sides * power / (length as f64 * squares * starts.len() as f64);
+            }
+        }
+        mean_square.sqrt()
+    }
+
+    #[test]
+    fn a_tone_in_the_band_is_its_root_mean_square() {
+        for rate in [120.0, 1000.0, 1001.0, 4000.0] {
+            for frequency in [7.0, 20.5, 48.0] {
+                let measured = chatter(rate, 3 * rate as u32, tone(frequency)).unwrap();
+                let expected = 3.0 / 2.0_f64.sqrt();
+                assert_relative_eq!(measured, expected, epsilon = 0.0, max_relative = 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn a_tone_outside_and_a_constant_force_are_none() {
+        for frequency in [1.0, 3.0, 60.0, 200.0] {
+            assert!(chatter(1000.0, 3000, tone(frequency)).unwrap() < 1e-9, "{frequency}");
+        }
+        assert!(chatter(1000.0, 3000, |_| 100.0).unwrap() < 1e-9);
+        // A drift of 1 N/s leaks less than a hundredth of a newton.
+        assert!(chatter(1000.0, 3000, |t| t).unwrap() < 1e-2);
+    }
+
+    #[test]
+    fn at_a_hundred_hertz_the_fastest_tone_counts_once() {
+        // +3, −3, +3, ... at 50 Hz: its mean square is 9, all of it at 50 Hz and the lines beside.
+        let measured = chatter(100.0, 300, |t| 3.0 * (TAU * 50.0 * t).cos()).unwrap();
+        assert_abs_diff_eq!(measured, 3.0, epsilon = 1e-9);
+    }
+
+    #[test]
+    fn it_is_welch_s_method() {
+        let noise = |n: u32| f64::from(n.wrapping_mul(2_654_435_761) >> 8) / 1e7;
+        for (rate, count) in [(100.0, 350), (100.4, 350), (101.0, 420), (333.3, 1500)] {
+            let samples: Vec<f64> = (0..count).map(noise).collect();
+            let mut meter = Chatter::<f64>::new(rate).unwrap();
+            samples.iter().for_each(|&sample| meter.add(sample));
+            let (ours, expected) = (meter.root_mean_square().unwrap(), welch(rate, &samples));
+            assert_relative_eq!(ours, expected, epsilon = 0.0, max_relative = 1e-9);
+        }
+    }
+
+    #[test]
+    fn slow_and_short_runs_have_none() {
+        assert_eq!(chatter(99.0, 1000, |_| 1.0), None);
+        assert_eq!(chatter(100.0, 99, |_| 1.0), None);
+        assert_eq!(chatter(100.0, 100, |_| 0.0), Some(0.0));
+        assert!(Chatter::<f64>::new(1e300).is_none() && Chatter::<f64>::new(1e9).is_some());
+    }
+}

@@ -1,0 +1,129 @@
+//! All limits of a scene.
+
+use super::{LinearPart, NotLinear, rules};
+use crate::files::scene::{Filter, Scene, Velocity};
+
+/// How stiff the environment of a scene may be, by each formula, N/m; shown, it is the table of `lyapunov bound`.
+///
+/// A limit is 0 where no stiffness from 0 on passes, and none where the formula does not apply. All are about the scene's own
+/// [linear part](LinearPart), everything but the stiffness as the scene has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// The scene's own stiffness, if its environment has one.
+    pub stiffness: Option<f64>,
+    /// For any passive operator: [`LinearPart::passive_max_stiffness`].
+    pub passive: Option<f64>,
+    /// By Gil's rule, `(b + B) / (T / 2 + t_d)`, `b` of device and operator.
+    pub gil: Option<f64>,
+    /// By Abbott and Okamura, `min(2 b / T, 2 f_c / Δ)`, where the scene has friction and an encoder.
+    pub friction_quantization: Option<f64>,
+    /// The loop itself: the upper end of [`LinearPart::stable_stiffness`].
+    pub exact: Option<f64>,
+    /// The stiffness from which on the loop itself is stable, 0 but for a loop that needs one.
+    pub exact_from: Option<f64>,
+    /// [`LinearPart::spectral_radius`] at the scene's own stiffness.
+    pub spectral_radius: Option<f64>,
+    /// What a number does not say by itself.
+    pub notes: Vec<String>,
+}
+
+impl Limits {
+    /// The limits of `scene`.
+    pub fn of(scene: &Scene) -> Self {
+        let part = LinearPart::of(scene);
+        let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
+        let sound = part.as_ref().ok();
+        let spectral_radius = finite(sound.map(LinearPart::spectral_radius));
+        let within = sound.filter(|_| spectral_radius.is_some());
+        let range = within.map(|part| part.stable_stiffness().unwrap_or([0.0, 0.0]));
+        let mut notes = notes(scene, part, range);
+        if within.is_none() && part.is_ok() {
+            notes.push("the loop is out of the range of the numbers".to_owned());
+        }
+        Self {
+            stiffness: scene.environment.kind().impedance().map(|it| it.stiffness),
+            passive: finite(within.map(LinearPart::passive_max_stiffness)),
+            gil: finite(rules::gil(scene)),
+            friction_quantization: finite(rules::friction_quantization(scene)),
+            exact: finite(range.map(|[_, end]| end)),
+            exact_from: range.map(|[start, _]| start),
+            spectral_radius,
+            notes,
+        }
+    }
+
+    /// The limits by name, with the key of each in JSON.
+    pub fn named(&self) -> [(&'static str, &'static str, Option<f64>); 4] {
+        [
+            ("passive_max_stiffness", "passive, any operator", self.passive),
+            ("gil_max_stiffness", "Gil's rule", self.gil),
+            (
+                "friction_quantization_max_stiffness",
+                "friction and encoder",
+                self.friction_quantization,
+            ),
+            ("exact_max_stiffness", "exact, this operator", self.exact),
+        ]
+    }
+}
+
+fn notes(
+    scene: &Scene,
+    part: Result<LinearPart, NotLinear>,
+    range: Option<[f64; 2]>,
+) -> Vec<String> {
+    let effects = &scene.effects;
+    let mut notes = Vec::new();
+    let mut note = |holds: bool, text: &str| {
+        if holds {
+            notes.push(text.to_owned());
+        }
+    };
+    if let Err(reason) = part {
+        note(true, &format!("passive and exact limit do not apply: {reason}"));
+    }
+    let uses_velocity = part.is_ok_and(|part| part.needs_velocity());
+    note(
+        uses_velocity && scene.velocity == Velocity::Exact,
+        "no stiffness is passive with an exact velocity: a sample of it costs no energy",
+    );
+    note(
+        range == Some([0.0, 0.0]),
+        "no stiffness is stable: the loop grows, or does not decay, for any above 0",
+    );
+    note(
+        range.is_some_and(|[_, end]| end.is_infinite()),
+        "the exact limit is none: all are stable",
+    );
+    friction_notes(scene).into_iter().for_each(|text| note(true, text));
+    let left_out = scene.environment.kind().impedance_note();
+    left_out.into_iter().for_each(|text| note(true, text));
+    note(scene.dimensions() > 1, "along the normal of the surface, as if it were flat");
+    note(
+        effects.dropout.is_some_and(|it| it.probability.get() > 0.0),
+        "Gil's rule knows nothing of lost answers",
+    );
+    note(
+        matches!(effects.filter, Some(Filter::Cutoff(_) | Filter::Window(_))),
+        "Gil's rule knows nothing of the filter",
+    );
+    note(effects.jitter.is_some(), "the period is the nominal one, without jitter");
+    note(scene.operator.grip.is_some(), "the grip is the one at the start");
+    note(scene.stabilizer.is_some(), "the limits are those of the loop without its stabilizer");
+    notes
+}
+
+/// What the limit of friction and encoder takes for granted and the scene does not have.
+fn friction_notes(scene: &Scene) -> Vec<&'static str> {
+    let effects = &scene.effects;
+    if effects.friction.is_none() || effects.encoder.is_none() {
+        return vec!["the limit of friction and encoder is for scenes with both"];
+    }
+    let delays = effects.delay.is_some_and(|it| it.ticks.get() > 0);
+    let damps = scene.environment.kind().impedance().is_some_and(|it| it.damping > 0.0);
+    let all = [
+        (delays, "the limit of friction and encoder knows nothing of the delay"),
+        (damps, "the limit of friction and encoder knows nothing of the wall's damper"),
+    ];
+    all.into_iter().filter_map(|(holds, text)| holds.then_some(text)).collect()
+}

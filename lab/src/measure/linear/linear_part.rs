@@ -1,0 +1,144 @@
+//! What of a scene is linear.
+
+use std::f64::consts::TAU;
+use std::fmt;
+
+use lyapunov::bodies::{DampedMass, ElasticJoint, Impedance};
+
+use crate::files::scene::{Filter, Scene, Velocity};
+
+/// The linear part of a scene, contact assumed: what the boundaries are about.
+///
+/// Rows count servo ticks of `T`. The environment is asked at every `ratio`-th of them, and what it answers,
+///
+/// ```text
+/// f = K x + B v̂ + M (v̂(m) − v̂(m−1)) / (ratio T),
+/// ```
+///
+/// acts from `delay` ticks later on until the next answer does. `v̂` is the backward difference of the servo's samples
+/// behind its low pass, or the plant's own velocity.
+///
+/// Left out are rests, loads and pulses, which move the point that the loop swings about; the encoder, noise, friction
+/// and saturation; a stabilizer; jitter (the period is the nominal one) and changes of grip (it is the one at the
+/// start). A one-sided wall pulls as well. Of a layered wall it is the first layer, of a varying spring the mean, of a
+/// cubic spring the rest, of a plane, a sphere or a box the motion along the normal, of a wall after Hunt and Crossley
+/// with exponent 1 the surface, where its damper does not act yet. All is in `f64`, also where a scene says `f32`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearPart {
+    /// Servo period `T`, s.
+    pub period: f64,
+    /// Servo ticks from one answer of the environment to the next.
+    pub ratio: u64,
+    /// Servo ticks from an answer to its correction.
+    pub delay: u64,
+    /// Where the velocity comes from.
+    pub velocity: VelocitySource,
+    /// What the effort acts on.
+    pub device: DampedMass<f64>,
+    /// The hand.
+    pub operator: Impedance<f64>,
+    /// What joins the two; none where they move as one.
+    pub link: Option<ElasticJoint<f64>>,
+    /// `M`, `B` and `K`.
+    pub environment: Impedance<f64>,
+}
+
+/// Where a velocity comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VelocitySource {
+    /// The plant's own.
+    Exact,
+    /// `v̂(n) = v̂(n−1) + share (Δx(n) / T − v̂(n−1))`; a share of 1 is the backward difference.
+    Difference {
+        /// From 0, excluded, to 1.
+        share: f64,
+    },
+}
+
+/// Why a scene has no linear part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotLinear {
+    /// The environment's force grows with another power of the depth than the first.
+    Exponent,
+    /// The velocity is taken over a window whose length depends on the motion.
+    Window,
+    /// Answers are lost by chance.
+    Dropout,
+}
+
+impl fmt::Display for NotLinear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Exponent => {
+                "a hunt-crossley wall has a stiffness of its own only with exponent 1"
+            }
+            Self::Window => {
+                "an adaptive window is no linear filter, and the environment uses the velocity"
+            }
+            Self::Dropout => {
+                "a loop that loses answers by chance is not the same from tick to tick"
+            }
+        })
+    }
+}
+
+impl LinearPart {
+    /// The linear part of `scene`.
+    ///
+    /// # Errors
+    /// A scene that has none.
+    pub fn of(scene: &Scene) -> Result<Self, NotLinear> {
+        let environment = scene.environment.kind().impedance().ok_or(NotLinear::Exponent)?;
+        if scene.effects.dropout.is_some_and(|dropout| dropout.probability.get() > 0.0) {
+            return Err(NotLinear::Dropout);
+        }
+        let period = scene.period();
+        let moves = environment.damping != 0.0 || environment.mass != 0.0;
+        let velocity = match (scene.velocity, scene.effects.filter) {
+            (Velocity::Exact, _) => VelocitySource::Exact,
+            (_, None) => VelocitySource::Difference { share: 1.0 },
+            (_, Some(Filter::Cutoff(cutoff))) => {
+                let turn = TAU * cutoff.get() * period;
+                VelocitySource::Difference { share: turn / (1.0 + turn) }
+            }
+            (_, Some(Filter::Window(_))) if moves => return Err(NotLinear::Window),
+            (_, Some(Filter::Window(_))) => VelocitySource::Difference { share: 1.0 },
+        };
+        let operator = &scene.operator;
+        Ok(Self {
+            period,
+            ratio: scene.environment_ratio(),
+            delay: delay(scene),
+            velocity,
+            device: DampedMass {
+                mass: scene.device.mass.get(),
+                damping: scene.device.damping.get(),
+            },
+            operator: Impedance {
+                mass: operator.mass.get(),
+                damping: operator.damping.get(),
+                stiffness: operator.stiffness.get(),
+            },
+            link: scene.link.map(|link| ElasticJoint {
+                stiffness: link.stiffness.get(),
+                damping: link.damping.get(),
+            }),
+            environment,
+        })
+    }
+
+    /// Whether the environment asks for the velocity.
+    pub(super) fn needs_velocity(&self) -> bool {
+        self.environment.damping != 0.0 || self.environment.mass != 0.0
+    }
+
+    /// The environment's period, s.
+    pub fn environment_period(&self) -> f64 {
+        self.period * self.ratio as f64
+    }
+}
+
+/// Servo ticks by which the force of `scene` is late.
+pub(super) fn delay(scene: &Scene) -> u64 {
+    scene.effects.delay.map_or(0, |delay| delay.ticks.get().into())
+}

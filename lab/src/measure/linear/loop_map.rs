@@ -1,0 +1,310 @@
+//! A loop over one environment period, as a polynomial.
+
+use nalgebra::{Complex, DMatrix, DVector, RowDVector};
+use num_traits::Zero;
+
+use super::LinearPart;
+use super::linear_part::VelocitySource;
+use super::pair::Pair;
+use super::polynomial::Polynomial;
+use super::roots::{circle, settle};
+use lyapunov::accumulators::DoubleDouble;
+
+/// Terms of the exponential's series: `0.5²⁸ / 28!` is far below a rounding.
+const DEGREE: u32 = 28;
+
+/// A root moves by less than this share of it, squared, while its last digits are filled in.
+const POLISH: f64 = 1e-8;
+
+/// The characteristic polynomial of the map that takes a loop from one tick of the environment to the next,
+///
+/// ```text
+/// P(w) = (1 + w)^D a(w) + r(w) + κ k(w),    w = z − 1,    κ = K T² / m,
+/// ```
+///
+/// with `m` the device's mass, `r` of the environment's damper and mass, and `D` the periods by which its answer is late.
+///
+/// The plant is moved exactly over every servo tick by the increments `exp(A T) − I` (as
+/// [`held_input`](lyapunov::bodies::held_input) has them, in twice the digits), and the ticks of a period are put together in the
+/// same form, `(I + E)(I + F) − I = E + F + E F`. Nothing is ever added to the identity, and the polynomials are in `w`, so
+/// that a damping of `b T / m = 10⁻⁸` is there to all its digits.
+#[derive(Clone, Debug)]
+pub(super) struct LoopMap {
+    /// `D`, environment periods.
+    pub(super) delay: u32,
+    /// `a`: what moves.
+    pub(super) plant: Polynomial,
+    /// `r`: what damper and mass of the environment add.
+    pub(super) rest: Polynomial,
+    /// `k`: what each unit of its stiffness adds.
+    pub(super) stiffness: Polynomial,
+    /// `m / T²`, N/m.
+    pub(super) unit: f64,
+}
+
+impl LoopMap {
+    pub(super) fn of(part: &LinearPart) -> Self {
+        let states = States::of(part);
+        let (late, whole) = (part.delay % part.ratio, part.delay / part.ratio);
+        let tick = states.tick(part);
+        let (before, after) = (ticks(&tick, late), ticks(&tick, part.ratio - late));
+        let n = states.count();
+        let block =
+            |map: &DMatrix<DoubleDouble>| (map.view((0, 0), (n, n)).into_owned(), column(map, n));
+        let ((first, old), (second, new)) = (block(&before), block(&after));
+        let moved = &first + &second + &second * &first;
+        let old = &old + &second * &old;
+        // An answer of the period before the last acts until the last one arrives.
+        let inputs = if late > 0 { vec![old, new] } else { vec![new] };
+        let (plant, adjoint) = resolvent(&moved);
+        let seen = |row: usize| {
+            let of = |input: &DVector<DoubleDouble>| {
+                let entry = |term: &DMatrix<DoubleDouble>| (term.row(row) * input)[0];
+                Polynomial::new(adjoint.iter().rev().map(entry).collect())
+            };
+            let parts: Vec<_> = inputs.iter().map(of).collect();
+            match parts.as_slice() {
+                [old, new] => old.plus(&new.times(&z())),
+                one => one[0].clone(),
+            }
+        };
+        let delay = whole + u64::from(late > 0);
+        Self::closed(part, delay as u32, plant, &seen(states.position()), &seen(states.velocity()))
+    }
+
+    /// The loop about a plant whose position and velocity answer an effort by `x / plant` and `v / plant`.
+    fn closed(
+        part: &LinearPart,
+        delay: u32,
+        plant: Polynomial,
+        x: &Polynomial,
+        v: &Polynomial,
+    ) -> Self {
+        let (period, mass) = (part.period, part.device.mass);
+        let damping = DoubleDouble::from(part.environment.damping) * DoubleDouble::from(period)
+            / DoubleDouble::from(mass);
+        let inertia = DoubleDouble::from(part.environment.mass)
+            / (DoubleDouble::from(mass) * DoubleDouble::from(part.ratio as f64));
+        let minus = DoubleDouble::from(-1.0);
+        let unit = mass / (period * period);
+        if part.environment.mass == 0.0 {
+            let (rest, stiffness) = (v.scaled(damping * minus), x.scaled(minus));
+            return Self { delay, plant, rest, stiffness, unit };
+        }
+        // The velocity before the last is one state more, which is a factor z.
+        let difference = Polynomial::new(vec![DoubleDouble::from(0.0), inertia]);
+        let rest = v.times(&z().scaled(damping).plus(&difference)).scaled(minus);
+        let stiffness = x.times(&z()).scaled(minus);
+        Self { delay, plant: plant.times(&z()), rest, stiffness, unit }
+    }
+
+    /// The roots `w` of `P` at a stiffness of `kappa`.
+    pub(super) fn roots(&self, kappa: f64) -> Vec<Complex<f64>> {
+        let answer = self.rest.plus(&self.stiffness.scaled(kappa.into()));
+        let is_open = answer.coefficients().iter().all(|it| it.is_zero());
+        let delay = if is_open { 0 } else { self.delay };
+        let count = self.plant.degree() + delay as usize;
+        let one = Complex::from(1.0);
+        let step = |w: Complex<f64>| {
+            let z = one + w;
+            let [a, slope] = self.plant.at(w);
+            let [r, slant] = answer.at(w);
+            let late = Complex::from(f64::from(delay));
+            // What is large is divided out.
+            let (value, derivative) = if z.norm_sqr() > 1.0 {
+                let back = z.inv().powu(delay);
+                (a + r * back, slope + late * a / z + slant * back)
+            } else if delay == 0 {
+                (a + r, slope + slant)
+            } else {
+                let ahead = z.powu(delay - 1);
+                (ahead * z * a + r, ahead * (z * slope + late * a) + slant)
+            };
+            value / derivative
+        };
+        let mut places: Vec<_> = circle(count, 1.0).map(|z| z - one).collect();
+        settle(&mut places, step);
+        let polished = places.into_iter().map(|w| {
+            // The value to all digits; its derivative needs few.
+            let slope = self.value(&answer, delay, w) / step(w);
+            let change = self.long_value(&answer, delay, w) / slope;
+            if change.norm_sqr() < POLISH * w.norm_sqr() { w - change } else { w }
+        });
+        polished.collect()
+    }
+
+    fn value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
+        let z = Complex::from(1.0) + w;
+        z.powu(delay) * self.plant.at(w)[0] + answer.at(w)[0]
+    }
+
+    fn long_value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
+        let w = Pair::from(w);
+        let z = Pair { re: w.re + DoubleDouble::from(1.0), im: w.im };
+        let late = (0..u32::BITS - delay.leading_zeros()).rev().fold(Pair::one(), |power, bit| {
+            let square = power.times(power);
+            if delay >> bit & 1 == 1 { square.times(z) } else { square }
+        });
+        late.times(self.plant.long_at(w)).plus(answer.long_at(w)).into()
+    }
+
+    /// How far the largest root is beyond the unit circle: `|z|² − 1 = 2 Re w + |w|²` of all roots, the largest; NaN where
+    /// the loop is out of the range of the numbers.
+    pub(super) fn growth(&self, kappa: f64) -> f64 {
+        let roots = self.roots(kappa).into_iter();
+        let growths = roots.map(|w| 2.0 * w.re + w.norm_sqr());
+        growths.fold(-1.0, |most, it| if it.is_finite() { most.max(it) } else { f64::NAN })
+    }
+}
+
+/// `z = 1 + w`.
+fn z() -> Polynomial {
+    Polynomial::new(vec![DoubleDouble::from(1.0), DoubleDouble::from(1.0)])
+}
+
+fn column(map: &DMatrix<DoubleDouble>, n: usize) -> DVector<DoubleDouble> {
+    map.view((0, n), (n, 1)).column(0).into_owned()
+}
+
+/// `det(w I − E)`, and the terms of its adjoint from the highest power down (Faddeev and Le Verrier; Gantmacher, The Theory
+/// of Matrices, 1959, chapter IV).
+fn resolvent(map: &DMatrix<DoubleDouble>) -> (Polynomial, Vec<DMatrix<DoubleDouble>>) {
+    let n = map.nrows();
+    let identity = DMatrix::<DoubleDouble>::identity(n, n);
+    let (mut coefficients, mut adjoint) = (vec![DoubleDouble::from(1.0)], vec![identity.clone()]);
+    for power in 1..=n {
+        let product = map * &adjoint[power - 1];
+        let coefficient = -product.diagonal().sum() / DoubleDouble::from(power as f64);
+        coefficients.push(coefficient);
+        if power < n {
+            adjoint.push(product + &identity * coefficient);
+        }
+    }
+    coefficients.reverse();
+    (Polynomial::new(coefficients), adjoint)
+}
+
+/// What `count` ticks gain, from what one gains.
+fn ticks(tick: &DMatrix<DoubleDouble>, mut count: u64) -> DMatrix<DoubleDouble> {
+    let mut all = DMatrix::zeros(tick.nrows(), tick.ncols());
+    let mut base = tick.clone();
+    while count > 0 {
+        if count % 2 == 1 {
+            all = &all + &base + &base * &all;
+        }
+        base = &base * DoubleDouble::from(2.0) + &base * &base;
+        count /= 2;
+    }
+    all
+}
+
+/// What stands in the state of a tick: the masses, and the estimated velocity where it is one.
+#[derive(Clone, Copy, Debug)]
+struct States {
+    masses: usize,
+    share: Option<f64>,
+}
+
+impl States {
+    fn of(part: &LinearPart) -> Self {
+        let masses = if part.link.is_some() { 2 } else { 1 };
+        let share = match part.velocity {
+            VelocitySource::Difference { share } if part.needs_velocity() => Some(share),
+            _ => None,
+        };
+        Self { masses, share }
+    }
+
+    fn count(self) -> usize {
+        2 * self.masses + usize::from(self.share.is_some())
+    }
+
+    /// Where the device's position is; its velocity follows.
+    fn position(self) -> usize {
+        2 * (self.masses - 1)
+    }
+
+    fn velocity(self) -> usize {
+        if self.share.is_some() { 2 * self.masses } else { self.position() + 1 }
+    }
+
+    /// What the state gains over one servo tick, the effort held being its last entry.
+    fn tick(self, part: &LinearPart) -> DMatrix<DoubleDouble> {
+        let (moving, n) = (2 * self.masses, self.count());
+        let gained = increments(&rates(part));
+        let mut tick = DMatrix::zeros(n + 1, n + 1);
+        let to = |column: usize| if column == moving { n } else { column };
+        for row in 0..moving {
+            for column in 0..=moving {
+                tick[(row, to(column))] = gained[(row, column)];
+            }
+        }
+        if let Some(share) = self.share.map(DoubleDouble::from) {
+            let way: RowDVector<DoubleDouble> = tick.row(self.position()) * share;
+            tick.row_mut(moving).copy_from(&way);
+            tick[(moving, moving)] -= share;
+        }
+        tick
+    }
+}
+
+/// Time derivatives of the masses' positions and velocities and of the held effort, by the same, in units of `T`, of the
+/// device's mass and of any length.
+fn rates(part: &LinearPart) -> DMatrix<DoubleDouble> {
+    let of = |value: f64| DoubleDouble::from(value);
+    let (period, device) = (of(part.period), of(part.device.mass));
+    let (operator, damping) = (part.operator, part.device.damping);
+    let damped = |value: DoubleDouble, mass: DoubleDouble| value * period / mass;
+    let sprung = |value: f64, mass: DoubleDouble| of(value) * period * period / mass;
+    let (zero, one) = (of(0.0), of(1.0));
+    let Some(link) = part.link else {
+        let mass = device + of(operator.mass);
+        let both = of(damping) + of(operator.damping);
+        let row = [-sprung(operator.stiffness, mass), -damped(both, mass), -device / mass];
+        return DMatrix::from_row_slice(3, 3, &[[zero, one, zero], row, [zero; 3]].concat());
+    };
+    let hand = of(operator.mass);
+    let (kl, bl) = (link.stiffness, of(link.damping));
+    let held = sprung(operator.stiffness, hand) + sprung(kl, hand);
+    let rows = [
+        [zero, one, zero, zero, zero],
+        [-held, -damped(of(operator.damping) + bl, hand), sprung(kl, hand), damped(bl, hand), zero],
+        [zero, zero, zero, one, zero],
+        [
+            sprung(kl, device),
+            damped(bl, device),
+            -sprung(kl, device),
+            -damped(of(damping) + bl, device),
+            -one,
+        ],
+        [zero; 5],
+    ];
+    DMatrix::from_row_slice(5, 5, &rows.concat())
+}
+
+/// `exp(A) − I` by scaling and squaring, as [`held_input`](lyapunov::bodies::held_input).
+fn increments(rates: &DMatrix<DoubleDouble>) -> DMatrix<DoubleDouble> {
+    let n = rates.nrows();
+    let identity = DMatrix::<DoubleDouble>::identity(n, n);
+    let size = |matrix: &DMatrix<DoubleDouble>| {
+        let row = |row: usize| (0..n).map(|at| f64::from(matrix[(row, at)]).abs()).sum::<f64>();
+        (0..n).map(row).fold(0.0, f64::max)
+    };
+    let mut scaled = rates.clone();
+    let mut halvings = 0;
+    while size(&scaled) > 0.5 && size(&scaled) < f64::INFINITY {
+        scaled *= DoubleDouble::from(0.5);
+        halvings += 1;
+    }
+    let mut polynomial = identity.clone();
+    for degree in (2..=DEGREE).rev() {
+        polynomial = &identity
+            + (&scaled * &polynomial)
+                * (DoubleDouble::from(1.0) / DoubleDouble::from(f64::from(degree)));
+    }
+    let mut increment = &scaled * &polynomial;
+    for _ in 0..halvings {
+        increment = &increment * DoubleDouble::from(2.0) + &increment * &increment;
+    }
+    increment
+}

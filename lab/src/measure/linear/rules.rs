@@ -1,0 +1,38 @@
+//! The rules of a line: Gil's, and Abbott and Okamura's for a device that rubs and counts.
+
+use super::linear_part::delay;
+use crate::files::Scene;
+
+/// The largest stiffness by the linear rule `K < (b + B) / (T / 2 + t_d)`, N/m; none where the environment has no stiffness.
+///
+/// `b` is the damping of device and operator, `B` the virtual wall's, `t_d` the delay. `T / 2` is how late a held force is on
+/// average, so that `T` is the period at which the environment answers (Gil, Sánchez, Hulin, Preusche and Hirzinger, Journal
+/// of Computing and Information Science in Engineering 9, 2009, after the discrete case of Gil, Avello, Rubio and Flórez, IEEE
+/// Transactions on Control Systems Technology 12, 2004).
+///
+/// It is the first order in the period of the exact limit: one rigid mass, backward-difference velocity, `(b + B) T` small
+/// against the mass, and neither a spring of the operator nor a filter that matters. It is a rule and no bound: outside of
+/// that it may promise too much. A damping below 0 in all leaves 0.
+pub(super) fn gil(scene: &Scene) -> Option<f64> {
+    let environment = scene.environment.kind().impedance()?;
+    let damping = scene.device.damping.get() + scene.operator.damping.get() + environment.damping;
+    let held = scene.period() * scene.environment_ratio() as f64;
+    let late = scene.period() * delay(scene) as f64;
+    Some((damping / (0.5 * held + late)).max(0.0))
+}
+
+/// The largest stiffness of a spring by `K ≤ min(2 b / T, 2 f_c / Δ)`, N/m; none without an encoder, without Coulomb
+/// friction, or without a stiffness.
+///
+/// `b` is the device's damping and `f_c` its Coulomb friction, `Δ` the encoder's step, `T` the period at which the
+/// environment answers. Sufficient for the port to be passive (Abbott and Okamura, IEEE Transactions on Robotics 21, 2005):
+/// the first part pays for the hold, the second for the half step that a count may be off. It is about a spring alone, without
+/// a damper, without delay and without a static friction beyond the Coulomb one.
+pub(super) fn friction_quantization(scene: &Scene) -> Option<f64> {
+    scene.environment.kind().impedance()?;
+    let (friction, encoder) = (scene.effects.friction?, scene.effects.encoder?);
+    let held = scene.period() * scene.environment_ratio() as f64;
+    let by_damping = 2.0 * scene.device.damping.get() / held;
+    let by_friction = 2.0 * friction.coulomb.get() / encoder.resolution.get();
+    Some(by_damping.min(by_friction))
+}

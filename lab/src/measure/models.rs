@@ -1,0 +1,114 @@
+//! What is measured along a run of a model.
+
+use serde::Serialize;
+
+use super::trace::Trace;
+use crate::simulate::models::{Entrant, Tick};
+
+/// How many times V may become what it was at the start in a run that counts as bounded: 4, which is twice as far from
+/// rest where V is quadratic.
+pub const BOUND: f64 = 4.0;
+
+/// Everything that is measured along a run.
+#[derive(Debug)]
+pub(crate) struct Meter {
+    expected: u64,
+    servo_rate: f64,
+    began: f64,
+    ticks: u64,
+    active: u64,
+    largest: f64,
+    last: f64,
+    effort: f64,
+    shortfall: f64,
+    taken: f64,
+    trace: Trace,
+}
+
+impl Meter {
+    /// The meter of a run of `ticks` + 1 ticks that starts with V = `began`.
+    pub(crate) fn new(ticks: u64, servo_rate: f64, began: f64) -> Self {
+        let expected = ticks + 1;
+        let trace = Trace::new(ticks);
+        let (ticks, active) = (0, 0);
+        let [largest, last, effort, shortfall, taken] = [0.0; 5];
+        Self {
+            expected,
+            servo_rate,
+            began,
+            ticks,
+            active,
+            largest,
+            last,
+            effort,
+            shortfall,
+            taken,
+            trace,
+        }
+    }
+
+    pub(crate) fn add(&mut self, tick: Tick) {
+        self.trace.add(self.ticks as f64 / self.servo_rate, tick.value);
+        self.ticks += 1;
+        self.active += u64::from(tick.alpha > 0.0);
+        self.largest = self.largest.max(tick.value);
+        self.last = tick.value;
+        self.effort = self.effort.max(tick.effort);
+        self.shortfall = self.shortfall.max(tick.shortfall);
+        // The force of the last tick acts beyond the run.
+        self.taken += if self.ticks < self.expected { tick.taken } else { 0.0 };
+    }
+
+    pub(crate) fn finish(self, entrant: Entrant) -> Outcome {
+        let complete = self.ticks == self.expected;
+        let told = |value: f64| value.is_finite().then_some(value);
+        let score = Score {
+            stabilizer: entrant.name(),
+            bounded: complete && self.largest <= BOUND * self.began,
+            largest: told(self.largest).filter(|_| complete),
+            end: told(self.last).filter(|_| complete),
+            effort: told(self.effort).filter(|_| complete),
+            active: 100.0 * self.active as f64 / self.ticks.max(1) as f64,
+            shortfall: told(self.shortfall),
+            taken: told(self.taken),
+        };
+        Outcome { entrant, score, curve: self.trace.finish() }
+    }
+}
+
+/// What one entrant came to on one model; docs/any-plant.md defines every number.
+///
+/// What is out of the range of the numbers is `None`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Score {
+    /// The entrant.
+    pub stabilizer: &'static str,
+    /// Whether the run stayed within the range of the scalar and V within [`BOUND`] times its start.
+    pub bounded: bool,
+    /// The largest V.
+    #[serde(rename = "v_largest")]
+    pub largest: Option<f64>,
+    /// V at the last tick.
+    #[serde(rename = "v_end")]
+    pub end: Option<f64>,
+    /// The largest size of the effort on the plant, of all inputs together.
+    #[serde(rename = "effort_largest")]
+    pub effort: Option<f64>,
+    /// Share of the ticks on which damping was injected, percent.
+    #[serde(rename = "active_percent")]
+    pub active: f64,
+    /// Largest debt that a tick could not serve.
+    pub shortfall: Option<f64>,
+    /// What the stabilizer's part of the effort took from V.
+    #[serde(rename = "energy_taken")]
+    pub taken: Option<f64>,
+}
+
+/// The numbers of one entrant, and V over time.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Outcome {
+    pub(crate) entrant: Entrant,
+    pub(crate) score: Score,
+    /// Time in s and V.
+    pub(crate) curve: Vec<(f64, f64)>,
+}

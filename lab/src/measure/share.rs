@@ -1,0 +1,82 @@
+//! Whose share of the acting force is whose.
+
+use std::collections::VecDeque;
+
+use lyapunov::Scalar;
+
+use crate::files::Scene;
+use crate::simulate::{Space, Tick};
+
+/// The force that acts on the plant, split by whose it is, along the first axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Split {
+    /// The environment's force that is due now, before saturation, N: `f_env(n − d)`, 0 for `n < d`.
+    pub(crate) late: f64,
+    /// The environment's share, N: `f_e(n) = clip(f_env(n − d))`, what would act now were there no controller.
+    pub(crate) environment: f64,
+    /// The rest of what acts, N: the controller's share.
+    pub(crate) controller: f64,
+}
+
+/// Splits what acts on the plant tick by tick: saturates and delays the environment's force as the loop does the whole.
+#[derive(Clone, Debug)]
+pub(crate) struct Share {
+    limit: f64,
+    waiting: VecDeque<f64>,
+}
+
+impl Share {
+    /// The share in `scene`, whose loop computes in the scalar of `V`.
+    pub(crate) fn new<V: Space>(scene: &Scene) -> Self {
+        let ticks = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
+        // As the loop rounds it.
+        let limit = |force: f64| V::Scalar::of(force).lane(0);
+        let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| limit(it.force.get()));
+        Self { limit, waiting: VecDeque::from(vec![0.0; ticks.into()]) }
+    }
+
+    /// Splits what acts from `tick` on.
+    pub(crate) fn split<V: Space>(&mut self, tick: &Tick<V>) -> Split {
+        self.of(tick.environment.axis(0), tick.applied.axis(0))
+    }
+
+    fn of(&mut self, environment: f64, applied: f64) -> Split {
+        self.waiting.push_back(environment);
+        let late = self.waiting.pop_front().unwrap_or_default();
+        let environment = late.clamp(-self.limit, self.limit);
+        Split { late, environment, controller: applied - environment }
+    }
+
+    /// Whether a force of the environment has not applied yet.
+    pub(crate) fn is_waiting(&self) -> bool {
+        self.waiting.iter().any(|force| *force != 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::samples::scene;
+
+    #[test]
+    fn the_environment_s_share_is_clipped_and_late_as_the_whole_is() {
+        let late = scene("effects.delay.ticks = 2\neffects.saturation.force = 3.0\n");
+        let mut share = Share::new::<f64>(&late);
+        let split = [1.0, 5.0, -7.0, 2.0].map(|force| share.of(force, 0.0));
+        assert_eq!(split.map(|it| it.late), [0.0, 0.0, 1.0, 5.0]);
+        assert_eq!(split.map(|it| it.environment), [0.0, 0.0, 1.0, 3.0]);
+        assert!(share.is_waiting());
+
+        let mut prompt = Share::new::<f64>(&scene(""));
+        assert_eq!(prompt.of(4.0, 4.5), Split { late: 4.0, environment: 4.0, controller: 0.5 });
+        assert!(!prompt.is_waiting());
+    }
+
+    #[test]
+    fn the_limit_is_rounded_as_the_loop_rounds_it() {
+        let clipped = scene("effects.saturation.force = 0.1\n");
+        let split = |mut share: Share| share.of(1.0, 0.0).environment;
+        assert_eq!(split(Share::new::<f64>(&clipped)), 0.1);
+        assert_eq!(split(Share::new::<f32>(&clipped)), f64::from(0.1_f32));
+    }
+}

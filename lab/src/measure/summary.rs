@@ -1,0 +1,149 @@
+//! What a run came to.
+
+use super::settling::Settling;
+use crate::files::Scene;
+use crate::simulate::equilibrium::{BAND, equilibrium, swing};
+use crate::simulate::{Row, Space, Tick};
+
+/// Lengths and energies are told in thousandths of their units.
+pub(crate) const MILLI: f64 = 1e3;
+
+/// What a run came to, summed up tick by tick.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    pub(crate) scene: Scene,
+    /// Ticks summed up.
+    pub rows: u64,
+    /// The last tick.
+    pub last: Option<Row>,
+    /// Where the operator's spring and the environment balance, m; none where no spring pulls, or only out of range.
+    pub equilibrium: Option<f64>,
+    /// Half the width of the band about the equilibrium that counts as settled, m.
+    pub band: f64,
+    /// Since when the plant has been in the band without a break, s; none if it is outside.
+    pub settled: Option<f64>,
+    settling: Settling<f64>,
+    /// Largest magnitude of the environment's force, N.
+    pub environment_peak: f64,
+    /// Largest magnitude of the force that applied on the plant, N.
+    pub acting_peak: f64,
+    /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J; infinite from where
+    /// it leaves the range of f64.
+    pub absorbed: f64,
+    /// Least value of the observed energy, J.
+    pub observed_energy_least: f64,
+    /// Largest value of the observed energy, J.
+    pub observed_energy_most: f64,
+    /// Energy that the controller set out to burn, `Σ α v² T`, J; infinite from where it leaves the range of f64.
+    pub injected: f64,
+    /// Largest debt that a tick could not serve, J.
+    pub shortfall: f64,
+    /// Ticks on which the controller was active.
+    pub active: u64,
+    axes: [Axis; 3],
+}
+
+impl Summary {
+    /// The summary of no tick yet.
+    pub fn new(scene: &Scene) -> Self {
+        let rest = equilibrium(scene).map(|rest| (rest, BAND * swing(scene, rest)));
+        let shown = |metres: f64| (MILLI * metres).is_finite();
+        let (equilibrium, band) = rest.filter(|(rest, band)| shown(*rest) && shown(*band)).unzip();
+        Self {
+            scene: scene.clone(),
+            rows: 0,
+            last: None,
+            equilibrium,
+            band: band.unwrap_or_default(),
+            settled: None,
+            settling: rest_of(equilibrium.zip(band)),
+            environment_peak: 0.0,
+            acting_peak: 0.0,
+            absorbed: 0.0,
+            observed_energy_least: 0.0,
+            observed_energy_most: 0.0,
+            injected: 0.0,
+            shortfall: 0.0,
+            active: 0,
+            axes: Default::default(),
+        }
+    }
+
+    /// The summary of all `ticks` of a `scene`.
+    pub fn of<V: Space>(scene: &Scene, ticks: impl IntoIterator<Item = Tick<V>>) -> Self {
+        let mut summary = Self::new(scene);
+        ticks.into_iter().for_each(|tick| summary.add(&tick));
+        summary
+    }
+
+    /// Sums up one more tick.
+    pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let (row, axes) = (Row::of(tick), Axis::of(tick));
+        if self.last.is_some() {
+            for (last, axis) in self.axes.iter().zip(&axes) {
+                self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
+            }
+        }
+        self.settling.add(row.x);
+        self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
+        let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
+        self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
+        self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));
+        self.observed_energy_least = self.observed_energy_least.min(row.observed_energy);
+        self.observed_energy_most = self.observed_energy_most.max(row.observed_energy);
+        for axis in &axes {
+            self.injected = sum(self.injected, axis.f_ctl, axis.v * self.scene.period());
+        }
+        self.shortfall = self.shortfall.max(row.shortfall);
+        self.active += u64::from(row.alpha > 0.0);
+        self.rows += 1;
+        self.last = Some(row);
+        self.axes = axes;
+    }
+
+    /// The last time at which everything was finite, s, if the motion left the range of the scalar.
+    pub fn left_range(&self) -> Option<f64> {
+        let complete = self.rows == self.scene.ticks() + 1;
+        (!complete).then(|| self.last.map_or(0.0, |row| row.t))
+    }
+}
+
+/// Never at rest where there is no place to rest at.
+fn rest_of(rest: Option<(f64, f64)>) -> Settling<f64> {
+    let (rest, band) = rest.unwrap_or((0.0, -1.0));
+    Settling::new(rest, band)
+}
+
+/// A tick along one axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Axis {
+    x: f64,
+    v: f64,
+    f_env: f64,
+    f_ctl: f64,
+    f_act: f64,
+}
+
+impl Axis {
+    /// `tick` along each axis; all 0 along those that the scene does not have.
+    fn of<V: Space>(tick: &Tick<V>) -> [Self; 3] {
+        let control = tick.control();
+        let mut axes = [Self::default(); 3];
+        for (index, axis) in axes.iter_mut().enumerate().take(V::DIMENSIONS) {
+            *axis = Self {
+                x: tick.truth.position.axis(index),
+                v: tick.measured.velocity.axis(index),
+                f_env: tick.environment.axis(index),
+                f_ctl: control.axis(index),
+                f_act: tick.applied.axis(index),
+            };
+        }
+        axes
+    }
+}
+
+/// A sum of work with one more piece; once infinite it stays so, and it is never NaN.
+fn sum(total: f64, force: f64, way: f64) -> f64 {
+    // Two positions can lie so far apart that the way between them is infinite.
+    if total.is_finite() && force != 0.0 { total + force * way } else { total }
+}

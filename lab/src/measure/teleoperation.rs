@@ -1,0 +1,170 @@
+//! What is measured along a run of a teleoperator.
+
+use serde::Serialize;
+
+use super::trace::Trace;
+use crate::files::teleoperation::Teleoperator;
+use crate::simulate::teleoperation::{Entrant, Tick};
+
+/// How many times the energy that the hand began with may be found in the two devices, the hand's spring and the wall, in
+/// a run that counts as bounded: 4, which is twice as far or as fast.
+pub const BOUND: f64 = 4.0;
+
+/// The least that a correction burns on a tick that counts as active, of the energy at the start: at rest, debts of the last
+/// digits come and go.
+const ACTIVE: f64 = 1e-9;
+
+/// Millimetres of a metre, millijoules of a joule.
+const MILLI: f64 = 1e3;
+
+/// Everything that is measured along a run.
+#[derive(Debug)]
+pub(crate) struct Meter<'a> {
+    file: &'a Teleoperator,
+    ticks: u64,
+    active: [u64; 2],
+    energy: f64,
+    speed: f64,
+    error: f64,
+    felt: f64,
+    contact: f64,
+    kept: f64,
+    shortfall: f64,
+    last: Option<Tick>,
+    master: Trace,
+    slave: Trace,
+}
+
+impl<'a> Meter<'a> {
+    pub(crate) fn new(file: &'a Teleoperator) -> Self {
+        let [energy, speed, error, felt, contact, kept, shortfall] = [0.0; 7];
+        Self {
+            file,
+            ticks: 0,
+            active: [0; 2],
+            energy,
+            speed,
+            error,
+            felt,
+            contact,
+            kept,
+            shortfall,
+            last: None,
+            master: Trace::new(file.ticks()),
+            slave: Trace::new(file.ticks()),
+        }
+    }
+
+    pub(crate) fn add(&mut self, tick: Tick) {
+        let ([x, v], [y, w]) = (tick.master, tick.slave);
+        let t = self.ticks as f64 / self.file.servo_rate.get();
+        self.master.add(t, x);
+        self.slave.add(t, y);
+        let (master, slave) = (&self.file.master, &self.file.slave);
+        let depth = slave.wall.map_or(0.0, |wall| (y - wall.position.get()).max(0.0));
+        let contact = slave.wall.map_or(0.0, |wall| wall.stiffness.get() * depth);
+        let kinetic = master.mass.get() * v * v + slave.mass.get() * w * w;
+        let stored = 0.5 * (kinetic + master.hand_stiffness.get() * x * x + contact * depth);
+        self.energy = self.energy.max(stored);
+        // The last tenth of the run.
+        if 10 * self.ticks >= 9 * self.file.ticks() {
+            self.speed = self.speed.max(v.abs()).max(w.abs());
+        }
+        self.error = self.error.max((x - y).abs());
+        self.felt = self.felt.max(tick.felt.abs());
+        self.contact = self.contact.max(contact);
+        self.kept = self.kept.min(tick.kept());
+        self.shortfall = self.shortfall.max(tick.shortfall);
+        let least = ACTIVE * self.file.stored_at_start();
+        for (count, burnt) in self.active.iter_mut().zip(tick.burnt) {
+            *count += u64::from(burnt > least);
+        }
+        self.ticks += 1;
+        self.last = Some(tick);
+    }
+
+    pub(crate) fn finish(self, entrant: Entrant) -> Outcome {
+        let complete = self.ticks == self.file.ticks() + 1;
+        let told = |value: f64| Some(value).filter(|value| complete && value.is_finite());
+        let end = |of: fn(&Tick) -> f64| self.last.as_ref().map(of).and_then(|it| told(MILLI * it));
+        let share = |count: u64| 100.0 * count as f64 / self.ticks.max(1) as f64;
+        let score = Score {
+            stabilizer: entrant.name(),
+            bounded: complete && self.energy <= BOUND * self.file.stored_at_start(),
+            energy: told(MILLI * self.energy),
+            speed: told(MILLI * self.speed),
+            error: told(MILLI * self.error),
+            error_end: end(|tick| tick.master[0] - tick.slave[0]),
+            drift: end(|tick| tick.command - tick.master[0]),
+            felt: told(self.felt),
+            contact: self.file.slave.wall.and_then(|_| told(self.contact)),
+            kept: told(MILLI * self.kept),
+            shortfall: told(MILLI * self.shortfall),
+            active_master: share(self.active[0]),
+            active_slave: share(self.active[1]),
+        };
+        let curves = Curves { master: self.master.finish(), slave: self.slave.finish() };
+        Outcome { entrant, score, curves }
+    }
+}
+
+/// What one entrant came to on one teleoperator; docs/teleoperation.md defines every number.
+///
+/// What is out of the range of the numbers is `None`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Score {
+    /// The entrant.
+    pub stabilizer: &'static str,
+    /// Whether the run stayed within the range of the scalar and its energy within [`BOUND`] times the start's.
+    pub bounded: bool,
+    /// The largest energy of devices, hand and wall.
+    #[serde(rename = "energy_largest_mj")]
+    pub energy: Option<f64>,
+    /// The largest speed of either device within the last tenth of the run.
+    #[serde(rename = "speed_end_mm_per_s")]
+    pub speed: Option<f64>,
+    /// The largest distance between master and slave.
+    #[serde(rename = "error_largest_mm")]
+    pub error: Option<f64>,
+    /// By how much the master is ahead of the slave at the last tick.
+    #[serde(rename = "error_end_mm")]
+    pub error_end: Option<f64>,
+    /// By how much the commanded position is ahead of the master at the last tick.
+    #[serde(rename = "drift_end_mm")]
+    pub drift: Option<f64>,
+    /// The largest force that the link puts on the master.
+    #[serde(rename = "force_felt_n")]
+    pub felt: Option<f64>,
+    /// The largest force of the wall; `None` without one.
+    #[serde(rename = "force_contact_n")]
+    pub contact: Option<f64>,
+    /// The least that both ports together have absorbed, with what corrections were about to burn.
+    #[serde(rename = "energy_least_mj")]
+    pub kept: Option<f64>,
+    /// Largest debt of both ends together that a tick could not serve.
+    #[serde(rename = "shortfall_mj")]
+    pub shortfall: Option<f64>,
+    /// Share of the ticks on which the correction at the master burns more than rounding, percent.
+    #[serde(rename = "active_master_percent")]
+    pub active_master: f64,
+    /// Share of the ticks on which the correction at the slave burns more than rounding, percent.
+    #[serde(rename = "active_slave_percent")]
+    pub active_slave: f64,
+}
+
+/// Time in s and position in m, at every tick, or of a long run the extremes of each of some thousand stretches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    /// The master's.
+    pub master: Vec<(f64, f64)>,
+    /// The slave's.
+    pub slave: Vec<(f64, f64)>,
+}
+
+/// The numbers of one entrant, and positions over time.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Outcome {
+    pub(crate) entrant: Entrant,
+    pub(crate) score: Score,
+    pub(crate) curves: Curves,
+}

@@ -1,0 +1,114 @@
+//! Things timed in turns, round by round, and fresh runs of a loop against the clock.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use lyapunov::{ParameterError, Plant};
+
+use crate::files::Scene;
+use crate::simulate::{Assembly, Space};
+
+/// How long each of several things takes, ns, by rounds.
+#[derive(Debug)]
+pub(crate) struct Rounds(Vec<Vec<f64>>);
+
+impl Rounds {
+    /// Times `things` in turns, round by round, so that a machine that slows down slows them all alike: `time` is given the
+    /// round and the thing, at least one round.
+    ///
+    /// # Errors
+    /// The first that `time` meets.
+    pub(crate) fn of<E>(
+        things: usize,
+        rounds: usize,
+        mut time: impl FnMut(usize, usize) -> Result<f64, E>,
+    ) -> Result<Self, E> {
+        let mut times = vec![Vec::with_capacity(rounds); things];
+        for round in 0..rounds {
+            for (thing, times) in times.iter_mut().enumerate() {
+                times.push(time(round, thing)?);
+            }
+        }
+        Ok(Self(times))
+    }
+
+    /// Lower quartile, median and upper quartile of the rounds of `thing`.
+    pub(crate) fn quartiles(&self, thing: usize) -> [f64; 3] {
+        quartiles(self.0[thing].clone())
+    }
+
+    /// The fastest round of `thing`, and the slowest.
+    pub(crate) fn extremes(&self, thing: usize) -> [f64; 2] {
+        let times = self.0[thing].iter().copied();
+        [times.clone().fold(f64::INFINITY, f64::min), times.fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// The quartiles of two things, compared round by round: what slows one round slows both in it.
+    pub(crate) fn compared(
+        &self,
+        one: usize,
+        other: usize,
+        by: impl Fn(f64, f64) -> f64,
+    ) -> [f64; 3] {
+        let pairs = self.0[one].iter().zip(&self.0[other]);
+        quartiles(pairs.map(|(one, other)| by(*one, *other)).collect())
+    }
+}
+
+/// Lower quartile, median and upper quartile of at least one value.
+pub(crate) fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
+    values.sort_by(f64::total_cmp);
+    [1, 2, 3].map(|quarter| values[quarter * (values.len() - 1) / 4])
+}
+
+/// Fresh runs made at once at most, for they have room for long delays.
+const MOST: u32 = 16;
+
+/// How many runs take at least so `long`, if `one` takes that; no more than are made at once.
+pub(crate) fn count_for(long: Duration, one: Duration) -> u32 {
+    long.div_duration_f64(one).ceil().clamp(1.0, MOST.into()) as u32
+}
+
+/// The time that the loop of `scene` takes for `count` runs of so many `ticks`, which are made before.
+///
+/// # Errors
+/// A parameter out of the range of the scalar.
+pub(crate) fn runs<V: Space>(
+    scene: &Scene,
+    ticks: usize,
+    count: u32,
+) -> Result<Duration, ParameterError> {
+    let fresh = (0..count).map(|_| Assembly::<V>::of(scene));
+    let mut fresh = fresh.collect::<Result<Vec<_>, _>>()?;
+    let start = Instant::now();
+    for run in black_box(&mut fresh) {
+        let mut sample = run.plant.start();
+        for _ in 0..ticks {
+            run.tick(&mut sample);
+        }
+        black_box(sample);
+    }
+    Ok(start.elapsed())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn things_are_compared_round_by_round() {
+        // A machine that is three times as slow from the third round on.
+        let times = [[10.0, 10.0, 30.0, 30.0, 30.0], [15.0, 16.0, 45.0, 45.0, 45.0]];
+        let mut order = Vec::new();
+        let rounds = Rounds::of(2, 5, |round, thing| {
+            order.push((round, thing));
+            Ok::<_, ()>(times[thing][round])
+        });
+        let rounds = rounds.unwrap();
+        assert_eq!(order[..4], [(0, 0), (0, 1), (1, 0), (1, 1)]);
+        assert_eq!(rounds.compared(1, 0, |with, without| with - without), [6.0, 15.0, 15.0]);
+        assert_eq!(rounds.compared(1, 0, |with, without| with / without)[1], 1.5);
+        assert_eq!((rounds.quartiles(1), rounds.extremes(1)), ([16.0, 45.0, 45.0], [15.0, 45.0]));
+        assert_eq!(Rounds::of(1, 3, |_, _| Err(7)).unwrap_err(), 7);
+    }
+}

@@ -1,0 +1,99 @@
+//! Parts of a scene in words.
+
+use crate::files::scene::{Effects, Filter, Integrator, Link, Motion, Operator, Policy, Scene};
+use crate::text::{given, shorten};
+
+/// The environment in a line, without its name.
+pub(crate) fn environment(scene: &Scene) -> String {
+    scene.environment.kind().words(|number| given(number).to_string())
+}
+
+/// The effects of a scene in words, one each.
+pub(crate) fn effects(scene: &Scene) -> Vec<String> {
+    let Effects {
+        encoder,
+        delay,
+        saturation,
+        filter,
+        noise,
+        jitter,
+        dropout,
+        friction,
+        load,
+        pulse,
+    } = scene.effects;
+    let policy = |policy| if policy == Policy::Hold { "hold" } else { "zero" };
+    [
+        encoder.map(|it| format!("encoder {} m", given(it.resolution.get()))),
+        delay.map(|it| format!("delay {}", counted(it.ticks.get().into(), "tick"))),
+        saturation.map(|it| format!("saturation {} N", given(it.force.get()))),
+        filter.map(|it| match it {
+            Filter::Cutoff(cutoff) => format!("low pass {} Hz", given(cutoff.get())),
+            Filter::Window(ticks) => format!("window {}", counted(ticks.get().into(), "tick")),
+        }),
+        noise.map(|it| format!("noise {} m", given(it.deviation.get()))),
+        jitter.map(|it| format!("jitter {} s", given(it.deviation.get()))),
+        dropout.map(|it| {
+            let percent = given(100.0 * it.probability.get());
+            format!("dropout {percent} % ({})", policy(it.policy))
+        }),
+        friction.map(|it| {
+            let (sliding, resting) = (it.coulomb.get(), it.breakaway());
+            let more = if resting > sliding {
+                format!(", {} N at rest", given(resting))
+            } else {
+                String::new()
+            };
+            format!("friction {} N{more}", given(sliding))
+        }),
+        load.map(|it| format!("load {} N", given(it.force.get()))),
+        pulse.map(|it| {
+            let (start, duration) = (given(it.start.get()), given(it.duration.get()));
+            format!("pulse {} N from {start} s for {duration} s", given(it.force.get()))
+        }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// How the plant moves, if not exactly.
+pub(crate) fn integrator(integrator: Integrator) -> Option<String> {
+    let name = integrator.name();
+    let in_steps = |steps: u32| format!("{name} in {}", counted(steps as usize, "step"));
+    let within = |tolerance| format!("{name} within {}", given(tolerance));
+    integrator.steps_per_tick().map(in_steps).or(integrator.tolerance().map(within))
+}
+
+/// What operator and link do beyond the usual, in words, one each.
+pub(crate) fn operator(scene: &Scene) -> Vec<String> {
+    let Operator { motion, grip, .. } = &scene.operator;
+    let link = scene.link.map(|Link { stiffness, damping }| {
+        format!("link {} N/m, {} N.s/m", given(stiffness.get()), given(damping.get()))
+    });
+    let motion = motion.as_ref().map(|motion| match motion {
+        Motion::Step { at, to } => {
+            format!("step to {} mm at {} s", given(1e3 * to.get()), given(at.get()))
+        }
+        Motion::Ramp { at, to, rate } => format!(
+            "ramp to {} mm from {} s at {} m/s",
+            given(1e3 * to.get()),
+            given(at.get()),
+            given(rate.get())
+        ),
+        Motion::Sine { amplitude, frequency } => {
+            format!("sine of {} mm at {} Hz", given(1e3 * amplitude.get()), given(frequency.get()))
+        }
+        Motion::File { path, .. } => {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            format!("motion of {}", shorten(&name))
+        }
+    });
+    let grip =
+        grip.as_ref().map(|grip| format!("grip changes {}", counted(grip.times.len(), "time")));
+    [link, motion, grip].into_iter().flatten().collect()
+}
+
+fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,10 @@
+//! How results are shown: tables, pages, lines of text and comma-separated values.
+
+pub(crate) mod csv;
+pub(crate) mod described;
+pub(crate) mod html;
+pub(crate) mod output_error;
+mod summary;
+pub(crate) mod table;
+
+pub(crate) use output_error::OutputError;

@@ -1,0 +1,241 @@
+//! A summary in a few lines, and as JSON.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::described;
+use crate::files::scene::{Candidate, Cap, Ledger, Lolc, Popc, Scalar, Stabilizer, Velocity, Work};
+use crate::simulate::equilibrium::never_rests;
+use crate::text::{found, given, listed};
+
+use crate::measure::Summary;
+use crate::measure::summary::MILLI;
+
+/// Settled in the last tenth of a run is not yet settled.
+const LATE: f64 = 0.9;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    scene: &'a str,
+    rows: u64,
+    complete: bool,
+    settled: bool,
+    settling_time_s: Option<f64>,
+    equilibrium_mm: Option<f64>,
+    band_mm: Option<f64>,
+    peak_force_environment_n: f64,
+    peak_force_acting_n: f64,
+    energy_into_port_mj: f64,
+    stabilizer: Option<Observed>,
+}
+
+/// What a stabilizer saw and did.
+#[derive(Serialize)]
+struct Observed {
+    observed_energy_least_mj: f64,
+    observed_energy_most_mj: f64,
+    observed_energy_end_mj: f64,
+    active_percent: f64,
+    energy_asked_for_mj: f64,
+    shortfall_mj: f64,
+}
+
+impl Summary {
+    /// The summary of the scene called `scene`, as JSON; docs/command.md says what is in it.
+    ///
+    /// # Errors
+    /// None: every part can be written as JSON, and a number that is not finite becomes null.
+    pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+        let complete = self.left_range().is_none();
+        let end = self.last.map_or(0.0, |row| row.t);
+        let settling_time_s = self.settled.filter(|_| complete);
+        let stabilizer = self.scene.stabilizer.is_some().then(|| self.stabilizer());
+        let document = Document {
+            scene,
+            rows: self.rows,
+            complete,
+            settled: settling_time_s.is_some_and(|time| time <= LATE * end),
+            settling_time_s,
+            equilibrium_mm: self.equilibrium.map(|rest| MILLI * rest),
+            band_mm: self.equilibrium.map(|_| MILLI * self.band),
+            peak_force_environment_n: self.environment_peak,
+            peak_force_acting_n: self.acting_peak,
+            energy_into_port_mj: MILLI * self.absorbed,
+            stabilizer,
+        };
+        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    }
+
+    fn stabilizer(&self) -> Observed {
+        Observed {
+            observed_energy_least_mj: MILLI * self.observed_energy_least,
+            observed_energy_most_mj: MILLI * self.observed_energy_most,
+            observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
+            active_percent: 100.0 * self.active as f64 / self.rows.max(1) as f64,
+            energy_asked_for_mj: MILLI * self.injected,
+            shortfall_mj: MILLI * self.shortfall,
+        }
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_scene(f)?;
+        if let Some(time) = self.left_range() {
+            let scalar = if self.scene.scalar == Scalar::F32 { "f32" } else { "f64" };
+            match self.rows {
+                0 => write!(f, "\n  cut short    at t = 0 s, before the first row")?,
+                _ => write!(f, "\n  cut short    after t = {} s", given(time))?,
+            }
+            write!(f, ": the motion left the range of {scalar}")?;
+        }
+        self.write_settling(f)?;
+        write!(
+            f,
+            "\n  peak force   {} N from the environment, {} N on the plant",
+            found(self.environment_peak),
+            found(self.acting_peak)
+        )?;
+        write!(f, "\n  energy       {} mJ into the port", found(MILLI * self.absorbed))?;
+        if self.absorbed < 0.0 {
+            f.write_str(": more came out than went in")?;
+        }
+        if self.scene.stabilizer.is_some() { self.write_stabilizer(f) } else { Ok(()) }
+    }
+}
+
+impl Summary {
+    /// The scene, as far as it is not the same for every scene.
+    fn write_scene(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scene = &self.scene;
+        write!(
+            f,
+            "  run          {} s at {} Hz",
+            given(scene.duration.get()),
+            given(scene.servo_rate.get())
+        )?;
+        if scene.environment_ratio() > 1 {
+            write!(f, ", environment at {} Hz", given(scene.environment_rate()))?;
+        }
+        if scene.velocity == Velocity::Exact {
+            f.write_str(", exact velocity")?;
+        }
+        if let Some(integrator) = described::integrator(scene.integrator) {
+            write!(f, ", {integrator}")?;
+        }
+        if scene.scalar == Scalar::F32 {
+            f.write_str(", in f32")?;
+        }
+        if scene.dimensions() > 1 {
+            write!(f, ", in {} dimensions", scene.dimensions())?;
+        }
+        let environment = described::environment(scene);
+        if scene.environment.wall().is_some() {
+            write!(f, "\n  wall         {environment}")?;
+        } else {
+            write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
+        }
+        write_list("operator", &described::operator(scene), f)?;
+        match scene.stabilizer {
+            None => f.write_str("\n  stabilizer   none")?,
+            Some(Stabilizer::Popc(Popc { work, ledger, damping_cap })) => {
+                write!(f, "\n  stabilizer   POPC: {}", Booking(work, ledger, damping_cap))?;
+            }
+            Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })) => {
+                let candidate = match candidate {
+                    Candidate::MassSpringDamper => "mass-spring-damper",
+                    Candidate::DeviceDamping => "device-damping",
+                    Candidate::Spring => "spring",
+                };
+                let booking = Booking(work, ledger, damping_cap);
+                write!(f, "\n  stabilizer   LOLC: {candidate}, {booking}")?;
+            }
+        }
+        write_list("effects", &described::effects(scene), f)
+    }
+
+    fn write_settling(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("\n  settled      ")?;
+        let millimetres = |metres: f64| found(MILLI * metres);
+        let (rest, last) = match (self.equilibrium, self.last, self.left_range()) {
+            (_, None, _) | (_, _, Some(_)) => return f.write_str("no"),
+            (None, ..) if self.scene.operator.stiffness.get() == 0.0 => {
+                return f
+                    .write_str("no: without an operator's spring there is no place to settle at");
+            }
+            (None, ..) if self.scene.dimensions() > 1 => {
+                return f.write_str("not judged in more than one dimension");
+            }
+            (None, ..) if never_rests(&self.scene) => {
+                return f.write_str("no: what moves the plant never rests");
+            }
+            (None, ..) => return f.write_str("no: the place to settle at is out of range"),
+            (Some(rest), Some(last), None) => (rest, last),
+        };
+        let (band, place) = (millimetres(self.band), millimetres(rest));
+        match self.settled {
+            // One last swing through the band is no rest.
+            Some(time) if time > LATE * last.t => {
+                let since = given(time);
+                write!(f, "not yet: within {band} mm of x = {place} mm only since t = {since} s")
+            }
+            None if self.band == 0.0 => {
+                write!(f, "not judged: it starts where it comes to rest, x = {place} mm")
+            }
+            Some(time) => {
+                write!(f, "yes: from t = {} s on within {band} mm of x = {place} mm", given(time))
+            }
+            None => {
+                let away = millimetres((last.x - rest).abs());
+                write!(f, "no: at the end {away} mm from x = {place} mm, not within {band} mm")
+            }
+        }
+    }
+
+    fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let share = 100.0 * self.active as f64 / self.rows.max(1) as f64;
+        let last = self.last.map_or(0.0, |row| row.observed_energy);
+        write!(
+            f,
+            "\n  observed     energy from {} to {} mJ, at the end {} mJ",
+            found(MILLI * self.observed_energy_least),
+            found(MILLI * self.observed_energy_most),
+            found(MILLI * last)
+        )?;
+        write!(
+            f,
+            "\n  controller   active on {share:.1} % of ticks, {} mJ asked for, shortfall up to {} mJ",
+            found(MILLI * self.injected),
+            found(MILLI * self.shortfall)
+        )
+    }
+}
+
+/// A line of things with their name in front, folded where it grows long; nothing where there is none.
+fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if things.is_empty() {
+        return Ok(());
+    }
+    write!(f, "\n{}", listed(&format!("  {name:<13}"), things))
+}
+
+/// How a stabilizer books work, and how much it may inject.
+struct Booking(Work, Ledger, Cap);
+
+impl fmt::Display for Booking {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let work = if self.0 == Work::Held { "held" } else { "sampled" };
+        let ledger = match self.1 {
+            Ledger::Plain => "",
+            Ledger::Compensated => ", compensated ledger",
+            Ledger::Wide => ", wide ledger",
+        };
+        let cap = self.2.get();
+        if cap.is_infinite() {
+            write!(f, "{work} work{ledger}, no damping cap")
+        } else {
+            write!(f, "{work} work{ledger}, damping cap {} m / T", given(cap))
+        }
+    }
+}

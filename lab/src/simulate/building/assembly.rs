@@ -1,0 +1,213 @@
+//! A whole loop, put together from a scene.
+
+use lyapunov::{
+    LyapunovCandidate, OnePort, ParameterError, Plant, PortSample, Signal,
+    effects::{Fallback, OnePortExt},
+    environments::ForceLaw,
+    integrators::{CoupledOscillators, Integrator, Oscillator},
+};
+
+use super::plant::stepped;
+use super::seen::{Operator, Seen};
+use super::{AnyPlant, AnyStabilizer, Port};
+use crate::files::scene::{Filter, Policy, Positive, Render, Scene, Velocity, of};
+use crate::simulate::building::Space;
+
+/// Room for the delay of a scene, in ticks.
+const DELAY: usize = 1024;
+
+/// Room for the window of a scene, in ticks.
+const WINDOW: usize = 256;
+
+/// The two halves of a loop: what moves, and what answers.
+#[derive(Debug)]
+pub struct Assembly<V: Signal> {
+    /// What moves.
+    pub plant: AnyPlant<V>,
+    /// What answers its motion, stabilizer and effects included.
+    pub port: Port<V>,
+}
+
+impl<V: Space> Assembly<V> {
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever the scene says of it.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        Self::put_together(scene, None, AnyStabilizer::of(scene)?)
+    }
+
+    /// The same, telling `seen` what passes on the way.
+    pub(crate) fn watched(
+        scene: &Scene,
+        seen: &Seen<V>,
+        stabilizer: AnyStabilizer<V>,
+    ) -> Result<Self, ParameterError> {
+        Self::put_together(scene, Some(seen), stabilizer)
+    }
+
+    /// The loop of `scene` with `stabilizer` in the place of the scene's own.
+    ///
+    /// # Errors
+    /// As [`Assembly::of`].
+    pub fn stabilized_by(
+        scene: &Scene,
+        stabilizer: AnyStabilizer<V>,
+    ) -> Result<Self, ParameterError> {
+        Self::put_together(scene, None, stabilizer)
+    }
+
+    /// One tick: the effort that acts until the next.
+    #[inline]
+    pub fn tick(&mut self, sample: &mut PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
+        self.plant.advance_into(effort, sample);
+        effort
+    }
+
+    fn put_together(
+        scene: &Scene,
+        seen: Option<&Seen<V>>,
+        stabilizer: AnyStabilizer<V>,
+    ) -> Result<Self, ParameterError> {
+        let port = answering(scene, seen, stabilizer)?;
+        let unseen = Operator::default();
+        let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
+        Ok(Self { plant, port })
+    }
+
+    /// The loop of `scene`, which has no friction, moved by `integrator` in the place of its own.
+    pub(crate) fn moved_by<I>(scene: &Scene, integrator: I) -> Result<Self, ParameterError>
+    where
+        I: Integrator<V, Oscillator<V::Scalar>>
+            + Integrator<V, CoupledOscillators<V::Scalar>>
+            + Copy
+            + 'static,
+    {
+        let port = answering(scene, None, AnyStabilizer::of(scene)?)?;
+        let plant = stepped(scene, &Operator::default(), integrator, 1)?;
+        Ok(Self { plant, port })
+    }
+}
+
+/// What answers the motion, stabilizer and effects included.
+fn answering<V: Space>(
+    scene: &Scene,
+    seen: Option<&Seen<V>>,
+    stabilizer: AnyStabilizer<V>,
+) -> Result<Port<V>, ParameterError> {
+    let port = V::render(scene, AtServoRate(scene))?;
+    let port = match seen {
+        None => stabilizer.on(port, scene)?,
+        Some(seen) => measured(scene, port.stabilized(seen.stabilizer(stabilizer)))?,
+    };
+    commanded(scene, seen, port)
+}
+
+/// What the device touches, as it answers at the servo's rate: in one box with its hold.
+struct AtServoRate<'a>(&'a Scene);
+
+impl<V: Space> Render<V> for AtServoRate<'_> {
+    type Made = Port<V>;
+
+    fn render(
+        self,
+        environment: impl ForceLaw<V> + 'static,
+        _credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<Port<V>, ParameterError> {
+        match self.0.effects.dropout {
+            None => held(self.0, environment),
+            Some(dropout) => {
+                let fallback = match dropout.policy {
+                    Policy::Hold => Fallback::Hold,
+                    Policy::Zero => Fallback::Zero,
+                };
+                let (probability, seed) = (of(dropout.probability), |_| dropout.seed.get());
+                held(self.0, Port::new(environment.dropped(probability, fallback, seed)?))
+            }
+        }
+    }
+}
+
+fn held<V: Space>(
+    scene: &Scene,
+    port: impl OnePort<V> + 'static,
+) -> Result<Port<V>, ParameterError> {
+    // A scene has fewer ticks than this, so a longer hold is the same hold.
+    let ticks = u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX);
+    Ok(if ticks > 1 { Port::new(port.held(ticks)?) } else { Port::new(port) })
+}
+
+/// The port as its efforts reach the plant: clipped, and late.
+///
+/// Neighbours are put into one box where nobody looks in between: every box costs a call through a table and a sample that
+/// passes through memory.
+fn commanded<V: Space>(
+    scene: &Scene,
+    seen: Option<&Seen<V>>,
+    mut port: Port<V>,
+) -> Result<Port<V>, ParameterError> {
+    let delay = scene.effects.delay.map(|delay| usize::from(delay.ticks.get()));
+    if let Some(saturation) = scene.effects.saturation {
+        let clipped = port.saturated(of(saturation.force))?;
+        port = match (seen, delay) {
+            (Some(seen), _) => Port::new(seen.command(clipped)),
+            (None, Some(ticks)) => return Ok(Port::new(clipped.delayed::<DELAY>(ticks)?)),
+            (None, None) => Port::new(clipped),
+        };
+    } else if let Some(seen) = seen {
+        port = Port::new(seen.command(port));
+    }
+    Ok(match delay {
+        None => port,
+        Some(ticks) => Port::new(port.delayed::<DELAY>(ticks)?),
+    })
+}
+
+/// The port as it is told of the motion: the velocity from positions, these from an encoder, and these with noise.
+///
+/// It stands around the stabilizer itself: saturation and delay hand drives on as they are, so it is no matter that they
+/// are farther in by the contract. What most scenes have, a plain difference with or without an encoder, is in one box
+/// with the stabilizer; every further combination would be compiled for every stabilizer.
+pub(super) fn measured<V: Space>(
+    scene: &Scene,
+    port: impl OnePort<V> + 'static,
+) -> Result<Port<V>, ParameterError> {
+    let effects = &scene.effects;
+    let resolution = effects.encoder.map(|encoder| encoder.resolution);
+    let port = match (scene.velocity, effects.filter) {
+        (Velocity::Exact, _) => counted(Port::new(port), resolution)?,
+        (_, None) => counted(port.differenced(), resolution)?,
+        (_, Some(filter)) => filtered(filter, Port::new(port), resolution)?,
+    };
+    Ok(match effects.noise {
+        None => port,
+        Some(noise) => Port::new(port.noisy(of(noise.deviation), |_| noise.seed.get())?),
+    })
+}
+
+fn filtered<V: Space>(
+    filter: Filter,
+    port: Port<V>,
+    resolution: Option<Positive>,
+) -> Result<Port<V>, ParameterError> {
+    match filter {
+        Filter::Cutoff(cutoff) => counted(port.low_passed(of(cutoff))?, resolution),
+        Filter::Window(ticks) => {
+            // What an encoder says is off a straight motion by less than a step.
+            let band = resolution.map_or(0.0, Positive::get);
+            counted(port.windowed::<WINDOW>(ticks.get().into(), of(band))?, resolution)
+        }
+    }
+}
+
+/// The port as it is told of counts, if there is an encoder; both in one box.
+fn counted<V: Space>(
+    port: impl OnePort<V> + 'static,
+    resolution: Option<Positive>,
+) -> Result<Port<V>, ParameterError> {
+    Ok(match resolution {
+        None => Port::new(port),
+        Some(resolution) => Port::new(port.encoded(of(resolution))?),
+    })
+}

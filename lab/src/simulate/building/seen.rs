@@ -1,0 +1,109 @@
+//! What is written down on the way round a loop, where it stands.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use lyapunov::{Correction, OnePort, PortSample, Scalar, Signal, Stabilizer};
+
+use crate::simulate::tick::{OperatorMotion, Tick};
+
+/// Where the parts of a loop write down what the tick of a rollout cannot tell from outside.
+#[derive(Debug)]
+pub(crate) struct Seen<V: Signal> {
+    stabilizer: Rc<Cell<Sight<V>>>,
+    command: Rc<Cell<V>>,
+    pub(super) operator: Operator<V>,
+}
+
+/// Where a body writes down the motion of its operator.
+pub(crate) type Operator<V> = Rc<Cell<Option<OperatorMotion<V>>>>;
+
+/// What a stabilizer was told, and what it did.
+#[derive(Clone, Copy, Debug)]
+struct Sight<V: Signal> {
+    measured: PortSample<V>,
+    environment: V,
+    correction: Correction<V>,
+}
+
+impl<V: Signal> Default for Seen<V> {
+    fn default() -> Self {
+        let (zero, none) = (V::zero(), V::Scalar::of(0.0));
+        let measured = PortSample::starting(none, zero, zero);
+        let sight = Sight { measured, environment: zero, correction: Correction::none(zero) };
+        Self {
+            stabilizer: Rc::new(Cell::new(sight)),
+            command: Rc::new(Cell::new(zero)),
+            operator: Operator::default(),
+        }
+    }
+}
+
+impl<V: Signal> Seen<V> {
+    /// The tick whose sample the port was just asked for, before the plant moves on.
+    pub(crate) fn tick(&self, time: f64, truth: PortSample<V>, applied: V) -> Tick<V> {
+        let Sight { measured, environment, correction } = self.stabilizer.get();
+        let (command, operator) = (self.command.get(), self.operator.get());
+        Tick { time, truth, measured, environment, correction, command, applied, operator }
+    }
+
+    /// `stabilizer`, which writes down what it is told and what it does.
+    pub(super) fn stabilizer<S>(&self, stabilizer: S) -> Recorded<S, V> {
+        Recorded { stabilizer, seen: Rc::clone(&self.stabilizer) }
+    }
+
+    /// `port`, which writes down its efforts.
+    pub(super) fn command<P>(&self, port: P) -> Commanding<P, V> {
+        Commanding { port, seen: Rc::clone(&self.command) }
+    }
+}
+
+/// A stabilizer that is looked at where it stands.
+pub(super) struct Recorded<S, V: Signal> {
+    stabilizer: S,
+    seen: Rc<Cell<Sight<V>>>,
+}
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Recorded<S, V> {
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let correction = self.stabilizer.stabilize(sample, effort);
+        self.seen.set(Sight { measured: *sample, environment: effort, correction });
+        correction
+    }
+}
+
+/// A port whose efforts are looked at.
+pub(super) struct Commanding<P, V> {
+    port: P,
+    seen: Rc<Cell<V>>,
+}
+
+impl<V: Signal, P: OnePort<V>> OnePort<V> for Commanding<P, V> {
+    #[inline]
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
+        self.seen.set(effort);
+        effort
+    }
+
+    #[inline]
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use lyapunov::laws::{self, Samples};
+
+    use super::*;
+    use crate::simulate::building::Port;
+
+    #[test]
+    fn the_lab_s_adaptors_hand_on_the_action() {
+        let samples = Samples::<f64>::new(1e-3);
+        laws::adaptor(Port::new, samples).unwrap();
+        laws::adaptor(|port| Seen::default().command(port), samples).unwrap();
+    }
+}

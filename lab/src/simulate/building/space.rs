@@ -1,0 +1,136 @@
+//! What stands at the port of a scene: one axis, or several.
+
+use lyapunov::lanes::AutoF64x8;
+use lyapunov::{
+    ParameterError, Scalar, Signal,
+    accumulators::{Accumulator, Compensated, DoubleDouble, Plain, Wide},
+};
+use nalgebra::SVector;
+
+use super::plant::{self, AnyPlant};
+use super::seen::Operator;
+use crate::files::scene::{Coordinates, Rates, Render, Scene};
+
+/// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an `SVector` of two or three.
+pub trait Space: Signal<Scalar: Send> + Send {
+    /// What a ledger sums in that is to be wider than the port.
+    type Wide: Accumulator<Self::Scalar> + 'static;
+
+    /// How many axes there are.
+    const DIMENSIONS: usize;
+
+    /// The point, velocity or direction `coordinates`.
+    fn at(coordinates: &Coordinates) -> Self;
+
+    /// Along axis `index`, in the first lane; NaN past the last axis.
+    fn axis(self, index: usize) -> f64;
+
+    /// Makes something `of` what the device of `scene` touches.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar, an environment of another space, and what the making meets.
+    fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError>;
+
+    /// What moves in `scene`; an operator that a link sets apart from the device tells `operator` where it is.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar, alone or together with others.
+    fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError>;
+}
+
+macro_rules! line {
+    ($($scalar:ty, wide $wide:ty);* $(;)?) => {$(
+        impl Space for $scalar {
+            type Wide = $wide;
+
+            const DIMENSIONS: usize = 1;
+
+            fn at(coordinates: &Coordinates) -> Self {
+                Self::of(coordinates.get())
+            }
+
+            fn axis(self, index: usize) -> f64 {
+                if index == 0 { self.lane(0) } else { f64::NAN }
+            }
+
+            fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
+                scene.environment.on_a_line(Rates::of(scene), of)
+            }
+
+            fn plant(
+                scene: &Scene,
+                operator: &Operator<Self>,
+            ) -> Result<AnyPlant<Self>, ParameterError> {
+                plant::on_a_line(scene, operator)
+            }
+        }
+    )*};
+}
+
+line! {
+    f32, wide Wide<f32>;
+    f64, wide Wide<f64>;
+    // There are no lanes that are wider; two numbers have as many digits.
+    AutoF64x8, wide Compensated<AutoF64x8>;
+    // For references: nothing is wider, and nothing needs to be.
+    DoubleDouble, wide Plain<DoubleDouble>;
+}
+
+impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
+    type Wide = T::Wide;
+
+    const DIMENSIONS: usize = N;
+
+    fn at(coordinates: &Coordinates) -> Self {
+        coordinates.vector()
+    }
+
+    fn axis(self, index: usize) -> f64 {
+        self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
+    }
+
+    fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
+        scene.environment.in_space(of)
+    }
+
+    fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {
+        plant::frictionless(scene, operator)
+    }
+}
+
+/// Evaluates an expression with the type `$signal` for what stands at the port of a scene.
+#[macro_export]
+macro_rules! in_space {
+    ($scene:expr, $signal:ident => $expression:expr) => {{
+        use $crate::SVector;
+        use $crate::scene::Scalar;
+        match ($scene.scalar, $scene.dimensions()) {
+            (Scalar::F64, 3) => {
+                type $signal = SVector<f64, 3>;
+                $expression
+            }
+            (Scalar::F64, 2) => {
+                type $signal = SVector<f64, 2>;
+                $expression
+            }
+            (Scalar::F64, _) => {
+                type $signal = f64;
+                $expression
+            }
+            (Scalar::F32, 3) => {
+                type $signal = SVector<f32, 3>;
+                $expression
+            }
+            (Scalar::F32, 2) => {
+                type $signal = SVector<f32, 2>;
+                $expression
+            }
+            (Scalar::F32, _) => {
+                type $signal = f32;
+                $expression
+            }
+        }
+    }};
+}
+
+pub(crate) use in_space;

@@ -1,0 +1,229 @@
+//! A stabilizer that is chosen at run time.
+
+use std::fmt;
+
+use lyapunov::{
+    Correction, Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy,
+    PortSample, Signal, Stabilizer,
+    accumulators::{Accumulator, Compensated},
+    environments::ForceLaw,
+    stabilizers::NoStabilizer,
+};
+
+use super::Port;
+use super::assembly::measured;
+use crate::files::scene::{self, Candidate, Ledger, Popc, Render, Scene, Work, of};
+use crate::simulate::building::Space;
+
+/// Any stabilizer, boxed: what a scene file names, or one of one's own.
+pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
+
+impl<V: Signal> AnyStabilizer<V> {
+    /// Bytes that the stabilizer keeps from tick to tick, parameters included.
+    pub fn state_bytes(&self) -> usize {
+        size_of_val(self.0.as_ref())
+    }
+
+    /// `port` watched and corrected by this stabilizer, and told of the motion as `scene` measures it: one part, compiled
+    /// for its type, instead of a box in a box.
+    pub(super) fn on(self, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
+        self.0.on(port, scene)
+    }
+
+    /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
+    pub(crate) fn replay(
+        &mut self,
+        samples: &[(PortSample<V>, V)],
+        corrections: &mut [Correction<V>],
+    ) {
+        self.0.replay(samples, corrections);
+    }
+}
+
+impl<V: Space> AnyStabilizer<V> {
+    /// Boxes `stabilizer`.
+    pub fn new(stabilizer: impl Stabilizer<V> + 'static) -> Self {
+        Self(Box::new(Fused(stabilizer)))
+    }
+
+    /// Boxes `stabilizer` for a loop that calls it through a table: no loop is compiled for its type.
+    pub(crate) fn called(stabilizer: impl Stabilizer<V> + 'static) -> Self {
+        Self(Box::new(Called(stabilizer)))
+    }
+
+    /// The stabilizer that `scene` names: [`NoStabilizer`] where it names none.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        match scene.stabilizer {
+            None => Ok(Self::new(NoStabilizer)),
+            Some(named) => Self::named(scene, named),
+        }
+    }
+
+    /// The stabilizer `named` on the loop of `scene`, whatever the scene itself names.
+    ///
+    /// # Errors
+    /// As [`AnyStabilizer::of`].
+    pub fn named(scene: &Scene, named: scene::Stabilizer) -> Result<Self, ParameterError> {
+        let lolc = match named {
+            scene::Stabilizer::Popc(popc) => {
+                return Self::watching(scene, PortEnergy, popc.into());
+            }
+            scene::Stabilizer::Lolc(lolc) => lolc,
+        };
+        let booking = lolc.into();
+        match lolc.candidate {
+            Candidate::Spring => Self::watching(scene, PortEnergy, booking),
+            Candidate::DeviceDamping => {
+                let damper = Dissipation::of(of(scene.device.damping))?;
+                Self::watching(scene, (PortEnergy, damper), booking)
+            }
+            Candidate::MassSpringDamper => V::render(scene, Crediting { scene, booking }),
+        }
+    }
+
+    fn watching(
+        scene: &Scene,
+        candidate: impl LyapunovCandidate<V> + 'static,
+        Booking { work, ledger, cap }: Booking,
+    ) -> Result<Self, ParameterError> {
+        let limit = scene.damping(cap).limit()?;
+        // Only the default ledger of held work is compiled for each candidate; a box costs the others a call.
+        let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
+        Ok(match (work, ledger) {
+            (Work::Held, Ledger::Plain) => Self::new(Lolc::new(candidate, limit)),
+            (Work::Sampled, Ledger::Plain) => Self::new(boxed(candidate).sampled()),
+            (_, Ledger::Compensated) => {
+                Self::booked(boxed(candidate).summed_in::<Compensated<V::Scalar>>(), work)
+            }
+            (_, Ledger::Wide) => Self::booked(boxed(candidate).summed_in::<V::Wide>(), work),
+        })
+    }
+
+    fn booked<A: Accumulator<V::Scalar> + 'static>(
+        lolc: Lolc<V::Scalar, AnyCandidate<V>, Held, A>,
+        work: Work,
+    ) -> Self {
+        match work {
+            Work::Held => Self::new(lolc),
+            Work::Sampled => Self::new(lolc.sampled()),
+        }
+    }
+}
+
+/// How a stabilizer of a scene books, and how much it may damp.
+#[derive(Clone, Copy)]
+struct Booking {
+    work: Work,
+    ledger: Ledger,
+    cap: f64,
+}
+
+impl From<Popc> for Booking {
+    fn from(Popc { work, ledger, damping_cap }: Popc) -> Self {
+        Self { work, ledger, cap: damping_cap.get() }
+    }
+}
+
+impl From<scene::Lolc> for Booking {
+    fn from(lolc: scene::Lolc) -> Self {
+        Self { work: lolc.work, ledger: lolc.ledger, cap: lolc.damping_cap.get() }
+    }
+}
+
+/// Any candidate, boxed.
+struct AnyCandidate<V: Signal>(Box<dyn LyapunovCandidate<V>>);
+
+impl<V: Signal> LyapunovCandidate<V> for AnyCandidate<V> {
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        self.0.decrease(sample)
+    }
+}
+
+impl<V: Signal> fmt::Debug for AnyStabilizer<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AnyStabilizer").finish_non_exhaustive()
+    }
+}
+
+impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.0.stabilize(sample, effort)
+    }
+}
+
+/// LOLC with the credit of the scene's own environment.
+struct Crediting<'a> {
+    scene: &'a Scene,
+    booking: Booking,
+}
+
+impl<V: Space> Render<V> for Crediting<'_> {
+    type Made = AnyStabilizer<V>;
+
+    fn render(
+        self,
+        _environment: impl ForceLaw<V> + 'static,
+        credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<Self::Made, ParameterError> {
+        AnyStabilizer::watching(self.scene, (PortEnergy, credit), self.booking)
+    }
+}
+
+/// A stabilizer that can be had with a loop or a port around it.
+trait Replay<V: Signal>: Stabilizer<V> {
+    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
+
+    fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]);
+}
+
+/// A stabilizer that a loop calls through a table.
+struct Called<S>(S);
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.0.stabilize(sample, effort)
+    }
+}
+
+impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
+    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
+        measured(scene, port.stabilized(AnyStabilizer(self)))
+    }
+
+    fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
+        take(&mut self.0, samples, corrections);
+    }
+}
+
+/// A stabilizer with a loop compiled for its type.
+struct Fused<S>(S);
+
+impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.0.stabilize(sample, effort)
+    }
+}
+
+impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
+    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
+        measured(scene, port.stabilized(self.0))
+    }
+
+    fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
+        take(&mut self.0, samples, corrections);
+    }
+}
+
+#[inline(never)]
+fn take<V: Signal>(
+    stabilizer: &mut impl Stabilizer<V>,
+    samples: &[(PortSample<V>, V)],
+    corrections: &mut [Correction<V>],
+) {
+    for ((sample, effort), correction) in samples.iter().zip(corrections) {
+        *correction = stabilizer.stabilize(sample, *effort);
+    }
+}

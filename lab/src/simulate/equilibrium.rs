@@ -1,0 +1,142 @@
+//! Where a scene comes to rest.
+
+use lyapunov::environments::{Kinematics, Time};
+
+use crate::files::scene::{Draft, Motion, StaticSpring};
+
+/// Halvings of an interval: more than the digits of f64.
+const HALVINGS: usize = 200;
+
+/// Settled means within this share of the starting swing about the equilibrium.
+pub(crate) const BAND: f64 = 0.05;
+
+/// Where the operator's spring, the environment and what pushes at the end balance, m; none where no spring pulls, where
+/// something never rests, and in more than one dimension.
+pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
+    let (pull, rest) = (last_pull(scene), last_rest(scene)?);
+    if scene.dimensions() > 1 || pull <= 0.0 {
+        return None;
+    }
+    let free = rest + last_push(scene) / pull;
+    let balanced = balance(scene, pull, free)?;
+    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());
+    let pushed = pull * (free - balanced);
+    Some(if pushed.abs() > most { free - most.copysign(pushed) / pull } else { balanced })
+}
+
+/// Whether the scene is driven for as long as it lasts.
+pub(crate) fn never_rests(scene: &Draft) -> bool {
+    last_rest(scene).is_none() || scene.environment.kind().swings()
+}
+
+/// Where a spring of `pull` N/m that would rest at `free` and the environment balance.
+fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
+    let kind = scene.environment.kind();
+    if kind.swings() {
+        return None;
+    }
+    let law = scene.law()?;
+    let surface = law.surface(Time::Seconds(0.0)).map(|surface| surface.position);
+    if surface.is_some_and(|surface| free <= surface) {
+        return Some(free);
+    }
+    if let Some(StaticSpring { stiffness: push, position }) = kind.static_spring() {
+        return match surface {
+            Some(surface) => Some(surface + (free - surface) * (pull / (pull + push))),
+            None => (pull + push > 0.0).then(|| (pull * free + push * position) / (pull + push)),
+        };
+    }
+    let force = |x: f64| law.force(&Kinematics::at(x, 0.0));
+    // A force that grows with the position is no larger than at `free` on the way there.
+    let reach = force(free).abs() / pull;
+    let [mut low, mut high] = surface.map_or([free - reach, free + reach], |it| [it, free]);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if pull * (middle - free) + force(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    Some(0.5 * (low + high))
+}
+
+/// How far the plant would swing about `rest` if nothing else applied.
+pub(crate) fn swing(scene: &Draft, rest: f64) -> f64 {
+    let mass = scene.operator.mass.get() + scene.device.mass.get();
+    let frequency = (last_pull(scene) / mass).sqrt();
+    let away = scene.initial.position.get() - rest;
+    away.hypot(scene.initial.velocity.get() / frequency)
+}
+
+fn swings(amplitude: f64, frequency: f64) -> bool {
+    amplitude != 0.0 && frequency != 0.0
+}
+
+/// The stiffness that the device is pulled back with at the end, N/m: the operator's spring, and a link in series.
+pub(crate) fn last_pull(scene: &Draft) -> f64 {
+    let operator = &scene.operator;
+    let changes = operator.grip.iter().flat_map(|grip| grip.times.iter().zip(&grip.stiffness));
+    let mut gone = changes.filter(|(time, _)| scene.tick_of(time.get()) <= scene.ticks());
+    let hand = gone.next_back().map_or(operator.stiffness, |(_, stiffness)| *stiffness).get();
+    match scene.link {
+        Some(link) if hand > 0.0 => (hand.recip() + link.stiffness.get().recip()).recip(),
+        _ => hand,
+    }
+}
+
+/// The force in +x on the device at the end, N.
+fn last_push(scene: &Draft) -> f64 {
+    let load = scene.effects.load.map_or(0.0, |load| load.force.get());
+    let pulse = scene.effects.pulse.filter(|pulse| {
+        let (start, duration) = (pulse.start.get(), pulse.duration.get());
+        (scene.tick_of(start)..scene.tick_of(start + duration)).contains(&scene.ticks())
+    });
+    load + pulse.map_or(0.0, |pulse| pulse.force.get())
+}
+
+/// Where the operator's spring rests at the end, m; none if that still moves.
+fn last_rest(scene: &Draft) -> Option<f64> {
+    let rest = scene.operator.rest.get();
+    let end = scene.ticks() as f64 * scene.period();
+    match &scene.operator.motion {
+        None => Some(rest),
+        Some(Motion::Step { at, to }) => {
+            Some(if scene.tick_of(at.get()) <= scene.ticks() { to.get() } else { rest })
+        }
+        Some(Motion::Ramp { at, to, rate }) => {
+            let (way, speed, time) = (to.get() - rest, rate.get(), end - at.get());
+            let moved = speed * time.max(0.0);
+            if moved >= way.abs() { Some(to.get()) } else { (moved == 0.0).then_some(rest) }
+        }
+        Some(Motion::Sine { amplitude, frequency }) => {
+            (!swings(amplitude.get(), frequency.get())).then_some(rest)
+        }
+        Some(Motion::File { samples, .. }) => {
+            samples.last().filter(|(time, _)| *time <= end).map(|(_, rest)| *rest)
+        }
+    }
+}
+
+/// What the motion of a scene is judged by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Criterion {
+    pub(crate) equilibrium: Option<f64>,
+    swing: f64,
+    /// The swing that a run is measured by, m.
+    pub(crate) start: f64,
+}
+
+impl Criterion {
+    pub(crate) fn of(scene: &Draft) -> Self {
+        let equilibrium = equilibrium(scene);
+        let swing = equilibrium.map_or(0.0, |rest| swing(scene, rest));
+        // The starting swing, or the spring's deflection at the equilibrium if that is more, so that a start in
+        // balance is not measured by nothing.
+        let deflection = |rest: f64| (scene.operator.rest.get() - rest).abs();
+        let start = equilibrium.map_or(0.0, |rest| swing.max(deflection(rest)));
+        Self { equilibrium, swing, start }
+    }
+
+    /// Where the plant comes to rest and half the width of the band about it that counts as settled, m; a band below 0
+    /// where there is no such place.
+    pub(crate) fn rest(&self) -> (f64, f64) {
+        self.equilibrium.map_or((0.0, -1.0), |rest| (rest, BAND * self.swing))
+    }
+}

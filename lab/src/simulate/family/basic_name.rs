@@ -1,0 +1,76 @@
+//! What a scene file can name.
+
+use lyapunov::{ParameterError, stabilizers::NoStabilizer};
+
+use super::Settings;
+use crate::files::scene::{Candidate, Draft, Lolc, Popc, Scene, Stabilizer};
+use crate::simulate::building::{AnyStabilizer, Space};
+
+/// A stabilizer that a scene file can name, or none; work, ledger and damping cap are the scene's.
+///
+/// These are the ones that maps run on lanes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BasicName {
+    /// No stabilizer: `none`.
+    NoStabilizer,
+    /// The passivity observer/controller: `popc`.
+    Popc,
+    /// LOLC with the scene's own candidate, or the paper's if the scene names no LOLC: `lolc`.
+    Lolc,
+    /// LOLC with the spring candidate: `lolc-spring`.
+    LolcSpring,
+    /// LOLC with the device-damping candidate: `lolc-device-damping`.
+    LolcDeviceDamping,
+    /// LOLC with the paper's candidate: `lolc-mass-spring-damper`.
+    LolcMassSpringDamper,
+}
+
+impl BasicName {
+    /// All of them.
+    pub const ALL: [Self; 6] = [
+        Self::NoStabilizer,
+        Self::Popc,
+        Self::Lolc,
+        Self::LolcSpring,
+        Self::LolcDeviceDamping,
+        Self::LolcMassSpringDamper,
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoStabilizer => "none",
+            Self::Popc => "popc",
+            Self::Lolc => "lolc",
+            Self::LolcSpring => "lolc-spring",
+            Self::LolcDeviceDamping => "lolc-device-damping",
+            Self::LolcMassSpringDamper => "lolc-mass-spring-damper",
+        }
+    }
+
+    /// What it is in `scene`.
+    pub(crate) fn on(self, scene: &Draft) -> Option<Stabilizer> {
+        let Settings { work, ledger, damping_cap, .. } = Settings::of(scene);
+        let lolc =
+            |candidate| Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap }));
+        match self {
+            Self::NoStabilizer => None,
+            Self::Popc => Some(Stabilizer::Popc(Popc { work, ledger, damping_cap })),
+            Self::Lolc => match scene.stabilizer {
+                Some(Stabilizer::Lolc(own)) => lolc(own.candidate),
+                _ => lolc(Candidate::MassSpringDamper),
+            },
+            Self::LolcSpring => lolc(Candidate::Spring),
+            Self::LolcDeviceDamping => lolc(Candidate::DeviceDamping),
+            Self::LolcMassSpringDamper => lolc(Candidate::MassSpringDamper),
+        }
+    }
+
+    /// The same, made.
+    pub(super) fn made<V: Space>(self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+        match self.on(scene) {
+            None => Ok(AnyStabilizer::new(NoStabilizer)),
+            Some(named) => AnyStabilizer::named(scene, named),
+        }
+    }
+}

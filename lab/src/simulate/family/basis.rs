@@ -1,0 +1,111 @@
+//! What the parameters of the family come from.
+
+use std::f64::consts::TAU;
+
+use lyapunov::environments::Time;
+
+use super::{Reference, Settings};
+use crate::files::scene::{Damping, Scene};
+use crate::simulate::equilibrium::{Criterion, last_pull};
+
+/// Slots of a window of credit.
+pub(super) const SLOTS: usize = 8;
+
+/// A loop, as the family is set for it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Basis {
+    /// What the damping limit is made of.
+    pub(crate) limit: Damping,
+    /// Of the device, N·s/m.
+    pub(crate) damping: f64,
+    /// What the motion starts with, J: the scale of all energies.
+    pub(crate) energy: f64,
+    /// How fast that energy moves the mass, m/s.
+    pub(crate) speed: f64,
+    /// How long a swing of the hand takes, s.
+    pub(crate) swing: f64,
+    /// What one count of the encoder looks like, m/s.
+    pub(crate) count: Option<f64>,
+    /// Servo ticks to a tick of the environment.
+    pub(crate) ratio: u32,
+    /// Where contact begins, m.
+    pub(crate) surface: Option<f64>,
+    /// What the environment stores; none where that is no function of position and velocity.
+    pub(crate) reference: Option<Reference>,
+    /// Position and velocity at the start, m and m/s.
+    pub(crate) start: [f64; 2],
+}
+
+impl Basis {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let start = [scene.initial.position.get(), scene.initial.velocity.get()];
+        let moving = scene.operator.mass.get() + scene.device.mass.get();
+        let (pull, reach) = (last_pull(scene), Criterion::of(scene).start);
+        let thrown = 0.5 * moving * start[1] * start[1];
+        let energy = if pull > 0.0 { 0.5 * pull * reach * reach } else { thrown };
+        let period = scene.period();
+        Self {
+            limit: scene.damping(Settings::of(scene).damping_cap.get()),
+            damping: scene.device.damping.get(),
+            energy,
+            speed: (2.0 * energy / moving).sqrt(),
+            swing: if pull > 0.0 { TAU * (moving / pull).sqrt() } else { 1.0 },
+            count: scene.effects.encoder.map(|encoder| encoder.resolution.get() / period),
+            ratio: u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX),
+            surface: surface(scene),
+            reference: Reference::of(scene),
+            start,
+        }
+    }
+
+    /// A hand of `mass` kg that moves with `speed` m/s, of which no scene tells; `period` in s.
+    pub(crate) fn of_hand(mass: f64, period: f64, speed: f64) -> Self {
+        Self {
+            limit: Damping { cap: 0.5, port_mass: mass, period },
+            damping: 0.0,
+            energy: 0.5 * mass * speed * speed,
+            speed,
+            swing: 100.0 * period,
+            count: None,
+            ratio: 1,
+            surface: None,
+            reference: None,
+            start: [0.0; 2],
+        }
+    }
+
+    /// What the environment stores at the start, J; not below 0.
+    pub(crate) fn stored(&self) -> f64 {
+        let [x, v] = self.start;
+        self.reference.as_ref().map_or(0.0, |it| it.stored(x, v)).max(0.0)
+    }
+
+    /// From where on a velocity is more than noise, m/s.
+    pub(super) fn threshold(&self) -> f64 {
+        self.count.unwrap_or(0.01 * self.speed)
+    }
+
+    /// Over how many ticks a correction is spread, or rises.
+    pub(super) fn ticks(&self) -> u32 {
+        self.ratio.max(2)
+    }
+
+    /// How fast a correction may grow, N/s: to the largest at the hand's speed within those ticks; no limit where nothing
+    /// tells a speed.
+    pub(super) fn rate(&self) -> f64 {
+        let Damping { cap, port_mass, period } = self.limit;
+        let most = cap * port_mass / period * self.speed;
+        let rate = most / (f64::from(self.ticks()) * period);
+        if rate > 0.0 { rate } else { f64::INFINITY }
+    }
+
+    /// Ticks to a slot of the window, which is a swing of the hand long.
+    pub(super) fn slot(&self) -> u32 {
+        // The conversion saturates: a longer slot is never left either.
+        (self.swing / (SLOTS as f64 * self.limit.period)).ceil().max(1.0) as u32
+    }
+}
+
+fn surface(scene: &Scene) -> Option<f64> {
+    scene.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position)
+}

@@ -1,0 +1,30 @@
+//! The family of stabilizers by name, each with parameters that come from the scene.
+//!
+//! A [`StabilizerName`] is one of them; docs/family.md says what each is set to. `compare`, `map` and `hard` take the same
+//! names. What has two ends, or only means something on several axes, is not here.
+//!
+//! ```
+//! use lyapunov_lab::{Rollout, Summary, family::StabilizerName, paper};
+//!
+//! let scene = paper::Case::Plain8k.scene()?;
+//! let member: StabilizerName = "popc-bounded".parse()?;
+//! let summary = Summary::of(&scene, Rollout::stabilized_by(&scene, member.on::<f64>(&scene)?)?);
+//! assert!(summary.settled.is_some() || summary.rows == 1001);
+//! assert!("popc-bound".parse::<StabilizerName>().unwrap_err().to_string().contains("`popc-bounded`"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod basic_name;
+mod basis;
+mod make;
+mod reference;
+mod settings;
+mod stabilizer_name;
+mod stabilizer_names;
+
+pub use basic_name::BasicName;
+pub(crate) use basis::Basis;
+pub(crate) use reference::Reference;
+pub use settings::Settings;
+pub use stabilizer_name::{StabilizerName, UnknownStabilizer};
+pub use stabilizer_names::{StabilizerNames, StabilizerNamesError};

@@ -1,0 +1,128 @@
+//! The names.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::BasicName;
+use crate::text::{nearest, shorten};
+
+/// A stabilizer by its name.
+///
+/// All but those of [`BasicName`] book held work in a plain sum, under the damping cap of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StabilizerName {
+    /// One that a scene file can name, or none.
+    Basic(BasicName),
+    /// POPC with what the environment stores at the start on its account: `popc-budgeted`.
+    Budgeted,
+    /// POPC that keeps a bounded credit: `popc-bounded`.
+    Bounded,
+    /// POPC whose credit runs out: `popc-windowed`.
+    Windowed,
+    /// POPC that enters each contact without credit: `popc-contact-reset`.
+    ContactReset,
+    /// POPC that corrects from a velocity on: `popc-threshold`.
+    Threshold,
+    /// POPC that pays a debt over several ticks: `popc-spread`.
+    Spread,
+    /// POPC whose correction grows slowly: `popc-rate-limited`.
+    RateLimited,
+    /// POPC whose correction rises when it engages: `popc-rising`.
+    Rising,
+    /// POPC whose energy follows what the environment stores: `popc-reference`.
+    Reference,
+    /// Forces that the device's damping can pay for: `force-bound`.
+    ForceBound,
+    /// An energy tank: `tank`.
+    Tank,
+}
+
+impl StabilizerName {
+    /// All of them.
+    pub const ALL: [Self; 17] = [
+        Self::Basic(BasicName::NoStabilizer),
+        Self::Basic(BasicName::Popc),
+        Self::Basic(BasicName::Lolc),
+        Self::Basic(BasicName::LolcSpring),
+        Self::Basic(BasicName::LolcDeviceDamping),
+        Self::Basic(BasicName::LolcMassSpringDamper),
+        Self::Budgeted,
+        Self::Bounded,
+        Self::Windowed,
+        Self::ContactReset,
+        Self::Threshold,
+        Self::Spread,
+        Self::RateLimited,
+        Self::Rising,
+        Self::Reference,
+        Self::ForceBound,
+        Self::Tank,
+    ];
+
+    /// Its name, on the command line and in every table and file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Basic(basic_name) => basic_name.name(),
+            Self::Budgeted => "popc-budgeted",
+            Self::Bounded => "popc-bounded",
+            Self::Windowed => "popc-windowed",
+            Self::ContactReset => "popc-contact-reset",
+            Self::Threshold => "popc-threshold",
+            Self::Spread => "popc-spread",
+            Self::RateLimited => "popc-rate-limited",
+            Self::Rising => "popc-rising",
+            Self::Reference => "popc-reference",
+            Self::ForceBound => "force-bound",
+            Self::Tank => "tank",
+        }
+    }
+
+    /// One of those that a scene file can name, if it is one.
+    pub fn basic_name(self) -> Option<BasicName> {
+        match self {
+            Self::Basic(basic_name) => Some(basic_name),
+            _ => None,
+        }
+    }
+}
+
+impl From<BasicName> for StabilizerName {
+    fn from(basic_name: BasicName) -> Self {
+        Self::Basic(basic_name)
+    }
+}
+
+impl fmt::Display for StabilizerName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A name that no stabilizer has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownStabilizer {
+    given: String,
+}
+
+impl fmt::Display for UnknownStabilizer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = StabilizerName::ALL.map(StabilizerName::name);
+        write!(f, "no stabilizer is called `{}`\n  = ", shorten(&self.given))?;
+        if let Some(name) = nearest(&self.given, &names) {
+            write!(f, "did you mean `{name}`?\n  = ")?;
+        }
+        f.write_str("the names are:")?;
+        names.chunks(5).try_for_each(|names| write!(f, "\n    {}", names.join(", ")))
+    }
+}
+
+impl std::error::Error for UnknownStabilizer {}
+
+impl FromStr for StabilizerName {
+    type Err = UnknownStabilizer;
+
+    fn from_str(given: &str) -> Result<Self, UnknownStabilizer> {
+        let found = Self::ALL.into_iter().find(|one| one.name() == given);
+        found.ok_or_else(|| UnknownStabilizer { given: given.to_owned() })
+    }
+}

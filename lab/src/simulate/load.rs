@@ -1,0 +1,174 @@
+//! From files to what is checked: a file whose parts are each right is right if its loop can be built.
+
+use std::path::Path;
+
+use super::building::{Assembly, in_space};
+use super::{models, teleoperation};
+use crate::files::models::{self as model_files, Model};
+use crate::files::scene::{
+    self, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
+};
+use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
+
+impl Draft {
+    /// The scene that it is, if it keeps the rules between values: the number of ticks, the ratio of the rates, what tables
+    /// ask of each other, the range of f32 where the run computes in it, and what the blocks of the loop take.
+    ///
+    /// # Errors
+    /// The first rule that is broken, and its key.
+    pub fn check(self) -> Result<Scene, Conflict> {
+        let scene = self.by_rules()?;
+        // Values that are each allowed may join to a loop that is not.
+        let built = in_space!(scene, Axes => Assembly::<Axes>::of(&scene).map(drop));
+        match built {
+            Ok(()) => Ok(scene),
+            Err(error) => Err(scene.out_of_range(&error, name(scene.scalar))),
+        }
+    }
+}
+
+impl Scene {
+    /// Reads a scene from TOML text; `name` stands for the text in messages, usually the path of its file. Files that
+    /// the scene names are looked for in the current folder.
+    ///
+    /// # Errors
+    /// The first rule that is broken, with its place and what would be right.
+    pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
+        parse(text, name, Path::new(""))
+    }
+
+    /// Reads a scene from a file of at most 1 MiB.
+    ///
+    /// # Errors
+    /// As [`Scene::parse`], and a file that cannot be read or is no text.
+    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+        parse_at(&scene::text_of(&scene::BOOK, path)?, path)
+    }
+}
+
+/// See [`Scene::parse`]; files that the scene names are looked for in `folder`.
+fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diagnostic> {
+    scene::read(&scene::BOOK, text, name, |keys| checked(keys, folder)).map_err(|fault| {
+        let Some(kind) = [MODEL, TELEOPERATOR].into_iter().find(|kind| kind.is_in(text)) else {
+            return fault;
+        };
+        Diagnostic::new(name, format!("this is {}, not a scene", kind.noun))
+            .with_help("`lyapunov compare` takes it")
+    })
+}
+
+fn checked(keys: Keys, folder: &Path) -> Result<Scene, Conflict> {
+    let mut draft = Draft::try_from(keys)?;
+    draft.read_motion(folder)?;
+    draft.check()
+}
+
+/// The scene that is the `text` of the file at `path`.
+fn parse_at(text: &str, path: &Path) -> Result<Scene, Diagnostic> {
+    parse(text, &path.display().to_string(), path.parent().unwrap_or(Path::new("")))
+}
+
+impl Model {
+    /// Reads a model from TOML text; `name` stands for the text in messages, usually the path of its file.
+    ///
+    /// # Errors
+    /// The first rule that is broken, with its place and what would be right.
+    pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
+        scene::read(&model_files::BOOK, text, name, |model: Self| model.check().map(|()| model))
+    }
+
+    /// Reads a model from a file of at most 1 MiB.
+    ///
+    /// # Errors
+    /// As [`Model::parse`], and a file that cannot be read or is no text.
+    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+        Self::parse(&scene::text_of(&model_files::BOOK, path)?, &path.display().to_string())
+    }
+
+    /// Checks the rules between values: the number of ticks, a number for each state and each input, the range of f32
+    /// where the run computes in it, what the blocks of the loop take, and a start that is not at rest.
+    ///
+    /// # Errors
+    /// The first rule that is broken, and its key.
+    pub fn check(&self) -> Result<(), Conflict> {
+        self.check_rules()?;
+        let began = models::built(self).map_err(|refused| self.refusal(refused))?.began();
+        if began > 0.0 && began.is_finite() {
+            return Ok(());
+        }
+        Err(Conflict::new(
+            "initial",
+            format!("V is {began:?} at this start"),
+            "V is compared with what it was at the start: give a state away from rest at which V is finite and above 0",
+        ))
+    }
+}
+
+impl Teleoperator {
+    /// Reads a teleoperator from TOML text; `name` stands for the text in messages, usually the path of its file.
+    ///
+    /// # Errors
+    /// The first rule that is broken, with its place and what would be right.
+    pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
+        scene::read(&teleoperator_files::BOOK, text, name, |it: Self| it.check().map(|()| it))
+    }
+
+    /// Reads a teleoperator from a file of at most 1 MiB.
+    ///
+    /// # Errors
+    /// As [`Teleoperator::parse`], and a file that cannot be read or is no text.
+    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+        Self::parse(&scene::text_of(&teleoperator_files::BOOK, path)?, &path.display().to_string())
+    }
+
+    /// Checks the rules between values: the number of ticks, a start that stores energy, a wall that the slave is not in
+    /// and that is not too stiff for the rate, an impedance of the waves, a seed for what
+    /// is random, the range of f32 where the run computes in it,
+    /// and what the blocks of the loop take.
+    ///
+    /// # Errors
+    /// The first rule that is broken, and its key.
+    pub fn check(&self) -> Result<(), Conflict> {
+        self.check_rules()?;
+        teleoperation::Entrant::ALL.into_iter().try_for_each(|entrant| {
+            teleoperation::rig::build(self, entrant).map_err(|refused| self.refusal(refused))
+        })
+    }
+}
+
+/// What is compared, told apart by tables that only one kind of file has.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Subject {
+    /// A scene.
+    Scene(Box<Scene>),
+    /// A model.
+    Model(Box<Model>),
+    /// A teleoperator.
+    Teleoperator(Box<Teleoperator>),
+}
+
+impl Subject {
+    /// Reads a file, once, as it may be a pipe.
+    ///
+    /// # Errors
+    /// As [`Scene::load`], [`Model::load`] and [`Teleoperator::load`].
+    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+        let text = scene::text_of(&scene::BOOK, path)?;
+        let name = path.display().to_string();
+        if Model::is_in(&text) {
+            Model::parse(&text, &name).map(|model| Self::Model(Box::new(model)))
+        } else if Teleoperator::is_in(&text) {
+            Teleoperator::parse(&text, &name).map(|it| Self::Teleoperator(Box::new(it)))
+        } else {
+            parse_at(&text, path).map(|scene| Self::Scene(Box::new(scene)))
+        }
+    }
+}
+
+/// The scalar as a message has it.
+fn name(scalar: Scalar) -> &'static str {
+    match scalar {
+        Scalar::F64 => "f64",
+        Scalar::F32 => "f32",
+    }
+}

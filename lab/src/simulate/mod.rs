@@ -1,0 +1,18 @@
+//! What is simulated: loops built from files, stabilizers by name, and their runs tick by tick.
+
+pub(crate) mod building;
+pub(crate) mod equilibrium;
+pub mod family;
+pub(crate) mod load;
+pub(crate) mod models;
+pub(crate) mod rollout;
+pub(crate) mod row;
+pub(crate) mod teleoperation;
+pub(crate) mod tick;
+
+pub(crate) use building::{AnyStabilizer, Assembly, Port, Space};
+pub(crate) use equilibrium::Criterion;
+pub use load::Subject;
+pub(crate) use rollout::Rollout;
+pub(crate) use row::Row;
+pub(crate) use tick::Tick;

@@ -1,0 +1,162 @@
+//! The closed loop of a scene, tick by tick.
+
+use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Signal, Stabilizer};
+
+use super::building::{AnyStabilizer, Assembly, Seen, Space};
+use super::family::StabilizerName;
+use super::row::Row;
+use super::tick::Tick;
+use crate::files::Scene;
+
+/// The ticks of a scene, from tick 0 to the last, computed as they are asked for.
+///
+/// Ends early, after the last tick on which everything is finite, if the motion leaves the range of the scalar.
+#[derive(Debug)]
+pub struct Rollout<V: Signal = f64> {
+    rate: f64,
+    number: u64,
+    last: u64,
+    assembly: Assembly<V>,
+    seen: Seen<V>,
+    truth: PortSample<V>,
+}
+
+impl<V: Space> Rollout<V> {
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever the scene says of it.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        Self::assemble(scene, AnyStabilizer::of(scene)?)
+    }
+
+    /// The loop of `scene` with `stabilizer` in the place of the scene's own.
+    ///
+    /// # Errors
+    /// As [`Rollout::of`].
+    pub fn stabilized_by(
+        scene: &Scene,
+        stabilizer: impl Stabilizer<V> + 'static,
+    ) -> Result<Self, ParameterError> {
+        Self::assemble(scene, AnyStabilizer::new(stabilizer))
+    }
+
+    /// The loop of `scene` under `member` of the family, whatever the scene names.
+    ///
+    /// # Errors
+    /// As [`Rollout::of`].
+    pub fn under(scene: &Scene, member: StabilizerName) -> Result<Self, ParameterError>
+    where
+        V: Scalar,
+    {
+        Self::assemble(scene, member.on(scene)?)
+    }
+
+    /// The ticks as rows: the first axis of each.
+    pub fn rows(self) -> impl Iterator<Item = Row> {
+        self.map(|tick| Row::of(&tick))
+    }
+
+    /// The loop of `scene` with `stabilizer`, which has a box already.
+    pub(crate) fn assemble(
+        scene: &Scene,
+        stabilizer: AnyStabilizer<V>,
+    ) -> Result<Self, ParameterError> {
+        let seen = Seen::default();
+        let assembly = Assembly::watched(scene, &seen, stabilizer)?;
+        let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
+        Ok(Self { rate, number: 0, last, assembly, seen, truth })
+    }
+
+    /// The next tick, whether or not it is in range, and whether or not the scene is over.
+    pub(crate) fn tick(&mut self) -> Tick<V> {
+        let truth = self.truth;
+        let applied = self.assembly.port.respond(&truth);
+        let tick = self.seen.tick(self.number as f64 / self.rate, truth, applied);
+        self.assembly.plant.advance_into(applied, &mut self.truth);
+        self.number += 1;
+        tick
+    }
+}
+
+impl<V: Space> Iterator for Rollout<V> {
+    type Item = Tick<V>;
+
+    fn next(&mut self) -> Option<Tick<V>> {
+        if self.number > self.last {
+            return None;
+        }
+        let tick = self.tick();
+        if tick.in_range() {
+            return Some(tick);
+        }
+        self.number = u64::MAX;
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_abs_diff_eq;
+
+    use super::*;
+    use crate::simulate::equilibrium::{equilibrium, never_rests};
+
+    /// A slow hand of 200 N/m, 3 mm beyond a wall of 900 N/m at 2 mm, that comes to rest within 20 s.
+    const HAND: &str = "duration = 20.0\nservo_rate = 1000.0\ndevice.mass = 0.2\n\
+        operator = { mass = 0.1, damping = 20.0, stiffness = 200.0, rest = 0.005 }\n";
+    const WALL: &str = "environment.wall = { position = 0.002, stiffness = 900.0 }\n";
+
+    fn scene(hand: &str, more: &str) -> Scene {
+        Scene::parse(&format!("{hand}{more}"), "test").unwrap_or_else(|fault| panic!("{fault}"))
+    }
+
+    #[test]
+    fn a_run_that_rests_does_so_at_the_equilibrium() {
+        let led = |motion: &str| HAND.replace(" }\n", &format!(", motion = {{ {motion} }} }}\n"));
+        let grip = HAND.replace(
+            " }\n",
+            ", grip = { times = [1.0, 99.0], stiffness = [400.0, 1.0], damping = [30.0, 1.0] } }\n",
+        );
+        let cases = [
+            scene(HAND, WALL),
+            scene(HAND, &format!("{WALL}effects.load.force = 1.0\n")),
+            scene(HAND, &format!("{WALL}effects.saturation.force = 0.3\n")),
+            scene(HAND, &format!("{WALL}link.stiffness = 300.0\neffects.load.force = 1.0\n")),
+            scene(
+                HAND,
+                &format!("{WALL}effects.pulse = {{ start = 1, duration = 99, force = 2 }}"),
+            ),
+            scene(&led("kind = \"step\", at = 99.0, to = 0.1"), WALL),
+            scene(&led("kind = \"ramp\", to = 0.1, rate = 0.0"), WALL),
+            scene(&led("kind = \"ramp\", to = 0.01, rate = 0.01"), WALL),
+            scene(&led("kind = \"sine\", amplitude = 0.0, frequency = 1.0"), WALL),
+            scene(&grip, WALL),
+            scene(
+                HAND,
+                "environment.moving-wall = { position = 0.002, stiffness = 900.0, \
+                amplitude = 0.0, frequency = 1.0 }",
+            ),
+            scene(HAND, "environment.spring.stiffness = -50.0"),
+            scene(HAND, "environment.layered-wall = { depth = 1e-3, stiffness = [100.0, 2000.0] }"),
+            scene(HAND, "environment.hunt-crossley = { stiffness = 1e5, exponent = 1.5 }"),
+            scene(HAND, "environment.cubic-spring = { stiffness = 100.0, cubic = 2e7 }"),
+            scene(
+                HAND,
+                "environment.cubic-spring = { position = 0.009, stiffness = 0.0, cubic = 2e7 }",
+            ),
+        ];
+        for scene in &cases {
+            let last = Rollout::<f64>::of(scene).unwrap().rows().last().unwrap();
+            let told = equilibrium(scene).unwrap_or_else(|| panic!("{scene:?} has none"));
+            assert_abs_diff_eq!(last.x, told, epsilon = 1e-9);
+        }
+    }
+
+    #[test]
+    fn what_moves_at_the_end_has_no_equilibrium() {
+        let motion = "motion = { kind = \"ramp\", to = 1.0, rate = 0.01 } }\n";
+        let ramp = scene(&HAND.replace(" }\n", &format!(", {motion}")), WALL);
+        assert!(never_rests(&ramp) && equilibrium(&ramp).is_none());
+    }
+}

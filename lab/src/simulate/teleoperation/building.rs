@@ -1,0 +1,135 @@
+//! From a teleoperator to its loop.
+
+use lyapunov::{
+    self as library, DampingLimit, ParameterError, Popc, PortEnergy, Scalar,
+    bodies::{Body, Impedance, IntegratedPlant},
+    channels::{ConstantDelay, LossyChannel, VaryingDelay},
+    integrators::{EventLocating, Exact, WalledOscillator},
+    stabilizers::{DriftCompensated, NoStabilizer, TwoPortSide, WaveTransform},
+};
+
+use super::entrant::Entrant;
+use super::link::{Link, Message, Velocities, Waves};
+use crate::files::scene::Seed;
+use crate::files::teleoperation::{Channel, Teleoperator, Wall};
+use crate::simulate::building::AnyPlant;
+
+/// Room for the messages under way: delay and spread at their most.
+const ROOM: usize = 2049;
+
+/// A part that cannot be built: the key that is to be changed, and why.
+pub(crate) type Refused = (&'static str, ParameterError);
+
+/// A channel, boxed.
+pub(super) type AnyChannel<T> = Box<dyn library::channels::Channel<Message<T>>>;
+
+/// The master in its hand.
+pub(super) fn master<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refused> {
+    let it = file.master;
+    let (mass, damping) = (T::of(it.mass.get()), T::of(it.damping.get()));
+    let parts = Impedance { mass, damping, stiffness: T::of(it.hand_stiffness.get()) };
+    let body = Body::<T>::new(parts, period(file)).map_err(in_table("master.mass"))?;
+    Ok(AnyPlant::new(body.starting(T::of(it.start.get()), T::of(0.0))))
+}
+
+/// The slave, and before a wall the two as one motion in pieces.
+pub(super) fn slave<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refused> {
+    let it = file.slave;
+    let refused = in_table("slave.mass");
+    let (mass, damping) = (T::of(it.mass.get()), T::of(it.damping.get()));
+    let parts = Impedance { mass, damping, stiffness: T::of(0.0) };
+    let (start, rest) = (T::of(file.master.start.get()), T::of(0.0));
+    let Some(Wall { position, stiffness }) = it.wall else {
+        let body = Body::<T>::new(parts, period(file)).map_err(refused)?;
+        return Ok(AnyPlant::new(body.starting(start, rest)));
+    };
+    let (position, stiffness) = (T::of(position.get()), T::of(stiffness.get()));
+    let walled = WalledOscillator::new(parts, stiffness, position).map_err(&refused)?;
+    let walled =
+        IntegratedPlant::<T, _, _>::new(walled, EventLocating::new(Exact::new()), period(file), 1);
+    Ok(AnyPlant::new(walled.map_err(refused)?.starting(start, rest)))
+}
+
+/// The channel there and the channel back.
+pub(super) fn channels<T: Scalar>(file: &Teleoperator) -> Result<[AnyChannel<T>; 2], Refused> {
+    // Without chance nothing is drawn.
+    let seed = file.channel.seed.map_or(0, Seed::get);
+    Ok([channel(file.channel, seed)?, channel(file.channel, !seed)?])
+}
+
+fn channel<T: Scalar>(it: Channel, seed: u64) -> Result<AnyChannel<T>, Refused> {
+    let silence = (T::of(0.0), T::of(0.0));
+    let (least, most) = (it.delay.get(), it.delay.get() + it.spread.get());
+    if most == least {
+        let delay = ConstantDelay::<Message<T>, ROOM>::new(least.into(), silence);
+        losing(delay.map_err(in_table("channel.delay"))?, it, seed)
+    } else {
+        let delay = VaryingDelay::<Message<T>, ROOM>::new(least.into(), most.into(), seed, silence);
+        losing(delay.map_err(in_table("channel.spread"))?, it, seed)
+    }
+}
+
+fn losing<T: Scalar>(
+    channel: impl library::channels::Channel<Message<T>> + 'static,
+    it: Channel,
+    seed: u64,
+) -> Result<AnyChannel<T>, Refused> {
+    let (loss, silence) = (it.loss.get(), (T::of(0.0), T::of(0.0)));
+    if loss == 0.0 {
+        return Ok(Box::new(channel));
+    }
+    Ok(Box::new(LossyChannel::new(channel, loss, seed, silence).map_err(in_table("channel.loss"))?))
+}
+
+/// What `entrant` joins the two by.
+pub(super) fn link<T: Scalar>(
+    file: &Teleoperator,
+    entrant: Entrant,
+) -> Result<Box<dyn Link<T>>, Refused> {
+    let refused = in_table("stabilizer.damping_cap");
+    let (cap, period) = (T::of(file.stabilizer.damping_cap.get()), period::<T>(file));
+    let (stiffness, damping) = (file.coordination.stiffness.get(), file.coordination.damping.get());
+    let damper = DampingLimit::of_mass(cap, T::of(file.master.mass.get()), period);
+    // A held velocity meets a damper at once, as it meets a spring of B / T within a tick.
+    let stiffness = T::of(stiffness) + T::of(damping) / period;
+    let mobility = DampingLimit::of_stiffness(cap, stiffness, period);
+    let (damper, mobility) = (damper.map_err(&refused)?, mobility.map_err(refused)?);
+    Ok(match entrant {
+        Entrant::None => {
+            Box::new(Velocities { master: Box::new(NoStabilizer), slave: Box::new(NoStabilizer) })
+        }
+        Entrant::Popc => Box::new(Velocities {
+            master: Box::new(Popc::new(PortEnergy, damper)),
+            slave: Box::new(Popc::new(PortEnergy, mobility)),
+        }),
+        Entrant::TwoPort => Box::new(Velocities {
+            master: Box::new(TwoPortSide::new(damper)),
+            slave: Box::new(TwoPortSide::new(mobility)),
+        }),
+        Entrant::Compensated => {
+            let speed = T::of(file.stabilizer.compensation_speed.get());
+            let slave = DriftCompensated::new(TwoPortSide::new(mobility), speed)
+                .and_then(|slave| slave.meeting(stiffness * period))
+                .map_err(in_table("stabilizer.compensation_speed"))?;
+            Box::new(Velocities {
+                master: Box::new(TwoPortSide::new(damper)),
+                slave: Box::new(slave),
+            })
+        }
+        Entrant::Waves => {
+            let impedance = T::of(file.wave_impedance());
+            let transform =
+                WaveTransform::new(impedance).map_err(in_table("stabilizer.wave_impedance"))?;
+            Box::new(Waves { transform, impedance })
+        }
+    })
+}
+
+/// The servo period, s.
+pub(super) fn period<T: Scalar>(file: &Teleoperator) -> T {
+    T::of(file.servo_rate.get().recip())
+}
+
+fn in_table(key: &'static str) -> impl Fn(ParameterError) -> Refused {
+    move |error| (key, error)
+}

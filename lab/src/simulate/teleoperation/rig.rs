@@ -1,0 +1,162 @@
+//! The loop of a teleoperator, run.
+
+use std::ops::ControlFlow;
+
+use lyapunov::{AdmittanceSample, Correction, ParameterError, Plant, PortSample, Scalar};
+
+use super::building::{self, AnyChannel, Refused};
+use super::entrant::Entrant;
+use super::link::{Coordination, Link, Message};
+use crate::files::scene;
+use crate::files::teleoperation::Teleoperator;
+use crate::simulate::building::AnyPlant;
+
+/// Two devices, a channel each way and what makes messages of motion and force.
+struct Rig<T: Scalar> {
+    master: AnyPlant<T>,
+    slave: AnyPlant<T>,
+    there: AnyChannel<T>,
+    back: AnyChannel<T>,
+    link: Box<dyn Link<T>>,
+    stiffness: T,
+    damping: T,
+    period: T,
+}
+
+/// One tick of a run: positions and velocities in m and m/s, the force on the master in N.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tick {
+    pub(crate) master: [f64; 2],
+    pub(crate) slave: [f64; 2],
+    /// Where the slave is wanted.
+    pub(crate) command: f64,
+    pub(crate) felt: f64,
+    /// What has crossed both ports, J.
+    pub(crate) crossed: f64,
+    /// What the corrections at master and slave are about to burn, J.
+    pub(crate) burnt: [f64; 2],
+    /// The debt of both ends that could not be served, J.
+    pub(crate) shortfall: f64,
+}
+
+impl Tick {
+    /// What both ports have absorbed once the corrections are made, J.
+    pub(crate) fn kept(&self) -> f64 {
+        self.crossed + self.burnt[0] + self.burnt[1]
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        let moved = self.master.iter().chain(&self.slave).all(|it| it.is_finite());
+        moved
+            && [self.command, self.felt, self.kept(), self.shortfall]
+                .iter()
+                .all(|it| it.is_finite())
+    }
+}
+
+/// What both ports tell on a tick, and what is known from the tick before.
+struct State<T: Scalar> {
+    master: PortSample<T>,
+    slave: PortSample<T>,
+    load: PortSample<T>,
+    /// Where the slave is wanted, m.
+    command: T,
+    arrived: Message<T>,
+    /// What has crossed both ports, J.
+    crossed: f64,
+}
+
+/// Builds the loop of `file` under `entrant` and lets it go.
+pub(crate) fn build(file: &Teleoperator, entrant: Entrant) -> Result<(), Refused> {
+    match file.scalar {
+        scene::Scalar::F64 => Rig::<f64>::of(file, entrant).map(drop),
+        scene::Scalar::F32 => Rig::<f32>::of(file, entrant).map(drop),
+    }
+}
+
+/// Runs `file` under `entrant` until the end, the end of the range, or until `each` of the ticks says so.
+///
+/// # Errors
+/// A file that was never checked.
+pub(crate) fn run(
+    file: &Teleoperator,
+    entrant: Entrant,
+    each: &mut dyn FnMut(Tick) -> ControlFlow<()>,
+) -> Result<(), ParameterError> {
+    match file.scalar {
+        scene::Scalar::F64 => run_in::<f64>(file, entrant, each),
+        scene::Scalar::F32 => run_in::<f32>(file, entrant, each),
+    }
+}
+
+fn run_in<T: Scalar>(
+    file: &Teleoperator,
+    entrant: Entrant,
+    each: &mut dyn FnMut(Tick) -> ControlFlow<()>,
+) -> Result<(), ParameterError> {
+    let mut rig = Rig::<T>::of(file, entrant).map_err(|(_, error)| error)?;
+    let mut state = rig.start();
+    for _ in 0..=file.ticks() {
+        let tick = rig.step(&mut state);
+        if !tick.is_finite() || each(tick).is_break() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+impl<T: Scalar> Rig<T> {
+    fn of(file: &Teleoperator, entrant: Entrant) -> Result<Self, Refused> {
+        let [there, back] = building::channels(file)?;
+        Ok(Self {
+            master: building::master(file)?,
+            slave: building::slave(file)?,
+            there,
+            back,
+            link: building::link(file, entrant)?,
+            stiffness: T::of(file.coordination.stiffness.get()),
+            damping: T::of(file.coordination.damping.get()),
+            period: building::period(file),
+        })
+    }
+
+    fn start(&self) -> State<T> {
+        let (master, slave) = (self.master.start(), self.slave.start());
+        let zero = T::of(0.0);
+        let load = AdmittanceSample::starting(self.period, zero).into();
+        let command = slave.position;
+        State { master, slave, load, command, arrived: (zero, zero), crossed: 0.0 }
+    }
+
+    /// One tick, and the motion to the next.
+    fn step(&mut self, state: &mut State<T>) -> Tick {
+        let State { master, slave, load, command, arrived, crossed } = state;
+        let (felt, sent) = self.link.at_master(master, *arrived);
+        let message = self.there.carry(sent);
+        let coordination = Coordination::new(self.stiffness, self.damping, *command, slave);
+        let (moves, pull, answer) = self.link.at_slave(load, message, &coordination);
+        *arrived = self.back.carry(answer);
+        let tick = Tick {
+            master: [master.position, master.velocity].map(|it| it.lane(0)),
+            slave: [slave.position, slave.velocity].map(|it| it.lane(0)),
+            command: command.lane(0),
+            felt: felt.effort.lane(0),
+            crossed: *crossed,
+            burnt: [burnt(master, &felt), burnt(load, &moves)],
+            shortfall: (felt.shortfall + moves.shortfall).lane(0),
+        };
+        let flow = moves.effort;
+        *master = self.master.advance(felt.effort);
+        *slave = self.slave.advance(-pull);
+        *command += flow * self.period;
+        *load =
+            AdmittanceSample::new(self.period, T::of(0.0), -pull, -pull * self.period, flow).into();
+        *crossed += (master.work + load.work).lane(0);
+        tick
+    }
+}
+
+/// What a correction is about to burn, J.
+fn burnt<T: Scalar>(sample: &PortSample<T>, correction: &Correction<T>) -> f64 {
+    (correction.alpha * (sample.velocity * sample.velocity * sample.period)).lane(0)
+}

@@ -1,0 +1,132 @@
+//! For how long a trace can be believed.
+
+use lyapunov::{Correction, OnePort, PortSample, Scalar, accumulators::DoubleDouble};
+
+use super::AccuracyError;
+use super::reference::{References, Second, exact, off};
+use super::trace::{Progress, trace};
+use crate::files::Scene;
+use crate::simulate::{Assembly, Port};
+
+/// A deviation that has grown so many times is no longer the method's but the scene's.
+pub(super) const GROWN: f64 = 1e5;
+
+/// How many times a deviation must outgrow the motion over the scene for the scene to be chaotic.
+const CHAOTIC: f64 = 1e6;
+
+/// The share of a scene from the middle of its first quarter to that of its last.
+const WIDENED: f64 = 0.75;
+
+/// How often a deviation is brought back to its first size, at most.
+const SEGMENTS: usize = 8;
+
+/// How far a trace may be off and is still believed, of the reach of the motion.
+pub(super) const BELIEVED: f64 = 0.01;
+
+/// How deviations grow on a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Growth {
+    /// The largest Lyapunov exponent, 1/s; none where the motion is too short or too still to tell.
+    pub(super) exponent: Option<f64>,
+    /// Whether the scene is chaotic.
+    pub(super) chaotic: bool,
+    /// The first tick at which a deviation of the start has grown so much that errors say nothing of the method any more.
+    pub(super) grown_at: usize,
+}
+
+/// Sizes of a deviation, of the reach of the motion: as it is made, where it is lost in rounding, and where it is no longer
+/// small.
+struct Sizes {
+    made: f64,
+    lost: f64,
+    large: f64,
+}
+
+impl Growth {
+    /// Follows a reference and the same with a small push, made anew where it has grown large or has died away.
+    pub(super) fn of(
+        scene: &Scene,
+        references: &References,
+        progress: Progress<'_>,
+    ) -> Result<Self, AccuracyError> {
+        let (reach, ticks) = (references.reach(), references.first.len());
+        let sizes = match references.second {
+            Second::Extrapolation => Sizes { made: 1e-20, lost: 1e-29, large: 1e-10 },
+            Second::Adaptive | Second::Double => Sizes { made: 1e-9, lost: 1e-14, large: 1e-5 },
+        };
+        let (mut from, mut grown_at, mut logarithm, mut time) = (0, ticks, 0.0, 0.0);
+        for segment in 0..SEGMENTS {
+            if reach <= 0.0 || from + 2 >= ticks {
+                break;
+            }
+            let part = progress
+                .part(segment as f64 / SEGMENTS as f64, (segment + 1) as f64 / SEGMENTS as f64);
+            let force = sizes.made * reach * scene.port_mass() / scene.period().powi(2);
+            let pushed = trace(pushed(scene, from, force)?, ticks, part)?;
+            let apart = |tick: usize| -> f64 {
+                let (one, other) = (references.first[tick], pushed[tick]);
+                off(one[0], other[0]) + scene.period() * off(one[1], other[1])
+            };
+            let (end, first) = (pushed.len(), apart(from + 1));
+            let usable = |size: f64| size > sizes.lost * reach && size < sizes.large * reach;
+            if segment == 0 {
+                grown_at = (1..end).find(|&tick| apart(tick) > GROWN * first).unwrap_or(end);
+            }
+            let last = (from + 2..end).find(|&tick| !usable(apart(tick))).unwrap_or(end - 1);
+            let grown = apart(last) / first;
+            if grown > 0.0 && grown.is_finite() {
+                logarithm += grown.ln();
+                time += (last - from - 1) as f64 * scene.period();
+            }
+            from = last;
+        }
+        let exponent = (time > 0.0).then(|| logarithm / time);
+        let seconds = ticks as f64 * scene.period();
+        let motion = widening(&references.first).max(1.0).ln() / (WIDENED * seconds);
+        let beyond = exponent.unwrap_or(0.0) - motion;
+        let chaotic = beyond * seconds > CHAOTIC.ln();
+        Ok(Self { exponent, chaotic, grown_at })
+    }
+}
+
+/// How many times as wide the motion is in the last quarter as in the first.
+fn widening(states: &[[DoubleDouble; 2]]) -> f64 {
+    let width = |states: &[[DoubleDouble; 2]]| {
+        let places = states.iter().map(|state| state[0].high());
+        let ends = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+            (place.min(low), place.max(high))
+        });
+        ends.1 - ends.0
+    };
+    let quarter = states.len() / 4;
+    let (first, last) = (width(&states[..quarter]), width(&states[states.len() - quarter..]));
+    if first > 0.0 { last / first } else { 1.0 }
+}
+
+/// The loop of `scene`, exact, with a push of `force` N from tick `at` to the next.
+fn pushed(scene: &Scene, at: usize, force: f64) -> Result<Assembly<DoubleDouble>, AccuracyError> {
+    let Assembly { plant, port } = Assembly::of(&exact(scene)?)?;
+    let port = Port::new(Pushed { port, at, force: DoubleDouble::of(force) });
+    Ok(Assembly { plant, port })
+}
+
+/// A port with one small push.
+struct Pushed {
+    port: Port<DoubleDouble>,
+    at: usize,
+    force: DoubleDouble,
+}
+
+impl OnePort<DoubleDouble> for Pushed {
+    fn respond(&mut self, sample: &PortSample<DoubleDouble>) -> DoubleDouble {
+        let effort = self.port.respond(sample);
+        let now = self.at == 0;
+        // Past the push the count stands at its largest and never comes to zero again.
+        self.at = self.at.checked_sub(1).unwrap_or(usize::MAX);
+        if now { effort + self.force } else { effort }
+    }
+
+    fn correction(&self) -> Correction<DoubleDouble> {
+        self.port.correction()
+    }
+}

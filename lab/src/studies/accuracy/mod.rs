@@ -1,0 +1,65 @@
+//! What accuracy costs in time: a scene under every propagator, step and scalar, against a reference that is better by far.
+
+mod document;
+mod extrapolation;
+mod horizon;
+mod ledger;
+mod picture;
+mod reference;
+mod report;
+mod setting;
+mod study;
+mod table;
+#[cfg(test)]
+mod tests;
+mod timing;
+mod trace;
+
+use std::fmt;
+
+use lyapunov::ParameterError;
+
+use crate::files::scene::Conflict;
+
+pub use ledger::LedgerRow;
+pub use setting::{Number, Setting};
+pub use study::{Row, Study};
+pub use timing::Time;
+
+/// Why there is no study.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AccuracyError {
+    /// A part of the scene cannot be made.
+    Parameter(ParameterError),
+    /// The scene cannot be computed by a reference's integrator.
+    Scene(Conflict),
+    /// The scene has more than one dimension.
+    Space {
+        /// The scene.
+        scene: String,
+    },
+    /// Whoever watched said so.
+    Stopped,
+}
+
+impl fmt::Display for AccuracyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(error) => error.fmt(f),
+            Self::Scene(conflict) => conflict.fmt(f),
+            Self::Space { scene } => {
+                write!(f, "{scene}: [space] is not for this study\n  = ")?;
+                f.write_str("study a scene of one dimension: axes of a plant move alike")
+            }
+            Self::Stopped => f.write_str("the study was stopped"),
+        }
+    }
+}
+
+impl std::error::Error for AccuracyError {}
+
+impl From<Conflict> for AccuracyError {
+    fn from(conflict: Conflict) -> Self {
+        Self::Scene(conflict)
+    }
+}

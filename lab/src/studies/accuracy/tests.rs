@@ -1,0 +1,102 @@
+//! The study against figures that are known.
+
+use std::ops::ControlFlow;
+
+use super::*;
+use crate::files::Scene;
+
+fn study(text: &str) -> Study {
+    let scene = Scene::parse(text, "scene.toml").unwrap();
+    Study::watched("scene.toml", &scene, &|_| ControlFlow::Continue(())).unwrap()
+}
+
+/// The paper's wall of 8 kN/m without a stabilizer, by the plant's own velocity.
+const WALL: &str = "
+duration = 2.0
+servo_rate = 100.0
+velocity = \"exact\"
+operator = { mass = 0.1, damping = 0.2, stiffness = 50.0 }
+device = { mass = 0.2, damping = 0.001 }
+initial.position = -0.004
+environment.wall = { stiffness = 8000.0, damping = 2.0 }
+";
+
+fn error(study: &Study, propagator: &str, steps: Option<u32>, number: Number) -> f64 {
+    let row = study.rows.iter().find(|row| {
+        let Setting { integrator, number: of } = row.setting;
+        of == number && integrator.name() == propagator && integrator.steps_per_tick() == steps
+    });
+    row.unwrap().max_error.unwrap()
+}
+
+/// Errors that an independent computation of sixty digits gives for the textbook's methods on this scene, to two digits.
+#[test]
+fn errors_are_those_of_sixty_digits() {
+    let study = study(WALL);
+    let double = |propagator, steps| error(&study, propagator, steps, Number::F64);
+    for (propagator, steps, want, digit) in [
+        ("rk4", 1, 4.9e-4, 1e-5),
+        ("rk4", 10, 4.5e-8, 1e-9),
+        ("rk4", 20, 2.8e-9, 1e-10),
+        ("rk4", 50, 7.1e-11, 1e-12),
+        ("rk4", 100, 4.4e-12, 2e-13),
+        ("semi-implicit-euler", 1, 2.0, 0.1),
+        ("semi-implicit-euler", 10, 1.1, 0.1),
+        ("semi-implicit-euler", 100, 7.5e-2, 1e-3),
+    ] {
+        let got = double(propagator, Some(steps));
+        assert!((got - want).abs() <= digit, "{propagator} {steps}: {got:e} is not {want:e}");
+    }
+    assert!(double("exact", None) < 1e-13);
+    assert!(error(&study, "exact", None, Number::F32) > 1e-9);
+    assert!(study.rows.iter().all(|row| row.is_known && row.time.median > 0.0));
+    assert!(!study.basis.growth.chaotic && study.basis.distance < 1e-26);
+    assert!(study.rows.windows(2).all(|pair| pair[0].time.median <= pair[1].time.median));
+}
+
+/// The controlled loop: a start moved by 1e-13 m moves the trace by 1e-8 m after 2 s and by 1e-5 m after 3 s, so deviations
+/// grow by some 5.8 to 6.9 /s, and traces of sixteen digits part after about 4 s.
+#[test]
+fn the_controlled_wall_is_chaotic() {
+    let lolc = crate::studies::paper::Case::ALL.iter().find(|case| case.name() == "paper-8k-lolc");
+    let study = study(lolc.unwrap().text());
+    let growth = study.basis.growth;
+    assert!(growth.chaotic);
+    let exponent = growth.exponent.unwrap();
+    assert!((5.0..9.0).contains(&exponent), "{exponent}");
+    let exact = |number| {
+        let mut rows = study.rows.iter().filter(|row| row.setting.number == number);
+        rows.find(|row| row.setting.integrator.name() == "exact").unwrap().horizon.unwrap()
+    };
+    assert!((3.0..5.0).contains(&exact(Number::F64)), "{}", exact(Number::F64));
+    assert!(exact(Number::F32) < exact(Number::F64));
+    assert!(study.rows.iter().any(|row| row.setting.number == Number::F32WithWideLedger));
+    let shown = study.to_string();
+    assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
+}
+
+/// Ten million terms of about 2.7 µJ: a plain sum in `f32` loses digits by the hundredth, the others keep those of their port.
+#[test]
+fn ledgers_are_as_good_as_their_sums() {
+    let watch = |_| ControlFlow::Continue(());
+    let rows = ledger::rows(trace::Progress::new(&watch)).unwrap();
+    let error = |scalar, ledger| {
+        rows.iter().find(|row| (row.scalar, row.ledger) == (scalar, ledger)).unwrap().error
+    };
+    assert!(error("f32", "plain") > 1e-3);
+    // Half a unit in the last place of 26.7 J, and the rounding of the terms.
+    assert!(error("f32", "compensated") < 2e-6 && error("f32", "wide") < 2e-6);
+    assert!(error("f64", "plain") < 1e-8);
+    assert!(error("f64", "compensated") < 5e-15 && error("f64", "wide") < 5e-15);
+}
+
+#[test]
+fn a_space_is_refused_and_whoever_watches_may_end_it() {
+    let plane = crate::files::shipped::SCENES.iter().find(|scene| scene.name == "plane").unwrap();
+    let scene = Scene::parse(plane.text, "plane.toml").unwrap();
+    let refused = Study::watched("plane.toml", &scene, &|_| ControlFlow::Continue(()));
+    assert!(refused.unwrap_err().to_string().contains("[space]"));
+    let scene = Scene::parse(WALL, "scene.toml").unwrap();
+    let stopped = Study::watched("scene.toml", &scene, &|_| ControlFlow::Break(()));
+    assert_eq!(stopped.unwrap_err(), AccuracyError::Stopped);
+}

@@ -1,0 +1,65 @@
+//! Runs of a loop with all digits of its scalar, and how far a study is.
+
+use std::ops::ControlFlow;
+
+use lyapunov::{Plant, Scalar};
+
+use super::AccuracyError;
+use crate::simulate::{Assembly, Space};
+
+/// Ticks from one look at the watch to the next.
+const BREATH: usize = 4096;
+
+/// The plant's true position and velocity at every tick, as far as both are finite.
+pub(super) fn trace<T: Space + Scalar>(
+    mut run: Assembly<T>,
+    ticks: usize,
+    progress: Progress<'_>,
+) -> Result<Vec<[T::Real; 2]>, AccuracyError> {
+    let mut sample = run.plant.start();
+    let mut trace = Vec::with_capacity(ticks);
+    for tick in 0..ticks {
+        if !(sample.position.lane(0).is_finite() && sample.velocity.lane(0).is_finite()) {
+            break;
+        }
+        trace.push([sample.position.real(0), sample.velocity.real(0)]);
+        run.tick(&mut sample);
+        if tick % BREATH == 0 {
+            progress.tell(tick, ticks)?;
+        }
+    }
+    Ok(trace)
+}
+
+/// A part of the whole way, told to whoever watches.
+#[derive(Clone, Copy)]
+pub(super) struct Progress<'a> {
+    watch: &'a dyn Fn(f64) -> ControlFlow<()>,
+    from: f64,
+    to: f64,
+}
+
+impl<'a> Progress<'a> {
+    /// The whole way.
+    pub(super) fn new(watch: &'a dyn Fn(f64) -> ControlFlow<()>) -> Self {
+        Self { watch, from: 0.0, to: 1.0 }
+    }
+
+    /// The part between two shares of this one.
+    pub(super) fn part(self, from: f64, to: f64) -> Self {
+        let at = |share| self.from + share * (self.to - self.from);
+        Self { from: at(from), to: at(to), ..self }
+    }
+
+    /// Tells that `done` of `all` is done.
+    ///
+    /// # Errors
+    /// [`AccuracyError::Stopped`] if whoever watches ends it.
+    pub(super) fn tell(self, done: usize, all: usize) -> Result<(), AccuracyError> {
+        let share = done as f64 / all.max(1) as f64;
+        match (self.watch)(self.part(share, share).from) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(AccuracyError::Stopped),
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! The limits as JSON.
+
+use serde::Serialize;
+
+use crate::measure::Limits;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    scene: &'a str,
+    stiffness: Option<f64>,
+    passive_max_stiffness: Option<f64>,
+    gil_max_stiffness: Option<f64>,
+    friction_quantization_max_stiffness: Option<f64>,
+    exact_max_stiffness: Option<f64>,
+    exact_min_stiffness: Option<f64>,
+    spectral_radius: Option<f64>,
+    notes: &'a [String],
+}
+
+impl Limits {
+    /// The limits of the scene called `scene`, as JSON; docs/command.md says what is in it.
+    ///
+    /// # Errors
+    /// None: every part can be written as JSON.
+    pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+        let document = Document {
+            scene,
+            stiffness: self.stiffness,
+            passive_max_stiffness: self.passive,
+            gil_max_stiffness: self.gil,
+            friction_quantization_max_stiffness: self.friction_quantization,
+            exact_max_stiffness: self.exact,
+            exact_min_stiffness: self.exact_from,
+            spectral_radius: self.spectral_radius,
+            notes: &self.notes,
+        };
+        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    }
+}

@@ -1,0 +1,59 @@
+//! The limits in the terminal.
+
+use std::fmt;
+
+use crate::measure::Limits;
+use crate::show::table::{Heading, Table};
+use crate::text::{found, given};
+
+impl fmt::Display for Limits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.stiffness {
+            Some(own) => writeln!(f, "  stiffness    {} N/m in the scene", given(own))?,
+            None => writeln!(f, "  stiffness    none")?,
+        }
+        match self.spectral_radius {
+            Some(radius) => writeln!(f, "  radius       {radius:.10} in contact{}", word(radius))?,
+            None => writeln!(f, "  radius       none")?,
+        }
+        let headings = [
+            Heading::word("limit"),
+            Heading::number("at most N/m"),
+            Heading::word("the scene's own is"),
+        ];
+        let rows = self.named().into_iter().map(|(_, name, limit)| {
+            [name.into(), limit.into(), limit.map(|limit| self.place(limit)).into()]
+        });
+        let table = Table::new(headings).with_rows(rows).to_string();
+        write!(f, "\n{}", textwrap::indent(&table, "  "))?;
+        for (index, note) in self.notes.iter().enumerate() {
+            let gap = if index == 0 { "\n" } else { "" };
+            writeln!(f, "{gap}  - {note}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Limits {
+    /// Where the scene's own stiffness is beside a limit.
+    fn place(&self, limit: f64) -> String {
+        match self.stiffness {
+            None => "-".to_owned(),
+            Some(own) if own <= limit => {
+                format!("within it, at {} % of it", found(100.0 * own / limit))
+            }
+            Some(_) if limit == 0.0 => "beyond it: no stiffness passes".to_owned(),
+            Some(own) => format!("{} times too stiff", found(own / limit)),
+        }
+    }
+}
+
+fn word(radius: f64) -> &'static str {
+    if radius < 1.0 {
+        ": every motion decays"
+    } else if radius > 1.0 {
+        ": the loop grows"
+    } else {
+        ": a motion stays"
+    }
+}

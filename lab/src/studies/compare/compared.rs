@@ -1,0 +1,95 @@
+//! All entrants on one file.
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use lyapunov::ParameterError;
+
+use super::sheet::Sheet;
+
+/// Ticks between two reports of progress.
+pub(super) const BREATH: u64 = 1 << 14;
+
+/// Is told now and then how many more ticks are done; says whether to go on.
+pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
+
+/// What all entrants came to on one file that is no scene.
+pub trait Compared: Sized {
+    /// The file.
+    type File;
+
+    /// What such a file is, in one word.
+    const NOUN: &'static str;
+
+    /// The heading of a report.
+    const TITLE: &'static str;
+
+    /// Who the entrants are, in a paragraph of a report.
+    const ABOUT: &'static str;
+
+    /// The ticks of all entrants together.
+    fn ticks(file: &Self::File) -> u64;
+
+    /// Runs all entrants on `file`, which is called `name`.
+    ///
+    /// # Errors
+    /// [`RunError::Stopped`] if `watch` says so; a file that was never checked.
+    fn of(name: &str, file: &Self::File, watch: &Watch<'_>) -> Result<Self, RunError>;
+
+    /// The comparison as it is shown.
+    fn sheet(&self) -> Sheet;
+
+    /// The comparisons as JSON.
+    ///
+    /// # Errors
+    /// None: every part can be written as JSON.
+    fn document(comparisons: &[Self]) -> serde_json::Result<String>;
+}
+
+/// Why there is no comparison.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RunError {
+    /// The file was never checked: its loop cannot be built.
+    Parameter(ParameterError),
+    /// Whoever watched said so.
+    Stopped,
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(error) => error.fmt(f),
+            Self::Stopped => f.write_str("the comparison was stopped"),
+        }
+    }
+}
+
+impl std::error::Error for RunError {}
+
+impl From<ParameterError> for RunError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+/// Runs a loop of `total` ticks at most and gives each to `add`; `watch` is told after every `breath` ticks.
+pub(super) fn watched<T>(
+    (total, breath): (u64, u64),
+    watch: &Watch<'_>,
+    run: impl FnOnce(&mut dyn FnMut(T) -> ControlFlow<()>) -> Result<(), ParameterError>,
+    mut add: impl FnMut(T),
+) -> Result<(), RunError> {
+    let mut ticks = 0;
+    let mut flow = ControlFlow::Continue(());
+    run(&mut |tick| {
+        add(tick);
+        ticks += 1;
+        if ticks % breath == 0 {
+            flow = watch(breath);
+        }
+        flow
+    })?;
+    // What was not run counts as done: a run that leaves the range has no more ticks.
+    let stopped = flow.is_break() || watch(total - ticks / breath * breath).is_break();
+    if stopped { Err(RunError::Stopped) } else { Ok(()) }
+}

@@ -1,0 +1,178 @@
+//! All entrants on one scene.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::panic::resume_unwind;
+use std::thread;
+
+use lyapunov::ParameterError;
+
+use super::column::Column;
+use super::compared::RunError;
+use super::entrant_run::{Curves, EntrantRun, Watch};
+use super::entrants::Entrants;
+use super::score::Score;
+use super::{cost, picture, table};
+use crate::files::Scene;
+use crate::simulate::Space;
+use crate::simulate::family::Settings;
+use lyapunov_figures::Figure;
+
+/// All entrants on one scene; shown, it is the table of `lyapunov compare`.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What the scene is called: usually the path of its file.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// What POPC and LOLC are set to.
+    pub settings: Settings,
+    pub(super) outcomes: Vec<Outcome>,
+}
+
+/// What one entrant came to.
+#[derive(Clone, Debug)]
+pub(super) struct Outcome {
+    /// Its place in the order of registration.
+    pub(super) number: usize,
+    pub(super) score: Score,
+    pub(super) curves: Curves,
+}
+
+/// Why there is no comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CompareError {
+    /// A stabilizer or the loop about it cannot be made on a scene.
+    Parameter {
+        /// The entrant.
+        stabilizer: String,
+        /// The scene.
+        scene: String,
+        /// What is not right.
+        error: ParameterError,
+    },
+    /// The scene has more than one dimension, and the meters look along one axis.
+    Space {
+        /// The scene.
+        scene: String,
+    },
+    /// Whoever watched said so.
+    Stopped,
+}
+
+impl fmt::Display for CompareError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter { stabilizer, scene, error } => {
+                write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
+                f.write_str("change that value in the scene, or compute in f64 if it says f32")
+            }
+            Self::Space { scene } => {
+                write!(f, "{scene}: [space] is not for a comparison\n  = ")?;
+                f.write_str("compare scenes of one dimension")
+            }
+            Self::Stopped => f.write_str("the comparison was stopped"),
+        }
+    }
+}
+
+impl std::error::Error for CompareError {}
+
+impl Comparison {
+    /// Runs all `entrants` on `scene` in the scalar of `V`, whatever the scene says of it, and times their steps.
+    ///
+    /// # Errors
+    /// A stabilizer that cannot be made on this scene; a scene of more than one dimension.
+    pub fn of<V: Space>(
+        name: &str,
+        scene: &Scene,
+        entrants: &Entrants<V>,
+    ) -> Result<Self, CompareError> {
+        Self::watched(name, scene, entrants, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The same, telling `watch` now and then how many more ticks are done; it says whether to go on.
+    ///
+    /// # Errors
+    /// As [`Comparison::of`], and [`CompareError::Stopped`] if `watch` says so.
+    pub fn watched<V: Space>(
+        name: &str,
+        scene: &Scene,
+        entrants: &Entrants<V>,
+        watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
+    ) -> Result<Self, CompareError> {
+        if scene.dimensions() > 1 {
+            return Err(CompareError::Space { scene: name.to_owned() });
+        }
+        let refused = |stabilizer: &str, error| CompareError::Parameter {
+            stabilizer: stabilizer.to_owned(),
+            scene: name.to_owned(),
+            error,
+        };
+        let runs = runs(scene, entrants, watch);
+        let (mut outcomes, mut samples) = (Vec::new(), Vec::new());
+        for (number, (run, entry)) in runs.into_iter().zip(entrants.names()).enumerate() {
+            let run = run.map_err(|reason| match reason {
+                RunError::Parameter(error) => refused(entry, error),
+                RunError::Stopped => CompareError::Stopped,
+            })?;
+            outcomes.push(Outcome { number, score: run.score, curves: run.curves });
+            samples.push(run.samples);
+        }
+        // By now nothing else runs here.
+        let times = cost::of(scene, entrants.entries(), &samples)
+            .map_err(|error| refused("a stabilizer", error))?;
+        for (outcome, time) in outcomes.iter_mut().zip(times) {
+            outcome.score.step_time = time;
+        }
+        let settings = Settings::of(scene);
+        Ok(Self { name: name.to_owned(), scene: scene.clone(), settings, outcomes })
+    }
+
+    /// What each entrant came to.
+    pub fn scores(&self) -> impl Iterator<Item = &Score> {
+        self.outcomes.iter().map(|outcome| &outcome.score)
+    }
+
+    /// Puts the entrants in the order of a column: the smallest first (stable before unstable, names by the
+    /// alphabet), what has no value last, and who is level in the order of registration.
+    pub fn sort_by(&mut self, column: Column) {
+        self.outcomes.sort_by(|one, other| {
+            column.order(&one.score, &other.score).then(one.number.cmp(&other.number))
+        });
+    }
+
+    /// Position and observed energy of all entrants, drawn over each other.
+    pub fn figure(&self) -> Figure {
+        picture::of(self)
+    }
+
+    /// The forces on the plant of all entrants, drawn over each other.
+    pub fn forces(&self) -> Figure {
+        picture::forces(self)
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        table::write(self, f)
+    }
+}
+
+/// One thread for each entrant: runs are independent, and the system shares out the cores.
+fn runs<V: Space>(
+    scene: &Scene,
+    entrants: &Entrants<V>,
+    watch: &Watch<'_>,
+) -> Vec<Result<EntrantRun<V>, RunError>> {
+    thread::scope(|scope| {
+        let started: Vec<_> = entrants
+            .entries()
+            .iter()
+            .map(|entrant| scope.spawn(move || EntrantRun::of(scene, entrant, watch)))
+            .collect();
+        // A stabilizer of one's own that panics does so here as well.
+        let joined = started.into_iter().map(|run| run.join());
+        joined.map(|run| run.unwrap_or_else(|panic| resume_unwind(panic))).collect()
+    })
+}

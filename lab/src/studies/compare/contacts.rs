@@ -1,0 +1,214 @@
+//! What is felt while the wall pushes.
+
+use lyapunov::environments::{ForceLaw, Kinematics};
+
+use crate::files::scene::{Scene, Wall};
+
+/// From how long on a contact counts as long, s.
+const LONG: f64 = 0.5;
+
+/// One tick along the first axis, as it is felt.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Touch {
+    /// The plant's true position, m.
+    pub(super) position: f64,
+    /// The plant's own velocity, m/s.
+    pub(super) velocity: f64,
+    /// The force on the plant, N.
+    pub(super) force: f64,
+    /// The environment's share of it, N.
+    pub(super) environment: f64,
+}
+
+impl Touch {
+    /// How deep the plant truly is beyond the surface, m.
+    fn depth(&self, wall: Wall) -> f64 {
+        self.position - wall.position.get()
+    }
+
+    /// The force of the wall's law on the true motion, without sampling, hold, encoder, saturation or delay, N.
+    fn ideal(&self, law: &impl ForceLaw<f64>) -> f64 {
+        law.force(&Kinematics::at(self.position, self.velocity))
+    }
+}
+
+/// The wall of a scene, if that is what it has.
+pub(super) fn wall(scene: &Scene) -> Option<Wall> {
+    scene.environment.wall().copied()
+}
+
+/// Watches contacts: unbroken runs of ticks on which the environment's force acts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contacts {
+    /// What transparency is measured against; the other meters need none.
+    wall: Option<Wall>,
+    law: Option<lyapunov::environments::Wall<f64>>,
+    long: f64,
+    now: Contact,
+    short_peak: Option<f64>,
+    long_peak: Option<f64>,
+    /// `Σ f p` and `Σ p²` over the long contacts.
+    moments: (f64, f64),
+    /// `Σ (f_act − f_ideal)²`, and over how many ticks.
+    error: (f64, u64),
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Contact {
+    ticks: u64,
+    peak: f64,
+    moments: (f64, f64),
+}
+
+impl Contacts {
+    pub(super) fn new(scene: &Scene) -> Self {
+        let wall = wall(scene);
+        Self {
+            wall,
+            law: wall.and_then(|wall| wall.law().ok()),
+            long: LONG * scene.servo_rate.get(),
+            now: Contact::default(),
+            short_peak: None,
+            long_peak: None,
+            moments: (0.0, 0.0),
+            error: (0.0, 0),
+        }
+    }
+
+    pub(super) fn add(&mut self, touch: &Touch) {
+        let force = touch.force;
+        let depth = self.wall.map_or(0.0, |wall| touch.depth(wall));
+        if touch.environment != 0.0 {
+            self.now.ticks += 1;
+            self.now.peak = self.now.peak.max(force.abs());
+            self.now.moments.0 += force * depth;
+            self.now.moments.1 += depth * depth;
+        } else {
+            self.end();
+        }
+        // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
+        if let Some(law) = &self.law
+            && (touch.environment != 0.0 || depth > 0.0)
+        {
+            self.error.0 += (force - touch.ideal(law)).powi(2);
+            self.error.1 += 1;
+        }
+    }
+
+    /// Ends the contact that lasts, if one does; to be called after the last tick too.
+    pub(super) fn end(&mut self) {
+        let contact = std::mem::take(&mut self.now);
+        if contact.ticks == 0 {
+            return;
+        }
+        let is_long = contact.ticks as f64 >= self.long;
+        let peak = if is_long { &mut self.long_peak } else { &mut self.short_peak };
+        *peak = Some(peak.unwrap_or(0.0).max(contact.peak));
+        if is_long {
+            self.moments.0 += contact.moments.0;
+            self.moments.1 += contact.moments.1;
+        }
+    }
+
+    /// Largest `|f_act|` in contacts shorter than half a second, N.
+    pub(super) fn short_peak(&self) -> Option<f64> {
+        self.short_peak
+    }
+
+    /// Largest `|f_act|` in contacts of half a second or more, N.
+    pub(super) fn long_peak(&self) -> Option<f64> {
+        self.long_peak
+    }
+
+    /// `Σ f_act p / Σ p²` over the long contacts, N/m: the line through the surface that fits best.
+    pub(super) fn stiffness(&self) -> Option<f64> {
+        let (product, square) = self.moments;
+        (square > 0.0).then(|| product / square)
+    }
+
+    /// Root mean square of `f_act − f_ideal` in contact, N.
+    pub(super) fn force_error(&self) -> Option<f64> {
+        let (sum, ticks) = self.error;
+        (ticks > 0).then(|| (sum / ticks as f64).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+
+    use super::*;
+    use crate::measure::samples::scene;
+
+    /// A tick on which the plant is at `x`, `environment` of the force is the wall's and `controller` not.
+    fn tick(x: f64, environment: f64, controller: f64) -> Touch {
+        Touch { position: x, velocity: 0.0, force: environment + controller, environment }
+    }
+
+    /// The meter after `ticks`; the wall is 1 kN/m at 1 mm, the rate 100 Hz.
+    fn after(ticks: &[Touch]) -> Contacts {
+        let mut contacts = Contacts::new(&scene(""));
+        ticks.iter().for_each(|tick| contacts.add(tick));
+        contacts.end();
+        contacts
+    }
+
+    #[test]
+    fn peaks_are_split_at_half_a_second_and_nothing_is_merged() {
+        let push = |force: f64| tick(0.002, force, 0.0);
+        let mut ticks = vec![push(7.0); 49];
+        ticks.push(push(0.0));
+        ticks.extend(vec![push(2.0); 50]);
+        let contacts = after(&ticks);
+        assert_eq!((contacts.short_peak(), contacts.long_peak()), (Some(7.0), Some(2.0)));
+        // One tick without force makes two short contacts of a long one.
+        ticks[75] = push(0.0);
+        assert_eq!(after(&ticks).long_peak(), None);
+        assert_eq!(after(&[push(0.0); 100]).short_peak(), None);
+    }
+
+    #[test]
+    fn a_peak_is_of_the_whole_force_on_the_plant() {
+        let contacts = after(&[tick(0.002, 1.0, -4.0), tick(0.0, 0.0, 9.0)]);
+        assert_eq!(contacts.short_peak(), Some(3.0));
+    }
+
+    #[test]
+    fn the_stiffness_felt_is_the_line_through_the_surface() {
+        // f = 800 p + 0.1 (−1)^n: Σ f p / Σ p² in closed form for two alternating depths.
+        let (one, other) = (0.002, 0.004);
+        let ticks: Vec<Touch> = (0..60)
+            .map(|n| if n % 2 == 0 { (one, 0.1) } else { (other, -0.1) })
+            .map(|(p, more)| tick(0.001 + p, 800.0 * p + more, 0.0))
+            .collect();
+        let square = one * one + other * other;
+        let expected = 800.0 + 0.1 * (one - other) / square;
+        let felt = after(&ticks).stiffness().unwrap();
+        assert_relative_eq!(felt, expected, epsilon = 0.0, max_relative = 1e-12);
+        assert_eq!(after(&ticks[..49]).stiffness(), None);
+        assert_eq!(after(&[tick(0.001, 1.0, 0.0); 60]).stiffness(), None);
+    }
+
+    #[test]
+    fn the_force_error_counts_late_forces_and_missing_ones() {
+        let right = tick(0.003, 2.0, 0.0);
+        let missing = tick(0.002, 0.0, 0.0); // 1 N is due
+        let late = tick(0.0, 0.5, 0.0); // nothing is due
+        let damped = tick(0.003, 2.0, 0.25);
+        let free = tick(0.0, 0.0, 0.0);
+        let error = after(&[right, missing, late, damped, free, free]).force_error().unwrap();
+        let expected = f64::sqrt((1.0 + 0.25 + 0.0625) / 4.0);
+        assert_abs_diff_eq!(error, expected, epsilon = 1e-12);
+        assert_eq!(after(&[free]).force_error(), None);
+    }
+
+    #[test]
+    fn the_ideal_wall_never_pulls_and_knows_the_surface() {
+        let wall = wall(&scene("")).unwrap().law().unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
+        let at = |position: f64, velocity: f64| Touch { velocity, ..tick(position, 0.0, 0.0) };
+        assert_eq!(at(0.001, 1.0).ideal(&wall), 0.0);
+        assert_eq!(at(0.0005, 1.0).ideal(&wall), 0.0);
+        assert_abs_diff_eq!(at(0.003, 0.5).ideal(&wall), 3.0, epsilon = 1e-12);
+        assert_eq!(at(0.003, -5.0).ideal(&wall), 0.0);
+    }
+}

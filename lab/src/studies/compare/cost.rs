@@ -1,0 +1,70 @@
+//! What a step costs.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use lyapunov::{Correction, ParameterError, PortSample};
+
+use super::entrants::Entrant;
+use super::score::StepTime;
+use crate::files::Scene;
+use crate::measure::timing::Rounds;
+use crate::simulate::Space;
+
+/// How many ticks of a run are kept to be replayed: few enough to stay in the processor's cache.
+pub(super) const KEPT: usize = 4096;
+
+/// Rounds over all entrants.
+const ROUNDS: usize = 31;
+
+/// Steps that a round takes at least: long against one look at the clock.
+const STEPS: usize = 1 << 15;
+
+/// What stood before a stabilizer, tick by tick.
+pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
+
+/// Times the step of every entrant over the samples of its own run.
+///
+/// A pass over the samples starts with a fresh stabilizer; making it is not timed.
+///
+/// # Errors
+/// What making a stabilizer may meet.
+pub(super) fn of<V: Space>(
+    scene: &Scene,
+    entrants: &[Entrant<V>],
+    samples: &[Samples<V>],
+) -> Result<Vec<Option<StepTime>>, ParameterError> {
+    let step = |at: usize| {
+        let (entrant, samples) = (&entrants[at], &samples[at]);
+        let passes = STEPS.div_ceil(samples.len().max(1));
+        let elapsed = replay(scene, entrant, samples, passes)?;
+        Ok::<_, ParameterError>(elapsed.as_secs_f64() * 1e9 / (passes * samples.len()) as f64)
+    };
+    // The round before the first warms up.
+    for at in 0..entrants.len() {
+        step(at)?;
+    }
+    let times = Rounds::of(entrants.len(), ROUNDS, |_, at| step(at))?;
+    let told = samples.iter().enumerate().map(|(at, samples)| {
+        let ([_, median, _], [min, max]) = (times.quartiles(at), times.extremes(at));
+        let time = StepTime { median, min, max, rounds: ROUNDS, deterministic: false };
+        (!samples.is_empty()).then_some(time)
+    });
+    Ok(told.collect())
+}
+
+fn replay<V: Space>(
+    scene: &Scene,
+    entrant: &Entrant<V>,
+    samples: &Samples<V>,
+    passes: usize,
+) -> Result<Duration, ParameterError> {
+    let fresh = (0..passes).map(|_| entrant.stabilizer(scene));
+    let mut stabilizers = fresh.collect::<Result<Vec<_>, _>>()?;
+    let mut corrections = vec![Correction::none(V::zero()); samples.len()];
+    let start = Instant::now();
+    for stabilizer in &mut stabilizers {
+        stabilizer.replay(black_box(samples), black_box(&mut corrections));
+    }
+    Ok(start.elapsed())
+}

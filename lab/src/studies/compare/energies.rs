@@ -1,0 +1,126 @@
+//! Where the energy of each entrant's run came from, and where it went.
+
+use std::ops::ControlFlow;
+
+use lyapunov::ParameterError;
+use rayon::prelude::*;
+
+use super::comparison::{CompareError, Comparison};
+use super::entrant_run::Watch;
+use super::entrants::Entrants;
+use super::table::Setting;
+use crate::measure::Balance;
+use crate::show::csv::{self, Field};
+use crate::simulate::{Rollout, Space};
+use lyapunov_figures::{Figure, Panel, Series};
+
+/// Height of an entrant's pair of bars, in pixels of the drawing.
+const ROW: f64 = 40.0;
+
+/// How far the two bars of a row are from its middle, in rows.
+const APART: f64 = 0.17;
+
+/// Shares of all the energy that are too small to be drawn.
+const SMALL: f64 = 1e-6;
+
+/// From where, to where, in which row.
+type Bars = Vec<(f64, f64, f64)>;
+
+/// The energies by cause of each entrant's whole run; docs/explain.md has the equations.
+#[derive(Clone, Debug)]
+pub struct Energies {
+    title: String,
+    /// In the order of the table; none for a run that is not stable.
+    rows: Vec<(String, Option<Balance>)>,
+}
+
+impl Energies {
+    /// Those of `comparison`, whose entrants these are; `watch` is told how many more ticks are done.
+    ///
+    /// # Errors
+    /// As [`Comparison::watched`].
+    pub fn of<V: Space>(
+        comparison: &Comparison,
+        entrants: &Entrants<V>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, CompareError> {
+        let scene = &comparison.scene;
+        // On the way it is only asked whether to go on.
+        let quiet = |_| watch(0);
+        let balance = |number: usize| -> Result<Balance, ParameterError> {
+            let stabilizer = entrants.entries()[number].stabilizer(scene)?;
+            Balance::along(scene, Rollout::assemble(scene, stabilizer)?, &quiet)
+        };
+        let rows = comparison.outcomes.par_iter().map(|outcome| {
+            let name = &outcome.score.stabilizer;
+            if outcome.score.stable == Some(false) {
+                return Ok((format!("{name} (unstable)"), None));
+            }
+            let told = balance(outcome.number).map_err(|error| CompareError::Parameter {
+                stabilizer: name.clone(),
+                scene: comparison.name.clone(),
+                error,
+            })?;
+            match watch(scene.ticks() + 1) {
+                ControlFlow::Continue(()) => Ok((name.clone(), Some(told))),
+                ControlFlow::Break(()) => Err(CompareError::Stopped),
+            }
+        });
+        let title = format!("{}: {}", comparison.name, Setting(scene));
+        Ok(Self { title, rows: rows.collect::<Result<_, _>>()? })
+    }
+
+    /// Two bars for each entrant: what came in, and what it became.
+    pub fn figure(&self) -> Figure {
+        let panel = Panel::new(
+            "energy by cause: came in (upper bars), went (lower bars)",
+            "energy, mJ",
+            "",
+        );
+        let panel = self.parts().into_iter().fold(panel, |panel, (colour, name, bars)| {
+            panel.with_series(Series::bars(name, colour, &bars))
+        });
+        let names: Vec<String> = self.rows.iter().map(|(name, _)| name.clone()).collect();
+        let height = ROW * names.len() as f64;
+        Figure::new(self.title.clone())
+            .with_width(960.0)
+            .with_panel_height(height.max(2.0 * ROW))
+            .with_panel(panel.with_rows(names))
+    }
+
+    /// The parts that are there: the number of each among all, its name and its bars.
+    fn parts(&self) -> Vec<(usize, &'static str, Bars)> {
+        let names = Balance::default().parts().map(|(name, _)| name);
+        let mut bars: Vec<Bars> = vec![Vec::new(); names.len()];
+        for (row, balance) in self.rows.iter().enumerate() {
+            let Some(balance) = &balance.1 else { continue };
+            let parts = balance.parts();
+            let whole: f64 = parts.iter().map(|(_, given)| given.max(0.0)).sum();
+            let [mut came, mut went] = [0.0; 2];
+            for (bars, (_, given)) in bars.iter_mut().zip(parts) {
+                if given.abs() <= SMALL * whole || !whole.is_finite() {
+                    continue;
+                }
+                let (reached, side) =
+                    if given > 0.0 { (&mut came, APART) } else { (&mut went, -APART) };
+                let start = *reached;
+                *reached += given.abs();
+                bars.push((1e3 * start, 1e3 * *reached, side - row as f64));
+            }
+        }
+        let named = names.into_iter().zip(bars).enumerate();
+        let told = named.map(|(number, (name, bars))| (number, name, bars));
+        told.filter(|(.., bars)| !bars.is_empty()).collect()
+    }
+
+    /// The same as comma-separated values, in numbers that read back exactly: what each part gave, in J.
+    pub fn csv(&self) -> String {
+        let records = self.rows.iter().flat_map(|(name, balance)| {
+            let parts = balance.iter().flat_map(Balance::parts);
+            parts.map(|(part, given)| {
+                [Field::Text(name), Field::Text(part), Field::Number(given + 0.0)]
+            })
+        });
+        csv::text(["stabilizer", "part", "given_j"], records)
+    }
+}

@@ -1,0 +1,146 @@
+//! One entrant on one scene.
+
+use std::ops::ControlFlow;
+
+use lyapunov::Scalar;
+
+use super::compared::{BREATH, RunError, watched};
+use super::contacts::{Contacts, Touch, wall};
+use super::cost::{KEPT, Samples};
+use super::entrants::Entrant;
+use super::score::Score;
+use crate::files::Scene;
+use crate::measure::{Boundedness, Chatter, Energies, Share, Summary, Trace};
+use crate::simulate::{Criterion, Rollout, Space, Tick};
+
+/// Is told how many more ticks are done; says whether to go on.
+pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
+
+/// What one entrant came to on one scene, with its curves and what its step is to be timed with.
+#[derive(Debug)]
+pub(super) struct EntrantRun<V: Space> {
+    pub(super) score: Score,
+    pub(super) curves: Curves,
+    pub(super) samples: Samples<V>,
+}
+
+/// The curves of a run: time and position in m, observed energy in J, force on the plant in N.
+#[derive(Clone, Debug)]
+pub(super) struct Curves {
+    pub(super) position: Vec<(f64, f64)>,
+    pub(super) observed_energy: Vec<(f64, f64)>,
+    pub(super) force: Vec<(f64, f64)>,
+}
+
+impl<V: Space> EntrantRun<V> {
+    pub(super) fn of(
+        scene: &Scene,
+        entrant: &Entrant<V>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, RunError> {
+        let stabilizer = entrant.stabilizer(scene)?;
+        let state_bytes = stabilizer.state_bytes();
+        let mut meters = Meters::new::<V>(scene);
+        let mut samples = Vec::new();
+        let rollout = Rollout::assemble(scene, stabilizer)?;
+        let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
+            // Whoever asked for an early end knows of it.
+            let _ = { rollout }.try_for_each(each);
+            Ok(())
+        };
+        watched((scene.ticks() + 1, BREATH), watch, run, |tick| {
+            meters.add(&tick);
+            if samples.len() < KEPT {
+                samples.push((tick.measured, tick.environment));
+            }
+        })?;
+        let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
+        Ok(Self { score, curves, samples })
+    }
+}
+
+/// Everything that is measured along a run.
+#[derive(Debug)]
+struct Meters {
+    stiffness: Option<f64>,
+    share: Share,
+    summary: Summary,
+    criterion: Criterion,
+    boundedness: Boundedness<f64>,
+    contacts: Contacts,
+    energies: Energies<f64>,
+    chatter: Option<Chatter<f64>>,
+    position: Trace,
+    observed_energy: Trace,
+    force: Trace,
+}
+
+impl Meters {
+    fn new<V: Space>(scene: &Scene) -> Self {
+        Self {
+            stiffness: wall(scene).map(|wall| wall.stiffness.get()),
+            share: Share::new::<V>(scene),
+            summary: Summary::new(scene),
+            criterion: Criterion::of(scene),
+            boundedness: Boundedness::new(scene.ticks()),
+            contacts: Contacts::new(scene),
+            energies: Energies::new(),
+            chatter: Chatter::new(scene.servo_rate.get()),
+            position: Trace::new(scene.ticks()),
+            observed_energy: Trace::new(scene.ticks()),
+            force: Trace::new(scene.ticks()),
+        }
+    }
+
+    fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let split = self.share.split(tick);
+        let touch = Touch {
+            position: tick.truth.position.axis(0),
+            velocity: tick.truth.velocity.axis(0),
+            force: tick.applied.axis(0),
+            environment: split.environment,
+        };
+        self.summary.add(tick);
+        self.boundedness.add(touch.position);
+        self.contacts.add(&touch);
+        self.energies.add(touch.position, split.environment, split.controller);
+        if let Some(chatter) = &mut self.chatter {
+            chatter.add(touch.force);
+        }
+        self.position.add(tick.time, touch.position);
+        self.observed_energy.add(tick.time, tick.correction.observed_energy.lane(0));
+        self.force.add(tick.time, touch.force);
+    }
+
+    fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
+        self.contacts.end();
+        let Self { summary, contacts, energies, .. } = &self;
+        let stable = self.boundedness.verdict(0, &self.criterion);
+        let told = |value: Option<f64>| value.filter(|value| value.is_finite());
+        let millijoules = |energy: f64| told(Some(1e3 * energy));
+        let felt = told(contacts.stiffness());
+        let active = 100.0 * summary.active as f64 / summary.rows as f64;
+        let score = Score {
+            stabilizer,
+            stable,
+            settling_time: summary.settled.filter(|_| summary.left_range().is_none()),
+            short_peak: contacts.short_peak(),
+            long_peak: contacts.long_peak(),
+            energy_injected: millijoules(energies.injected()),
+            energy_taken: millijoules(energies.taken()),
+            shortfall: millijoules(summary.shortfall),
+            stiffness_felt: felt,
+            stiffness_percent: told(
+                felt.zip(self.stiffness).map(|(felt, asked)| 100.0 * felt / asked),
+            ),
+            force_error: told(contacts.force_error().filter(|_| stable == Some(true))),
+            chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
+            active: told(Some(active)),
+            step_time: None,
+            state_bytes,
+        };
+        let [position, observed_energy, force] =
+            [self.position, self.observed_energy, self.force].map(Trace::finish);
+        (score, Curves { position, observed_energy, force })
+    }
+}

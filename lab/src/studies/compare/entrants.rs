@@ -1,0 +1,104 @@
+//! Who takes part.
+
+use std::fmt;
+
+use lyapunov::{ParameterError, Scalar, Stabilizer};
+
+use crate::files::Scene;
+use crate::simulate::family::{StabilizerName, StabilizerNames};
+use crate::simulate::{AnyStabilizer, Space};
+
+/// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
+///
+/// ```
+/// use lyapunov::{Correction, PortSample, Stabilizer};
+/// use lyapunov_lab::compare::{Comparison, Entrants};
+/// use lyapunov_lab::paper;
+///
+/// /// A damper that is always there, N·s/m.
+/// struct Damper(f64);
+/// impl Stabilizer<f64> for Damper {
+///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+///         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }
+///     }
+/// }
+///
+/// let entrants = Entrants::<f64>::standard().with("damper", |_| Ok(Damper(5.0)));
+/// let comparison = Comparison::of("8 kN/m", &paper::Case::Plain8k.scene()?, &entrants)?;
+/// println!("{comparison}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Entrants<V: Space = f64> {
+    entries: Vec<Entrant<V>>,
+}
+
+/// How the stabilizer of an entrant is made.
+type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
+
+/// A name, and a way to make a stabilizer for a scene.
+pub(super) struct Entrant<V: Space> {
+    pub(super) name: String,
+    make: Box<Make<V>>,
+}
+
+impl<V: Space> Entrants<V> {
+    /// Nobody yet.
+    pub fn empty() -> Self {
+        Self { entries: Vec::new() }
+    }
+
+    /// The same with one more, whose stabilizer is made by `make` for each scene.
+    #[must_use]
+    pub fn with<S: Stabilizer<V> + 'static>(
+        self,
+        name: impl Into<String>,
+        make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entered(name.into(), move |scene| make(scene).map(AnyStabilizer::new))
+    }
+
+    /// The names, in the order of registration.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|entrant| entrant.name.as_str())
+    }
+
+    pub(super) fn entries(&self) -> &[Entrant<V>] {
+        &self.entries
+    }
+
+    fn entered(
+        mut self,
+        name: String,
+        make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entries.push(Entrant { name, make: Box::new(make) });
+        self
+    }
+}
+
+impl<T: Scalar + Space> Entrants<T> {
+    /// Those of [`StabilizerNames::standard`].
+    pub fn standard() -> Self {
+        Self::of(StabilizerNames::standard())
+    }
+
+    /// These members of the family, set as the scene says.
+    pub fn of(members: impl IntoIterator<Item = StabilizerName>) -> Self {
+        members.into_iter().fold(Self::empty(), |others, member| {
+            others.entered(member.name().to_owned(), move |scene| member.on(scene))
+        })
+    }
+}
+
+impl<V: Space> Entrant<V> {
+    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+        (self.make)(scene)
+    }
+}
+
+impl<V: Space> fmt::Debug for Entrant<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Entrant").field("name", &self.name).finish_non_exhaustive()
+    }
+}

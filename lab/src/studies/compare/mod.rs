@@ -1,0 +1,36 @@
+//! Stabilizers on the same scenes, side by side: `lyapunov compare`.
+//!
+//! [`Entrants`] take part, one's own with one line more; a [`Comparison`] runs them all on a scene, measures
+//! each of the [`Column`]s that docs/compare.md defines, and shows itself as a table. [`document`] writes
+//! comparisons as JSON.
+
+mod column;
+mod compared;
+mod comparison;
+mod contacts;
+mod cost;
+mod document;
+mod energies;
+mod entrant_run;
+mod entrants;
+pub mod models;
+mod picture;
+mod score;
+mod sheet;
+mod table;
+pub mod teleoperation;
+#[cfg(test)]
+mod tests;
+mod trade_off;
+
+pub use crate::simulate::Subject;
+pub use crate::simulate::family::Settings;
+pub use column::{Column, UnknownColumn};
+pub use compared::{Compared, RunError, Watch};
+pub use comparison::{CompareError, Comparison};
+pub use document::document;
+pub use energies::Energies;
+pub use entrants::Entrants;
+pub use score::{Score, StepTime};
+pub use sheet::{Sheet, page};
+pub use trade_off::TradeOff;

@@ -1,0 +1,61 @@
+//! `compare.json` of models.
+
+use serde::Serialize;
+
+use super::comparison::Comparison;
+use crate::measure::models::{BOUND, Score};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    /// Of V at the start: what a bounded run stays within.
+    bound: f64,
+    models: Vec<Circumstances<'a>>,
+    rows: Vec<Line<'a>>,
+}
+
+/// What is the same for all rows of a model.
+#[derive(Serialize)]
+struct Circumstances<'a> {
+    model: &'a str,
+    plant: &'static str,
+    v_start: f64,
+    v_unit: &'static str,
+    effort_unit: &'static str,
+    /// None: no limit.
+    damping_cap: Option<f64>,
+    decay_per_s: f64,
+}
+
+#[derive(Serialize)]
+struct Line<'a> {
+    model: &'a str,
+    #[serde(flatten)]
+    score: &'a Score,
+}
+
+/// The comparisons as JSON; docs/any-plant.md says what is in it.
+pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
+    let circumstances = |comparison: &'_ Comparison| {
+        let stabilizer = comparison.model.stabilizer;
+        let cap = stabilizer.damping_cap.get();
+        (cap.is_finite().then_some(cap), stabilizer.decay.get())
+    };
+    let models = comparisons.iter().map(|comparison| {
+        let (damping_cap, decay_per_s) = circumstances(comparison);
+        let plant = &comparison.model.plant;
+        Circumstances {
+            model: &comparison.name,
+            plant: plant.name(),
+            v_start: comparison.began,
+            v_unit: plant.unit_of_value(),
+            effort_unit: plant.unit_of_input(),
+            damping_cap,
+            decay_per_s,
+        }
+    });
+    let rows = comparisons.iter().flat_map(|comparison| {
+        comparison.scores().map(|score| Line { model: &comparison.name, score })
+    });
+    let document = Document { bound: BOUND, models: models.collect(), rows: rows.collect() };
+    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+}

@@ -1,0 +1,73 @@
+//! The model in words, and its table.
+
+use super::comparison::Comparison;
+use crate::measure::models::{BOUND, Score};
+use crate::show::table::{Cell, Heading, Table};
+use crate::text::{found, given};
+
+pub(super) fn of(comparison: &Comparison) -> Table {
+    let plant = &comparison.model.plant;
+    let (v, input) = (plant.unit_of_value(), plant.unit_of_input());
+    let headings = [
+        Heading::word("stabilizer"),
+        Heading::word("bounded"),
+        Heading::number(format!("largest\nV\n{v}")),
+        Heading::number(format!("V at\nthe end\n{v}")),
+        Heading::number(format!("largest\neffort\n{input}")),
+        Heading::number("active\n%"),
+        Heading::number(format!("largest\nshortfall\n{v}")),
+        Heading::number(format!("energy\ntaken\n{v}")),
+    ];
+    Table::new(headings).with_rows(comparison.scores().map(cells))
+}
+
+/// The model in one line.
+pub(super) fn setting(comparison: &Comparison) -> String {
+    let model = &comparison.model;
+    let (duration, rate) = (given(model.duration.get()), given(model.servo_rate.get()));
+    let mut setting = format!("{}, {duration} s at {rate} Hz", model.plant.name());
+    let (hold, delay) = (model.controller.hold.get(), model.controller.delay.get());
+    if hold > 1 {
+        setting +=
+            &format!(", controller at {} Hz", given(model.servo_rate.get() / f64::from(hold)));
+    }
+    if delay > 0 {
+        setting += &format!(", controller {delay} ticks late");
+    }
+    setting
+}
+
+/// What the columns are compared with.
+pub(super) fn start(comparison: &Comparison) -> String {
+    let stabilizer = comparison.model.stabilizer;
+    let cap = stabilizer.damping_cap.get();
+    let cap = if cap.is_infinite() {
+        "no damping cap".to_owned()
+    } else {
+        format!("damping cap {} m / T", given(cap))
+    };
+    let unit = spaced(comparison.model.plant.unit_of_value());
+    format!(
+        "V = {}{unit} at the start, bounded within {} times that; {cap}, decay {} 1/s",
+        found(comparison.began),
+        given(BOUND),
+        given(stabilizer.decay.get())
+    )
+}
+
+fn spaced(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+}
+
+fn cells(score: &Score) -> [Cell; 8] {
+    [
+        score.stabilizer.into(),
+        score.bounded.into(),
+        score.largest.into(),
+        score.end.into(),
+        score.effort.into(),
+        format!("{:.1}", score.active).into(),
+        score.shortfall.into(),
+        score.taken.into(),
+    ]
+}

@@ -1,0 +1,77 @@
+//! A comparison as it is shown.
+
+use std::fmt;
+
+use lyapunov_figures::Figure;
+use maud::html;
+
+use super::compared::Compared;
+use crate::show::html;
+use crate::show::table::Table;
+
+/// A comparison as it is shown; in the terminal it takes 100 columns at most, but for a name that is longer.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// What the file is called.
+    pub name: String,
+    /// The file in one line.
+    pub setting: String,
+    /// What the columns are compared with, in one line.
+    pub start: String,
+    /// A row for each entrant.
+    pub(crate) tables: Vec<Table>,
+    /// The runs, drawn.
+    pub figure: Figure,
+    /// What the figure shows, a sentence or two.
+    pub caption: &'static str,
+    /// The curves of the figure as comma-separated values, in numbers that read back exactly.
+    pub csv: String,
+}
+
+impl fmt::Display for Sheet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}: {}\n{}", self.name, self.setting, self.start)?;
+        self.tables.iter().try_for_each(|table| write!(f, "\n{table}"))
+    }
+}
+
+/// The `sheets` of comparisons `C` as a page, in HTML; `command` made them.
+pub fn page<C: Compared>(sheets: &[Sheet], command: &str) -> String {
+    let body = html! {
+        p { "By " (html::maker(command)) "." }
+        p { (C::ABOUT) " All numbers are in " code { "compare.json" } "." }
+        @for sheet in sheets {
+            h2 { (sheet.name) }
+            p { (sheet.start) "." }
+            (html::figure(None, sheet.figure.to_svg(), &html! { (sheet.caption) }))
+            @for table in &sheet.tables { (table.to_html("short")) }
+        }
+    };
+    html::page(C::TITLE, &body)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::show::table::Heading;
+    use crate::studies::compare::models::Comparison;
+
+    #[test]
+    fn what_a_file_is_called_is_no_markup() {
+        let hostile = "<img src=x onerror=alert(1)>&";
+        let table = Table::new([Heading::word(hostile)]).with_rows([[hostile.into()]]);
+        let sheet = Sheet {
+            name: hostile.to_owned(),
+            setting: hostile.to_owned(),
+            start: hostile.to_owned(),
+            tables: vec![table],
+            figure: Figure::new(hostile),
+            caption: "",
+            csv: String::new(),
+        };
+        let page = page::<Comparison>(&[sheet], hostile);
+        assert!(!page.contains("<img"), "{page}");
+        // Command, name, start, heading and cell, and the drawing's title, which it has twice.
+        assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 7, "{page}");
+    }
+}

@@ -1,0 +1,96 @@
+//! All entrants on one teleoperator.
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use super::{document, picture, table};
+use crate::files::teleoperation::Teleoperator;
+use crate::measure::teleoperation::{Curves, Meter, Outcome, Score};
+use crate::show::csv::{self, Field};
+use crate::simulate::teleoperation::{Entrant, Tick, rig};
+use crate::studies::compare::compared::{BREATH, Compared, RunError, Watch, watched};
+use crate::studies::compare::sheet::Sheet;
+
+/// All entrants on one teleoperator; shown, it is the table of `lyapunov compare`.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What the file is called: usually its path.
+    pub name: String,
+    /// The teleoperator.
+    pub file: Teleoperator,
+    pub(super) outcomes: Vec<Outcome>,
+}
+
+impl Compared for Comparison {
+    type File = Teleoperator;
+
+    const NOUN: &'static str = "teleoperator";
+    const TITLE: &'static str = "Teleoperators over a channel";
+    const ABOUT: &'static str = "Each teleoperator once without a stabilizer, once with a passivity controller at each \
+                                 port by itself (popc-at-each-end), once with the two-port passivity \
+                                 controller (two-port-popc), once with that taking back its drift as well \
+                                 (drift-compensated), and once with wave variables.";
+
+    fn ticks(file: &Teleoperator) -> u64 {
+        (file.ticks() + 1) * Entrant::ALL.len() as u64
+    }
+
+    fn of(name: &str, file: &Teleoperator, watch: &Watch<'_>) -> Result<Self, RunError> {
+        let run = |entrant| {
+            let mut meter = Meter::new(file);
+            let run = |each: &mut dyn FnMut(Tick) -> ControlFlow<()>| rig::run(file, entrant, each);
+            watched((file.ticks() + 1, BREATH), watch, run, |tick| meter.add(tick))?;
+            Ok::<_, RunError>(meter.finish(entrant))
+        };
+        let outcomes = Entrant::ALL.into_iter().map(run).collect::<Result<_, _>>()?;
+        Ok(Self { name: name.to_owned(), file: file.clone(), outcomes })
+    }
+
+    fn sheet(&self) -> Sheet {
+        Sheet {
+            name: self.name.clone(),
+            setting: table::setting(&self.file),
+            start: table::start(&self.file),
+            tables: table::of(self),
+            figure: picture::of(self),
+            caption: "Positions over time. What leaves a frame is cut off there.",
+            csv: self.csv(),
+        }
+    }
+
+    fn document(comparisons: &[Self]) -> serde_json::Result<String> {
+        document::of(comparisons)
+    }
+}
+
+impl Comparison {
+    /// What each entrant came to.
+    pub fn scores(&self) -> impl Iterator<Item = &Score> {
+        self.outcomes.iter().map(|outcome| &outcome.score)
+    }
+
+    /// How master and slave moved under each entrant.
+    pub fn curves(&self) -> impl Iterator<Item = (Entrant, &Curves)> {
+        self.outcomes.iter().map(|outcome| (outcome.entrant, &outcome.curves))
+    }
+
+    /// [`Comparison::curves`] as comma-separated values, in numbers that read back exactly.
+    fn csv(&self) -> String {
+        let records = self.curves().flat_map(|(entrant, curves)| {
+            let devices = [("master", &curves.master), ("slave", &curves.slave)];
+            devices.into_iter().flat_map(move |(device, curve)| {
+                let names = [entrant.name(), device].map(Field::Text);
+                curve
+                    .iter()
+                    .map(move |(t, x)| [names[0], names[1], Field::Number(*t), Field::Number(*x)])
+            })
+        });
+        csv::text(["stabilizer", "device", "t", "x"], records)
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.sheet().fmt(f)
+    }
+}

@@ -1,0 +1,62 @@
+//! `compare.json` of teleoperators.
+
+use serde::Serialize;
+
+use super::comparison::Comparison;
+use crate::files::scene::Seed;
+use crate::measure::teleoperation::{BOUND, Score};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    /// Of the energy at the start: what a bounded run stays within.
+    bound: f64,
+    teleoperators: Vec<Circumstances<'a>>,
+    rows: Vec<Line<'a>>,
+}
+
+/// What is the same for all rows of a teleoperator.
+#[derive(Serialize)]
+struct Circumstances<'a> {
+    teleoperator: &'a str,
+    energy_start_mj: f64,
+    delay_ticks: u16,
+    spread_ticks: u16,
+    loss: f64,
+    /// None: nothing is left to chance.
+    seed: Option<u64>,
+    /// None: no limit.
+    damping_cap: Option<f64>,
+    compensation_speed_mm_per_s: f64,
+    wave_impedance_ns_per_m: f64,
+}
+
+#[derive(Serialize)]
+struct Line<'a> {
+    teleoperator: &'a str,
+    #[serde(flatten)]
+    score: &'a Score,
+}
+
+/// The comparisons as JSON; docs/teleoperation.md says what is in it.
+pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
+    let teleoperators = comparisons.iter().map(|Comparison { name, file, .. }| {
+        let cap = file.stabilizer.damping_cap.get();
+        Circumstances {
+            teleoperator: name,
+            energy_start_mj: 1e3 * file.stored_at_start(),
+            delay_ticks: file.channel.delay.get(),
+            spread_ticks: file.channel.spread.get(),
+            loss: file.channel.loss.get(),
+            seed: file.channel.seed.map(Seed::get),
+            damping_cap: cap.is_finite().then_some(cap),
+            compensation_speed_mm_per_s: 1e3 * file.stabilizer.compensation_speed.get(),
+            wave_impedance_ns_per_m: file.wave_impedance(),
+        }
+    });
+    let rows = comparisons.iter().flat_map(|comparison| {
+        comparison.scores().map(|score| Line { teleoperator: &comparison.name, score })
+    });
+    let document =
+        Document { bound: BOUND, teleoperators: teleoperators.collect(), rows: rows.collect() };
+    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+}

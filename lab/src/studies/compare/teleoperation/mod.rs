@@ -1,0 +1,8 @@
+//! The comparison of teleoperators.
+
+mod comparison;
+mod document;
+mod picture;
+mod table;
+
+pub use comparison::Comparison;

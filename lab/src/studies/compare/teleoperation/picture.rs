@@ -1,0 +1,41 @@
+//! Master and slave over time, a panel for each entrant.
+
+use super::comparison::Comparison;
+use super::table::setting;
+use lyapunov_figures::{Figure, Guide, Panel, Series};
+
+/// Millimetres of a metre.
+const MILLI: f64 = 1e3;
+
+/// Positions over time, all panels over one range: that of the runs that are bounded, and of one and a half times the start.
+pub(super) fn of(comparison: &Comparison) -> Figure {
+    let file = &comparison.file;
+    let wall = file.slave.wall.map(|wall| MILLI * wall.position.get());
+    let bounded = comparison.outcomes.iter().filter(|outcome| outcome.score.bounded);
+    let seen = bounded.flat_map(|it| it.curves.master.iter().chain(&it.curves.slave));
+    let start = MILLI * file.master.start.get().abs();
+    let largest = seen.fold(1.5 * start, |most, (_, x)| most.max(1.05 * MILLI * x.abs()));
+    let mut figure = Figure::new(format!("{}: {}", comparison.name, setting(file)))
+        .with_columns(2)
+        .with_width(1000.0)
+        .with_panel_height(200.0);
+    for outcome in &comparison.outcomes {
+        let (score, curves) = (&outcome.score, &outcome.curves);
+        let more = if score.bounded { "" } else { " (not bounded)" };
+        let mut panel =
+            Panel::new(format!("{}{more}", score.stabilizer), "time, s", "position, mm")
+                .with_x_range(0.0, file.duration.get())
+                .with_y_range(-largest, largest);
+        if let Some(surface) = wall {
+            panel = panel.with_guide(Guide::horizontal(surface, "wall"));
+        }
+        for (index, (name, curve)) in
+            [("master", &curves.master), ("slave", &curves.slave)].into_iter().enumerate()
+        {
+            let points = curve.iter().map(|(t, x)| (*t, MILLI * x)).collect();
+            panel = panel.with_series(Series::line(name, index, points));
+        }
+        figure = figure.with_panel(panel);
+    }
+    figure
+}

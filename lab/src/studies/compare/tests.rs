@@ -1,0 +1,256 @@
+//! Comparisons of whole scenes, against straight calculations over their rows.
+
+use approx::assert_relative_eq;
+use lyapunov::{Correction, PortSample, Stabilizer};
+
+use super::*;
+use crate::files::Scene;
+use crate::measure::samples::scene;
+use crate::simulate::{Rollout, Row};
+use crate::studies::paper::Case;
+
+/// A damper that is always there, N·s/m.
+#[derive(Clone, Copy)]
+struct Damper(f64);
+
+impl Stabilizer<f64> for Damper {
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }
+    }
+}
+
+fn standard(scene: &Scene) -> Vec<Score> {
+    let comparison = Comparison::of("test", scene, &Entrants::<f64>::standard()).unwrap();
+    comparison.scores().cloned().collect()
+}
+
+/// 2 kN/m at 2 mm, pressed on from 10 mm at 1 kHz over 100 Hz; the plant's own velocity is in the rows.
+fn press(more: &str) -> Scene {
+    let text = "duration = 3.0\nservo_rate = 1000.0\nenvironment_rate = 100.0\nvelocity = \"exact\"\n\
+        device.mass = 0.3\ndevice.damping = 0.1\noperator.damping = 2.0\n\
+        operator.stiffness = 200.0\noperator.rest = 0.01\nenvironment.wall.position = 0.002\n\
+        environment.wall.stiffness = 2000.0\nenvironment.wall.damping = 1.0\n";
+    Scene::parse(&format!("{text}{more}"), "press").unwrap()
+}
+
+#[test]
+fn the_paper_s_scenes_come_out_as_known() {
+    for (case, settled) in [(Case::Plain8k, [None; 2]), (Case::Plain50k, [Some(1.36), Some(2.35)])]
+    {
+        let scores = standard(&case.scene().unwrap());
+        let names: Vec<&str> = scores.iter().map(|score| score.stabilizer.as_str()).collect();
+        let [none, popc, spring, device, paper] = &scores[..] else { panic!("{names:?}") };
+        assert_eq!((none.stable, none.settling_time, none.force_error), (Some(false), None, None));
+        for score in [popc, spring, device, paper] {
+            assert_eq!(score.stable, Some(true), "{}", score.stabilizer);
+            assert!(score.step_time.unwrap().min > 0.0 && score.step_time.unwrap().rounds >= 15);
+        }
+        if settled[0].is_some() {
+            assert_eq!([popc.settling_time, paper.settling_time], settled);
+        }
+        let sizes: Vec<usize> = scores.iter().map(|score| score.state_bytes).collect();
+        assert_eq!(sizes, [0, 16, 16, 24, 32]);
+        // By construction these two are the same.
+        let named =
+            |score: &Score| Score { stabilizer: String::new(), step_time: None, ..score.clone() };
+        assert_eq!(named(popc), named(spring));
+    }
+}
+
+/// Every column that comes from rows, from all rows at once.
+fn check_against_rows(scene: &Scene, damper: Damper) {
+    let entrants = Entrants::<f64>::empty().with("damper", move |_| Ok(damper));
+    let comparison = Comparison::of("press", scene, &entrants).unwrap();
+    let score = comparison.scores().next().unwrap();
+    let rows: Vec<Row> = Rollout::stabilized_by(scene, damper).unwrap().rows().collect();
+    let delay = scene.effects.delay.map_or(0, |delay| delay.ticks.get() as usize);
+    let most = scene.effects.saturation.map_or(f64::MAX, |limit| limit.force.get());
+    let wall: Vec<f64> = (0..rows.len())
+        .map(|n| if n < delay { 0.0 } else { rows[n - delay].f_env.clamp(-most, most) })
+        .collect();
+
+    let moved = |n: usize| rows[n + 1].x - rows[n].x;
+    let work = |n: usize| -> f64 { (0..n).map(|n| wall[n] * moved(n)).sum() };
+    let least = (0..rows.len()).step_by(7).chain([rows.len() - 1]).map(work).fold(0.0, f64::min);
+    let injected = score.energy_injected.unwrap();
+    assert!(injected >= -1e3 * least - 1e-9 && injected > 0.0, "{injected} {least}");
+    let taken: f64 = (0..rows.len() - 1).map(|n| (rows[n].f_act - wall[n]) * moved(n)).sum();
+    assert_relative_eq!(
+        score.energy_taken.unwrap(),
+        1e3 * taken,
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
+
+    let mut contacts: Vec<Vec<usize>> = vec![Vec::new()];
+    for (n, force) in wall.iter().enumerate() {
+        match contacts.last_mut() {
+            Some(contact) if *force != 0.0 => contact.push(n),
+            _ => contacts.push(Vec::new()),
+        }
+    }
+    let peak = |is_long: bool| {
+        let these = contacts.iter().filter(|contact| !contact.is_empty());
+        let these = these.filter(|contact| (contact.len() >= 500) == is_long).flatten();
+        these.map(|n| rows[*n].f_act.abs()).reduce(f64::max)
+    };
+    assert_eq!((score.short_peak, score.long_peak), (peak(false), peak(true)));
+    let long = || contacts.iter().filter(|contact| contact.len() >= 500).flatten();
+    let sum = |f: &dyn Fn(&Row) -> f64| -> f64 { long().map(|n| f(&rows[*n])).sum() };
+    let felt = sum(&|row| row.f_act * (row.x - 0.002)) / sum(&|row| (row.x - 0.002).powi(2));
+    assert_relative_eq!(score.stiffness_felt.unwrap(), felt, epsilon = 1e-18, max_relative = 1e-9);
+    assert_relative_eq!(
+        score.stiffness_percent.unwrap(),
+        felt / 20.0,
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
+
+    let touching = |n: &usize| wall[*n] != 0.0 || rows[*n].x > 0.002;
+    let errors: Vec<f64> = (0..rows.len())
+        .filter(touching)
+        .map(|n| {
+            let depth = rows[n].x - 0.002;
+            let ideal = if depth > 0.0 { (2000.0 * depth + rows[n].v).max(0.0) } else { 0.0 };
+            (rows[n].f_act - ideal).powi(2)
+        })
+        .collect();
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    assert_relative_eq!(
+        score.force_error.unwrap(),
+        mean.sqrt(),
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(score.active.unwrap(), 100.0, epsilon = 1e-18, max_relative = 1e-9);
+    assert_relative_eq!(score.shortfall.unwrap(), 0.0, epsilon = 1e-18, max_relative = 1e-9);
+    assert_eq!(score.stable, Some(true));
+    assert_eq!(score.state_bytes, 8);
+}
+
+#[test]
+fn the_columns_follow_from_the_rows() {
+    check_against_rows(&press(""), Damper(12.0));
+    check_against_rows(&press("[effects]\ndelay.ticks = 1\n"), Damper(20.0));
+    let clipped = press("[effects]\ndelay.ticks = 2\nsaturation.force = 4.0\n");
+    check_against_rows(&clipped, Damper(20.0));
+}
+
+#[test]
+fn settings_are_the_scene_s_or_the_defaults() {
+    let named = scene("stabilizer.lolc.work = \"sampled\"\nstabilizer.lolc.damping_cap = 0.25\n");
+    let text = |scene: &Scene| {
+        Comparison::of("s", scene, &Entrants::<f64>::empty()).unwrap().settings.to_string()
+    };
+    assert_eq!(text(&named), "sampled work, cap 0.25 (as the scene says)");
+    assert_eq!(text(&scene("")), "held work, cap 0.5 (the defaults)");
+    // They reach the stabilizers: POPC of the comparison is POPC of the scene.
+    let own = scene("stabilizer.popc.damping_cap = 0.1\ninitial.velocity = 0.3\n");
+    let active =
+        Rollout::<f64>::of(&own).unwrap().filter(|tick| tick.correction.alpha > 0.0).count();
+    assert!(active > 0);
+    assert_relative_eq!(
+        standard(&own)[1].active.unwrap(),
+        100.0 * active as f64 / 101.0,
+        epsilon = 1e-18,
+        max_relative = 1e-9
+    );
+}
+
+#[test]
+fn everything_but_time_is_the_same_again_and_f32_works() {
+    let timeless = |scores: Vec<Score>| -> Vec<Score> {
+        scores.into_iter().map(|score| Score { step_time: None, ..score }).collect()
+    };
+    let scene = press("[effects]\ndelay.ticks = 1\nencoder.resolution = 1e-5\n");
+    assert_eq!(timeless(standard(&scene)), timeless(standard(&scene)));
+
+    let single = Comparison::of("f32", &scene, &Entrants::<f32>::standard()).unwrap();
+    let sizes: Vec<usize> = single.scores().map(|score| score.state_bytes).collect();
+    assert_eq!(sizes, [0, 8, 8, 12, 16]);
+    assert_eq!(single.scores().nth(1).unwrap().stable, Some(true));
+}
+
+#[test]
+fn the_table_fits_whatever_is_in_it() {
+    let long = "a stabilizer\nwith a name\tthat goes on and on and on and on and on and on and on";
+    let entrants = Entrants::<f64>::standard().with(long, |_| Ok(Damper(-40.0)));
+    for scene in [press(""), scene(""), Case::Plain50k.scene().unwrap()] {
+        let comparison = Comparison::of("some scene", &scene, &entrants).unwrap();
+        let table = comparison.to_string();
+        assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
+        assert_eq!(table.matches("a stabilizer with a").count(), 2, "{table}");
+    }
+}
+
+#[test]
+fn sorting_puts_what_is_missing_last_and_keeps_ties() {
+    let entrants = Entrants::<f64>::standard().with("damper", |_| Ok(Damper(-5.0)));
+    let scene = Case::Plain50k.scene().unwrap();
+    let mut comparison = Comparison::of("50 kN/m", &scene, &entrants).unwrap();
+    let mut order = |column: Column| -> Vec<String> {
+        comparison.sort_by(column);
+        comparison.scores().map(|score| score.stabilizer.clone()).collect()
+    };
+    let times = order(Column::SettlingTime);
+    assert_eq!(times[..2], ["popc", "lolc-spring"]);
+    assert_eq!(times[times.len() - 2..], ["none", "damper"]);
+    assert_eq!(order(Column::Stabilizer)[..2], ["damper", "lolc-device-damping"]);
+    assert_eq!(order(Column::Stable).last().unwrap(), "damper");
+    assert_eq!(order(Column::StateBytes)[..2], ["none", "damper"]);
+}
+
+#[test]
+fn a_column_s_name_is_its_key() {
+    let entrants = Entrants::<f64>::standard();
+    let comparison = Comparison::of("s", &scene(""), &entrants).unwrap();
+    let text = document(&[comparison]).unwrap();
+    let read: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let row = read["rows"][0].as_object().unwrap();
+    assert_eq!(row.len(), Column::ALL.len() + 1);
+    for column in Column::ALL {
+        assert!(row.contains_key(column.key()), "{column}");
+        assert_eq!(column.key().parse(), Ok(column));
+    }
+    let fault = "setling_time".parse::<Column>().unwrap_err().to_string();
+    assert!(fault.contains("did you mean `settling_time_s`?"), "{fault}");
+    assert!("".parse::<Column>().unwrap_err().to_string().contains("ns_per_step"));
+}
+
+#[test]
+fn pictures_end_an_unstable_curve_where_it_leaves() {
+    let entrants = Entrants::<f64>::standard();
+    let comparison = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &entrants).unwrap();
+    let figure = comparison.figure();
+    let [position, energy] = &figure.panels[..] else { panic!() };
+    let (low, high) = position.y_range.unwrap();
+    assert!((-13.0..-10.0).contains(&low) && (0.0..2.0).contains(&high), "{low} {high}");
+    assert!(position.series[0].points.len() < 50 && position.series[1].points.len() == 1001);
+    assert!(position.series[2].dashed && !position.series[1].dashed);
+    assert_eq!((position.series.len(), energy.series.len()), (5, 4));
+
+    // The whole family has more curves than there are colours.
+    let family = Entrants::<f64>::of(crate::simulate::family::StabilizerName::ALL);
+    let family = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &family).unwrap();
+    let panels = family.figure().panels;
+    assert!(panels.len() == 34 && panels.iter().all(|panel| panel.series.len() == 1));
+    assert!(panels.iter().step_by(2).all(|panel| panel.y_range == panels[0].y_range));
+
+    let alone = Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));
+    let alone = Comparison::of("alone", &Case::Plain8k.scene().unwrap(), &alone).unwrap();
+    let range = alone.figure().panels[0].y_range.unwrap();
+    assert!(range.1 - range.0 < 60.0, "{range:?}");
+}
+
+#[test]
+fn errors_name_entrant_and_scene() {
+    let tiny = scene("").period();
+    let entrants = Entrants::<f64>::standard()
+        .with("odd", move |_| lyapunov::DampingLimit::at(-tiny).map(|_| Damper(1.0)));
+    let error = Comparison::of("here", &scene(""), &entrants).unwrap_err().to_string();
+    assert!(error.starts_with("here: odd cannot run here: damping_limit is -0.01"), "{error}");
+
+    let stop = |_| std::ops::ControlFlow::Break(());
+    let stopped = Comparison::watched("s", &scene(""), &Entrants::<f64>::standard(), &stop);
+    assert_eq!(stopped.unwrap_err(), CompareError::Stopped);
+}

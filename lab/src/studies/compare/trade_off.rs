@@ -1,0 +1,192 @@
+//! How much a stabilizer renders stably, against how well.
+
+use std::ops::ControlFlow;
+
+use rayon::prelude::*;
+
+use super::compared::RunError;
+use super::comparison::{CompareError, Comparison};
+use super::entrant_run::{EntrantRun, Watch};
+use super::entrants::Entrants;
+use crate::files::scene::{Environment, NonNegative, Positive, Scene};
+use crate::measure::timing::quartiles;
+use crate::show::csv::{self, Field};
+use crate::simulate::Space;
+use crate::simulate::family::BasicName;
+use crate::text::{found, given};
+use lyapunov_figures::{Figure, Panel, Series};
+
+/// Values of the wall's stiffness, and of its damping.
+const VALUES: usize = 12;
+
+/// How many times softer and stiffer than the scene's own the wall becomes.
+const SPREAD: f64 = 16.0;
+
+/// The most ticks of a run.
+const MOST: u64 = 20_000;
+
+/// Height of an entrant's bars, in pixels of the drawing.
+const ROW: f64 = 30.0;
+
+/// How many walls each entrant renders stably, and how near it comes to the ideal wall on common ones: those that every
+/// stabilizer holds which holds any, and nobody does not.
+///
+/// The walls are those of the scene's place with 12 stiffnesses from a sixteenth to 16 times its own, equal ratios
+/// apart, by 12 dampings from 0 to `m / (r T)`, which stops the mass `m` within one period `r T` of the environment.
+#[derive(Clone, Debug)]
+pub struct TradeOff {
+    title: String,
+    /// The name, how many walls are stable, and the force error in the middle of those that are so for all.
+    rows: Vec<(String, usize, Option<f64>)>,
+    walls: usize,
+    common: usize,
+}
+
+impl TradeOff {
+    /// How many runs there are for each entrant, and the ticks of each; none if the scene has no wall.
+    pub fn runs(scene: &Scene) -> Option<(u64, u64)> {
+        let walls = walls(scene);
+        walls.first().map(|one| (walls.len() as u64, one.ticks() + 1))
+    }
+
+    /// That of `comparison`, whose entrants these are; `watch` is told how many more ticks are done. None for a scene
+    /// without a wall, or one that is not judged.
+    ///
+    /// # Errors
+    /// As [`Comparison::watched`].
+    pub fn of<V: Space>(
+        comparison: &Comparison,
+        entrants: &Entrants<V>,
+        watch: &Watch<'_>,
+    ) -> Result<Option<Self>, CompareError> {
+        let walls = walls(&comparison.scene);
+        if walls.is_empty() || comparison.scores().all(|score| score.stable.is_none()) {
+            return Ok(None);
+        }
+        let error = |number: usize, scene: &Scene| {
+            let entrant = &entrants.entries()[number];
+            let quiet = |_| watch(0);
+            let run = EntrantRun::of(scene, entrant, &quiet).map_err(|reason| match reason {
+                RunError::Stopped => CompareError::Stopped,
+                RunError::Parameter(error) => CompareError::Parameter {
+                    stabilizer: entrant.name.clone(),
+                    scene: comparison.name.clone(),
+                    error,
+                },
+            })?;
+            match watch(scene.ticks() + 1) {
+                ControlFlow::Break(()) => Err(CompareError::Stopped),
+                // What is never touched holds, and has no error to be compared.
+                ControlFlow::Continue(()) if run.score.stable == Some(true) => {
+                    Ok(Some(run.score.force_error.unwrap_or(f64::NAN)))
+                }
+                ControlFlow::Continue(()) => Ok(None),
+            }
+        };
+        let of_wall = |scene: &Scene| -> Result<Vec<Option<f64>>, CompareError> {
+            comparison.outcomes.iter().map(|outcome| error(outcome.number, scene)).collect()
+        };
+        let errors: Result<Vec<_>, _> = walls.par_iter().map(of_wall).collect();
+        let names = comparison.scores().map(|score| score.stabilizer.clone()).collect();
+        let title = format!("{}: {}", comparison.name, range(&walls));
+        Ok(Some(Self::told(title, names, &errors?)))
+    }
+
+    /// What the force errors of all entrants come to, wall by wall; none where one is not stable.
+    fn told(title: String, names: Vec<String>, errors: &[Vec<Option<f64>>]) -> Self {
+        let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
+        let held: Vec<usize> = (0..names.len()).map(stable).collect();
+        let is_nobody = |index: usize| names[index] == BasicName::NoStabilizer.name();
+        let counts = |index: usize| held[index] > 0 && !is_nobody(index);
+        // Where nothing has to be done, no stabilizer tells what it costs.
+        let agrees = |wall: &[Option<f64>], index: usize| match wall[index] {
+            Some(error) => !is_nobody(index) && error.is_finite(),
+            None => !counts(index),
+        };
+        let is_common = |wall: &&Vec<Option<f64>>| {
+            let all = 0..names.len();
+            all.clone().any(counts) && all.clone().all(|index| agrees(wall, index))
+        };
+        let common: Vec<&Vec<Option<f64>>> = errors.iter().filter(is_common).collect();
+        let rows = names.iter().enumerate().map(|(index, name)| {
+            let own: Vec<f64> = common.iter().filter_map(|wall| wall[index]).collect();
+            let middle = (counts(index) && !own.is_empty()).then(|| quartiles(own)[1]);
+            (name.clone(), held[index], middle)
+        });
+        Self { title, rows: rows.collect(), walls: errors.len(), common: common.len() }
+    }
+
+    /// A bar for what is stable and one for the force error, side by side.
+    pub fn figure(&self) -> Figure {
+        let names: Vec<String> = self.rows.iter().map(|(name, ..)| name.clone()).collect();
+        let panel = |title: &str, label: &str, colour: usize, of: &dyn Fn(usize) -> f64| {
+            let bars = (0..names.len()).map(|row| (0.0, of(row), -(row as f64)));
+            Panel::new(title, label, "")
+                .with_series(Series::bars("", colour, &bars.collect::<Vec<_>>()))
+                .with_rows(names.clone())
+        };
+        let share = |row: usize| 100.0 * self.rows[row].1 as f64 / self.walls as f64;
+        let error = |row: usize| self.rows[row].2.unwrap_or(f64::NAN);
+        let shares = panel(&format!("stable, of {} walls", self.walls), "share, %", 0, &share);
+        let title = format!("force error, common walls: {}", self.common);
+        let errors = panel(&title, "force error, N rms, median", 1, &error);
+        let height = (ROW * names.len() as f64).max(3.0 * ROW);
+        Figure::new(self.title.clone())
+            .with_width(960.0)
+            .with_columns(2)
+            .with_panel_height(height)
+            .with_panel(shares.with_x_range(0.0, 100.0))
+            .with_panel(errors)
+    }
+
+    /// The same as comma-separated values.
+    pub fn csv(&self) -> String {
+        let records = self.rows.iter().map(|(name, stable, error)| {
+            let [stable, walls, common] = [*stable, self.walls, self.common].map(Field::Count);
+            [Field::Text(name), stable, walls, common, (*error).into()]
+        });
+        csv::text(
+            ["stabilizer", "stable_walls", "walls", "common_walls", "force_error_rms_n"],
+            records,
+        )
+    }
+}
+
+/// From which wall to which, in words.
+fn range(walls: &[Scene]) -> String {
+    let of = |scene: &Scene| {
+        let wall = scene.environment.wall();
+        wall.map_or([0.0; 2], |wall| [wall.stiffness.get(), wall.damping.get()])
+    };
+    let [first, last] = [&walls[0], &walls[walls.len() - 1]].map(of);
+    format!(
+        "walls of {} to {} N/m by 0 to {} N.s/m, {} s at {} Hz",
+        found(first[0]),
+        found(last[0]),
+        found(last[1]),
+        given(walls[0].duration.get()),
+        given(walls[0].servo_rate.get())
+    )
+}
+
+/// The scene with each of the walls, its run cut to [`MOST`] ticks; empty if it has none.
+fn walls(scene: &Scene) -> Vec<Scene> {
+    let Some(&own) = scene.environment.wall() else { return Vec::new() };
+    let period = scene.period() * scene.environment_ratio() as f64;
+    let (stiffness, damping) = (own.stiffness.get(), scene.port_mass() / period);
+    let last = (VALUES - 1) as f64;
+    let longest = MOST as f64 / scene.servo_rate.get();
+    let duration = Positive::new(scene.duration.get().min(longest));
+    let with = |index: usize| {
+        let [row, column] = [index / VALUES, index % VALUES].map(|it| it as f64 / last);
+        let stiffness = stiffness * libm::pow(SPREAD, 2.0 * column - 1.0);
+        let mut wall = own;
+        wall.stiffness = NonNegative::new(stiffness).ok()?;
+        wall.damping = NonNegative::new(damping * row).ok()?;
+        let mut with = scene.to_draft();
+        with.environment = Environment::Wall(wall);
+        with.duration = duration.ok()?;
+        with.check().ok()
+    };
+    if stiffness > 0.0 { (0..VALUES * VALUES).filter_map(with).collect() } else { Vec::new() }
+}

@@ -1,0 +1,243 @@
+//! The scenes that call for the effects, one by one and together.
+
+use super::CostsError;
+use crate::files::Scene;
+
+/// A hand that runs into a wall at 0.1 m/s, 1 kHz over 100 Hz, under POPC.
+const LOOP: &str = "duration = 1.0
+servo_rate = 1000.0
+environment_rate = 100.0
+operator.mass = 0.1
+operator.damping = 0.2
+operator.stiffness = 50.0
+device = { mass = 0.2, damping = 0.001 }
+stabilizer.popc = {}
+";
+
+const START: &str = "initial = { position = -0.001, velocity = 0.1 }\n";
+
+const WALL: &str = "environment.wall = { stiffness = 2000.0, damping = 1.0 }\n";
+
+/// Tables that go together, and whose time hardly depends on the motion.
+const TOGETHER: [(&str, &str); 11] = [
+    ("encoder", "effects.encoder = { resolution = 1e-5 }"),
+    ("delay", "effects.delay = { ticks = 2 }"),
+    ("saturation", "effects.saturation = { force = 8.0 }"),
+    (CUTOFF, "effects.filter = { cutoff = 200.0 }"),
+    ("noise", "effects.noise = { deviation = 2e-6, seed = 7 }"),
+    ("dropout", "effects.dropout = { probability = 0.1, seed = 7, policy = \"hold\" }"),
+    ("load", "effects.load = { force = 0.2 }"),
+    ("pulse", "effects.pulse = { start = 0.1, duration = 0.1, force = 1.0 }"),
+    ("link", "link = { stiffness = 2000.0, damping = 1.0 }"),
+    (SINE, "operator.motion = { kind = \"sine\", amplitude = 0.002, frequency = 2.0 }"),
+    ("grip", "operator.grip = { times = [0.1], stiffness = [100.0], damping = [0.4] }"),
+];
+
+/// Tables that are added to those above, and are not among the others of anything: they take microseconds, friction
+/// as many as the motion has events, beside which no nanosecond is seen.
+const LONG: [(&str, &str); 2] = [
+    ("jitter", "effects.jitter = { deviation = 2e-5, seed = 7 }"),
+    ("friction", "effects.friction = { coulomb = 0.05, static = 0.08, stribeck_velocity = 0.01 }"),
+];
+
+const CUTOFF: &str = "filter, cutoff";
+
+const SINE: &str = "motion, sine";
+
+/// Other kinds of the same, and the one whose place they take.
+const OTHERS: [(&str, &str, &str); 3] = [
+    ("filter, window", "effects.filter = { window = 16 }", CUTOFF),
+    ("motion, step", "operator.motion = { kind = \"step\", at = 0.1, to = 0.002 }", SINE),
+    (
+        "motion, ramp",
+        "operator.motion = { kind = \"ramp\", at = 0.1, to = 0.002, rate = 0.01 }",
+        SINE,
+    ),
+];
+
+/// What may stand in the place of the wall.
+const ENVIRONMENTS: [(&str, &str); 6] = [
+    ("spring", "environment.spring = { stiffness = 500.0 }"),
+    (
+        "mass-spring-damper",
+        "environment.mass-spring-damper = { mass = 0.01, damping = 1.0, stiffness = 500.0 }",
+    ),
+    (
+        "layered wall",
+        "environment.layered-wall = { depth = 0.001, stiffness = [1000.0, 2000.0], damping = 1.0 }",
+    ),
+    (
+        "Hunt-Crossley",
+        "environment.hunt-crossley = { stiffness = 5e4, exponent = 1.5, damping = 0.5 }",
+    ),
+    (
+        "moving wall",
+        "environment.moving-wall = { stiffness = 2000.0, damping = 1.0, amplitude = 0.001, frequency = 2.0 }",
+    ),
+    (
+        "varying spring",
+        "environment.varying-spring = { stiffness = 500.0, amplitude = 100.0, frequency = 2.0 }",
+    ),
+];
+
+/// Several axes.
+const SPACES: [(&str, &str); 4] = [
+    (
+        "plane, 2 axes",
+        "space.dimensions = 2
+operator.rest = [0.0, 0.0]
+initial = { position = [-0.001, 0.0], velocity = [0.1, 0.0] }
+environment.plane = { point = [0.0, 0.0], normal = [-1.0, 0.0], stiffness = 2000.0, damping = 1.0 }
+",
+    ),
+    (
+        "plane, 3 axes",
+        "space.dimensions = 3
+operator.rest = [0.0, 0.0, 0.0]
+initial = { position = [-0.001, 0.0, 0.0], velocity = [0.1, 0.0, 0.0] }
+environment.plane = { point = [0.0, 0.0, 0.0], normal = [-1.0, 0.0, 0.0], stiffness = 2000.0, damping = 1.0 }
+",
+    ),
+    (
+        "sphere, 3 axes",
+        "space.dimensions = 3
+operator.rest = [0.0, 0.0, 0.0]
+initial = { position = [-0.001, 0.0, 0.0], velocity = [0.1, 0.0, 0.0] }
+environment.sphere = { center = [0.05, 0.0, 0.0], radius = 0.05, stiffness = 2000.0, damping = 1.0 }
+",
+    ),
+    (
+        "box, 3 axes",
+        "space.dimensions = 3
+operator.rest = [0.0, 0.0, 0.0]
+initial = { position = [-0.001, 0.0, 0.0], velocity = [0.1, 0.0, 0.0] }
+environment.box = { center = [0.05, 0.0, 0.0], half = [0.05, 0.1, 0.1], stiffness = 2000.0, damping = 1.0 }
+",
+    ),
+];
+
+/// A scene, and the text it is known by.
+#[derive(Debug)]
+pub(super) struct Call {
+    text: String,
+    pub(super) scene: Scene,
+}
+
+/// An effect, and the places of the loops without and with it.
+#[derive(Debug)]
+pub(super) struct Effect {
+    pub(super) name: &'static str,
+    pub(super) alone: [usize; 2],
+    pub(super) composed: [usize; 2],
+}
+
+/// Every loop that is timed, each once, and what is told from it.
+#[derive(Debug)]
+pub(super) struct Calls {
+    pub(super) all: Vec<Call>,
+    pub(super) effects: Vec<Effect>,
+    pub(super) bare: usize,
+}
+
+impl Calls {
+    pub(super) fn new() -> Result<Self, CostsError> {
+        let mut calls = Self { all: Vec::new(), effects: Vec::new(), bare: 0 };
+        let walled = format!("{START}{WALL}");
+        calls.bare = calls.place(&walled, &[])?;
+        for (name, table) in TOGETHER {
+            let alone = [calls.bare, calls.place(&walled, &[table])?];
+            let composed =
+                [calls.place(&walled, &without(&[name]))?, calls.place(&walled, &without(&[]))?];
+            calls.effects.push(Effect { name, alone, composed });
+        }
+        for (name, table, instead) in OTHERS {
+            calls.joins((name, table), &without(&[instead]))?;
+        }
+        for long in LONG {
+            calls.joins(long, &without(&[]))?;
+        }
+        for (name, environment) in ENVIRONMENTS {
+            calls.stands_for_the_wall(name, &format!("{START}{environment}\n"))?;
+        }
+        for (name, space) in SPACES {
+            calls.stands_for_the_wall(name, space)?;
+        }
+        Ok(calls)
+    }
+
+    /// Something that joins `others`.
+    fn joins(
+        &mut self,
+        (name, table): (&'static str, &'static str),
+        others: &[&str],
+    ) -> Result<(), CostsError> {
+        let walled = format!("{START}{WALL}");
+        let all: Vec<&str> = others.iter().copied().chain([table]).collect();
+        let alone = [self.bare, self.place(&walled, &[table])?];
+        let composed = [self.place(&walled, others)?, self.place(&walled, &all)?];
+        self.effects.push(Effect { name, alone, composed });
+        Ok(())
+    }
+
+    /// Something in the place of the wall: its price is that beyond the wall's.
+    fn stands_for_the_wall(&mut self, name: &'static str, world: &str) -> Result<(), CostsError> {
+        let (walled, others) = (format!("{START}{WALL}"), without(&[]));
+        let alone = [self.bare, self.place(world, &[])?];
+        let composed = [self.place(&walled, &others)?, self.place(world, &others)?];
+        self.effects.push(Effect { name, alone, composed });
+        Ok(())
+    }
+
+    /// The place of the loop in `world` with `tables`, which is made if it is not there.
+    fn place(&mut self, world: &str, tables: &[&str]) -> Result<usize, CostsError> {
+        let text = format!("{LOOP}{world}{}\n", tables.join("\n"));
+        if let Some(place) = self.all.iter().position(|call| call.text == text) {
+            return Ok(place);
+        }
+        let scene = Scene::parse(&text, "a scene of the prices")?;
+        self.all.push(Call { text, scene });
+        Ok(self.all.len() - 1)
+    }
+}
+
+/// All tables that go together but those of these names.
+fn without(names: &[&str]) -> Vec<&'static str> {
+    let others = TOGETHER.iter().filter(|(name, _)| !names.contains(name));
+    others.map(|(_, table)| *table).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::scene::Effects;
+
+    #[test]
+    fn every_effect_of_a_scene_has_a_price() {
+        let keys = serde_json::to_value(Effects::default()).unwrap();
+        let tables = || TOGETHER.iter().chain(&LONG);
+        for key in keys.as_object().unwrap().keys() {
+            assert!(
+                tables().any(|(_, table)| table.starts_with(&format!("effects.{key} ="))),
+                "{key}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_loop_is_compared_with_the_same_less_one_effect() {
+        let calls = Calls::new().unwrap();
+        assert_eq!(
+            calls.effects.len(),
+            TOGETHER.len() + LONG.len() + OTHERS.len() + ENVIRONMENTS.len() + SPACES.len()
+        );
+        let names = |at: usize| calls.all[at].scene.effects;
+        let encoder = &calls.effects[0];
+        let [without, with] = encoder.composed.map(names);
+        assert!(without.encoder.is_none() && with.encoder.is_some());
+        assert_eq!(Effects { encoder: None, ..with }, without);
+        assert!(with.noise.is_some() && with.jitter.is_none());
+        let [bare, alone] = encoder.alone.map(names);
+        assert_eq!(bare, Effects::default());
+        assert_eq!(Effects { encoder: None, ..alone }, bare);
+    }
+}

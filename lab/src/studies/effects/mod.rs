@@ -1,0 +1,156 @@
+//! What each effect costs: the time of a step of a loop with it, less that of the loop without.
+
+mod calls;
+mod table;
+mod timing;
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use lyapunov::ParameterError;
+use lyapunov::lanes::AutoF64x8;
+use serde::Serialize;
+
+use crate::files::scene::Diagnostic;
+use crate::measure::timing::Rounds;
+use calls::Calls;
+
+/// The prices of all effects, in nanoseconds per step of this machine; docs/effects/prices.md says how to read them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Costs {
+    /// The keys that a clock was asked for.
+    not_deterministic: [&'static str; 4],
+    /// Rounds over all loops.
+    rounds: usize,
+    /// Ticks of a run.
+    ticks: usize,
+    scalars: Vec<Column>,
+}
+
+/// The prices on one kind of number.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Column {
+    scalar: &'static str,
+    /// Rollouts that a step moves on.
+    rollouts: usize,
+    bare_ns_per_step: f64,
+    effects: Vec<Cost>,
+}
+
+/// The price of one effect.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Cost {
+    effect: &'static str,
+    /// In a loop without any other.
+    alone: Difference,
+    /// In a loop with all others that go with it.
+    composed: Difference,
+}
+
+/// A loop with an effect against the same without it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+struct Difference {
+    /// The median over the rounds.
+    ns_per_step: f64,
+    /// From the lower quartile of the rounds to the upper one.
+    spread_ns: f64,
+    ratio: f64,
+}
+
+impl Costs {
+    /// Measures them; `watch` is told of every loop that was timed, of `Costs::loops`, and may end it.
+    ///
+    /// # Errors
+    /// As [`CostsError`] tells.
+    pub fn measured(watch: &dyn Fn() -> ControlFlow<()>) -> Result<Self, CostsError> {
+        let calls = Calls::new()?;
+        let one = timing::times::<f64>(&calls.all, watch)?;
+        let eight = timing::times::<AutoF64x8>(&calls.all, watch)?;
+        let scalars =
+            vec![Column::of("f64", 1, &calls, &one), Column::of("f64x8", 8, &calls, &eight)];
+        Ok(Self {
+            not_deterministic: ["bare_ns_per_step", "ns_per_step", "spread_ns", "ratio"],
+            rounds: timing::ROUNDS,
+            ticks: timing::TICKS,
+            scalars,
+        })
+    }
+
+    /// How many loops are timed.
+    ///
+    /// # Errors
+    /// As [`CostsError`] tells.
+    pub fn loops() -> Result<usize, CostsError> {
+        Ok(2 * (timing::ROUNDS + 1) * Calls::new()?.all.len())
+    }
+
+    /// As JSON.
+    ///
+    /// # Errors
+    /// None: every part can be written as JSON.
+    pub fn document(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(self).map(|text| text + "\n")
+    }
+}
+
+impl Column {
+    fn of(scalar: &'static str, rollouts: usize, calls: &Calls, times: &Rounds) -> Self {
+        let difference = |[without, with]: [usize; 2]| Difference::of(times, without, with);
+        let effects = calls.effects.iter().map(|effect| Cost {
+            effect: effect.name,
+            alone: difference(effect.alone),
+            composed: difference(effect.composed),
+        });
+        let [_, bare_ns_per_step, _] = times.quartiles(calls.bare);
+        Self { scalar, rollouts, bare_ns_per_step, effects: effects.collect() }
+    }
+}
+
+impl Difference {
+    fn of(times: &Rounds, without: usize, with: usize) -> Self {
+        let [lower, median, upper] = times.compared(with, without, |with, without| with - without);
+        let [_, ratio, _] = times.compared(with, without, |with, without| with / without);
+        Self { ns_per_step: median, spread_ns: upper - lower, ratio }
+    }
+}
+
+impl fmt::Display for Costs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        table::write(self, f)
+    }
+}
+
+/// Why there are no prices.
+#[derive(Debug)]
+pub enum CostsError {
+    /// A scene here is not right.
+    Scene(Diagnostic),
+    /// A part cannot be made.
+    Parameter(ParameterError),
+    /// Whoever watched ended it.
+    Stopped,
+}
+
+impl fmt::Display for CostsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene(error) => error.fmt(f),
+            Self::Parameter(error) => error.fmt(f),
+            Self::Stopped => f.write_str("stopped"),
+        }
+    }
+}
+
+impl std::error::Error for CostsError {}
+
+impl From<Diagnostic> for CostsError {
+    fn from(error: Diagnostic) -> Self {
+        Self::Scene(error)
+    }
+}
+
+impl From<ParameterError> for CostsError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}

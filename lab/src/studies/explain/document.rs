@@ -1,0 +1,70 @@
+//! An explanation as JSON.
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use super::hint::broken;
+use super::{Change, DimensionlessGroups, Explanation, Remedy};
+use crate::measure::Balance;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    scene: &'a str,
+    bounded: bool,
+    spectral_radius: Option<f64>,
+    groups: DimensionlessGroups,
+    broken: Vec<Broken>,
+    first_contact: Option<Balance>,
+    whole_run: Balance,
+    remedies: Vec<Tried>,
+}
+
+#[derive(Serialize)]
+struct Broken {
+    limit: &'static str,
+    most: f64,
+    times: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Tried {
+    set: Map<String, Value>,
+    bounded: bool,
+    peak_force_n: f64,
+    force_error_rms_n: f64,
+}
+
+impl Explanation {
+    /// The explanation of the scene called `scene`, as JSON; docs/explain.md says what is in it.
+    ///
+    /// # Errors
+    /// None: every part can be written as JSON.
+    pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+        let broken = broken(&self.limits).into_iter();
+        let document = Document {
+            scene,
+            bounded: self.is_bounded,
+            spectral_radius: self.limits.spectral_radius,
+            groups: self.groups,
+            broken: broken.map(|(limit, _, most, times)| Broken { limit, most, times }).collect(),
+            first_contact: self.first_contact,
+            whole_run: self.whole_run,
+            remedies: self.remedies.iter().map(tried).collect(),
+        };
+        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    }
+}
+
+fn tried(remedy: &Remedy) -> Tried {
+    let value = |change: &Change| match change {
+        Change::Number(number) => Value::from(*number),
+        Change::Word(word) => Value::from(*word),
+    };
+    let set = remedy.changes.iter().map(|(key, change)| (key.clone(), value(change)));
+    Tried {
+        set: set.collect(),
+        bounded: true,
+        peak_force_n: remedy.peak_force,
+        force_error_rms_n: remedy.force_error,
+    }
+}

@@ -1,0 +1,35 @@
+//! The numbers that a sampled loop depends on.
+
+use serde::Serialize;
+
+use crate::files::Scene;
+
+/// The dimensionless groups of a scene. `T` is the period at which the environment answers, `b` the device's damping, `m`
+/// the mass that moves at the port, `K` and `B` the environment's stiffness and damping.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DimensionlessGroups {
+    /// `K T / b`: 2 is the most that a device with a plain spring can be passive with; none without damping.
+    pub kt_over_b: Option<f64>,
+    /// `K T² / m`: the square of the turn, in radians, of a free swing in one period.
+    pub kt2_over_m: Option<f64>,
+    /// `B T / m`: the share of the velocity that the virtual damper takes in one period.
+    pub bt_over_m: Option<f64>,
+    /// The delay in servo ticks.
+    pub delay_ticks: u16,
+}
+
+impl DimensionlessGroups {
+    /// The groups of `scene`.
+    pub fn of(scene: &Scene) -> Self {
+        let period = scene.period() * scene.environment_ratio() as f64;
+        let (mass, damping) = (scene.port_mass(), scene.device.damping.get());
+        let environment = scene.environment.kind().impedance();
+        let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
+        Self {
+            kt_over_b: finite(environment.map(|it| it.stiffness * period / damping)),
+            kt2_over_m: finite(environment.map(|it| it.stiffness * period * period / mass)),
+            bt_over_m: finite(environment.map(|it| it.damping * period / mass)),
+            delay_ticks: scene.effects.delay.map_or(0, |delay| delay.ticks.get()),
+        }
+    }
+}

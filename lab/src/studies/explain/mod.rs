@@ -1,0 +1,89 @@
+//! Why a loop is or is not stable, in words and in joules: `lyapunov explain`.
+
+mod document;
+mod groups;
+mod hint;
+mod remedy;
+mod words;
+
+use std::fmt;
+
+use lyapunov::ParameterError;
+
+use crate::files::Scene;
+use crate::measure::Limits;
+use crate::simulate::Space;
+
+pub use crate::measure::Balance;
+use crate::measure::balance::Trial;
+pub use groups::DimensionlessGroups;
+pub use hint::Hint;
+pub use remedy::{Change, Remedy};
+
+/// Why the loop of a scene is or is not stable; shown, it is what `lyapunov explain` prints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Explanation {
+    /// The scene.
+    pub scene: Scene,
+    /// Whether its run is bounded, as `lyapunov compare` judges it.
+    pub is_bounded: bool,
+    /// How stiff it may be, by formula.
+    pub limits: Limits,
+    /// The numbers it depends on.
+    pub groups: DimensionlessGroups,
+    /// The energies of the first contact, if there is one.
+    pub first_contact: Option<Balance>,
+    /// The energies of the whole run, or of as much of it as is in the range of the numbers.
+    pub whole_run: Balance,
+    /// What helps, each tried: none where nothing has to.
+    pub remedies: Vec<Remedy>,
+}
+
+/// Why there is no explanation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExplainError {
+    /// The loop cannot be made.
+    Parameter(ParameterError),
+    /// The scene has more than one dimension.
+    Space,
+}
+
+impl fmt::Display for ExplainError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(error) => error.fmt(f),
+            Self::Space => f.write_str(
+                "[space] is not for an explanation\n  = explain a scene of one dimension; \
+                 `lyapunov bound` has the limits of this one",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for ExplainError {}
+
+impl Explanation {
+    /// Runs `scene` in the scalar of `V`, whatever the scene says of it, and every remedy that is found.
+    ///
+    /// # Errors
+    /// A loop that cannot be made; a scene of more than one dimension.
+    pub fn of<V: Space>(scene: &Scene) -> Result<Self, ExplainError> {
+        if scene.dimensions() > 1 {
+            return Err(ExplainError::Space);
+        }
+        let trial = Trial::of::<V>(scene).map_err(ExplainError::Parameter)?;
+        let limits = Limits::of(scene);
+        let grows = scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
+        let remedies =
+            if trial.is_bounded && !grows { vec![] } else { remedy::remedies::<V>(scene) };
+        Ok(Self {
+            scene: scene.clone(),
+            is_bounded: trial.is_bounded,
+            limits,
+            groups: DimensionlessGroups::of(scene),
+            first_contact: trial.first,
+            whole_run: trial.whole,
+            remedies,
+        })
+    }
+}

@@ -1,0 +1,139 @@
+//! An explanation in words.
+
+use std::fmt;
+
+use super::hint::broken;
+use super::{Change, DimensionlessGroups, Explanation, Remedy};
+use crate::measure::Balance;
+use crate::show::table::{Cell, Heading, Table};
+use crate::text::{found, given};
+
+/// Energies are told in thousandths of a joule.
+const MILLI: f64 = 1e3;
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_verdict(f)?;
+        self.write_groups(f)?;
+        writeln!(f)?;
+        self.write_balances(f)?;
+        if self.remedies.is_empty() {
+            let needed = !self.is_bounded;
+            return if needed { writeln!(f, "\n  nothing that was tried helps") } else { Ok(()) };
+        }
+        writeln!(f, "\n  what helps, each by itself; all were run")?;
+        for remedy in &self.remedies {
+            writeln!(f, "  - {}", Told(remedy))?;
+        }
+        Ok(())
+    }
+}
+
+impl Explanation {
+    fn write_verdict(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let word = if self.is_bounded { "bounded" } else { "the run grows" };
+        writeln!(f, "  verdict      {word}")?;
+        if let Some(radius) = self.limits.spectral_radius {
+            let what = if radius < 1.0 { "decays" } else { "does not decay" };
+            let alone =
+                if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
+            writeln!(f, "  contact      a swing {what}{alone}: spectral radius {radius:.8}")?;
+        }
+        let over = broken(&self.limits);
+        for (_, name, most, times) in &over {
+            match times {
+                Some(times) => writeln!(
+                    f,
+                    "  broken       {name}: at most {} N/m, which is exceeded {} times",
+                    found(*most),
+                    found(*times)
+                )?,
+                None => writeln!(f, "  broken       {name}: no stiffness passes")?,
+            }
+        }
+        if over.is_empty() {
+            writeln!(f, "  broken       no limit that applies")?;
+        }
+        Ok(())
+    }
+
+    fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let DimensionlessGroups { kt_over_b, kt2_over_m, bt_over_m, delay_ticks } = self.groups;
+        let told = |value: Option<f64>| value.map_or("-".to_owned(), |it| found(it).to_string());
+        writeln!(
+            f,
+            "  groups       K T / b = {}, K T^2 / m = {}, B T / m = {}, delay {delay_ticks} ticks",
+            told(kt_over_b),
+            told(kt2_over_m),
+            told(bt_over_m)
+        )
+    }
+
+    fn write_balances(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(first) = &self.first_contact else {
+            writeln!(f, "  the environment was never touched")?;
+            return Ok(());
+        };
+        let stretch =
+            |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
+        let headings = [
+            Heading::word("energy in mJ"),
+            Heading::number(format!("first contact\n{}", stretch(first))),
+            Heading::number(format!("whole run\n{}", stretch(&self.whole_run))),
+        ];
+        let values = LINES.into_iter().map(|(name, of)| (name, [first, &self.whole_run].map(of)));
+        let rows = values.filter(|(_, values)| *values != [0.0, 0.0]).map(|(name, values)| {
+            let [first, whole] = values.map(|value| Cell::from(MILLI * value));
+            [name.into(), first, whole]
+        });
+        let table = Table::new(headings).with_rows(rows).to_string();
+        f.write_str(&textwrap::indent(&table, "  "))?;
+        let (leak, energy) = first.largest_leak();
+        if -first.wall > energy.max(0.0) {
+            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
+        } else if energy > 0.0 {
+            writeln!(f, "\n  most came in through the {leak}")?;
+        }
+        Ok(())
+    }
+}
+
+type Of = fn(&Balance) -> f64;
+
+/// The lines of a balance.
+const LINES: [(&str, Of); 15] = [
+    ("in    through the hold", |it| it.hold),
+    ("in    through the delay", |it| it.delay),
+    ("in    through the filter", |it| it.filter),
+    ("in    through the encoder", |it| it.encoder),
+    ("in    through the saturation", |it| it.saturation),
+    ("in    from the hand that moves", |it| it.hand),
+    ("in    from load and pulse", |it| it.push),
+    ("out   into the device's damper", |it| it.device),
+    ("out   into the operator's damper", |it| it.operator),
+    ("out   into the link's damper", |it| it.link),
+    ("out   into friction", |it| it.friction),
+    ("out   into the wall, by its law", |it| it.wall),
+    ("out   into the controller", |it| it.controller),
+    ("kept  in masses and springs", |it| it.gained),
+    ("left  to rounding", |it| it.closing),
+];
+
+/// A remedy in a line.
+struct Told<'a>(&'a Remedy);
+
+impl fmt::Display for Told<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Remedy { changes, peak_force, force_error, .. } = self.0;
+        let told = changes.iter().map(|(key, change)| match change {
+            Change::Number(number) => format!("{key} = {}", given(*number)),
+            Change::Word(word) => format!("{key} = \"{word}\""),
+        });
+        write!(f, "{}\n    ", told.collect::<Vec<_>>().join(", "))?;
+        if *peak_force == 0.0 {
+            return write!(f, "no force acts: the environment is not touched any more");
+        }
+        let [peak, error] = [peak_force, force_error].map(|force| found(*force));
+        write!(f, "peak force {peak} N, off the wall's own force by {error} N (rms)")
+    }
+}

@@ -1,0 +1,158 @@
+//! The account of a port, kept outside of the library with about 32 digits.
+
+/// What an correction tells of the account on one tick, J.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Told {
+    /// The observed energy `L(n)`.
+    pub(super) sum: f64,
+    /// What the correction is to burn, `α v² T`.
+    pub(super) dissipated: f64,
+    /// What it cannot.
+    pub(super) shortfall: f64,
+}
+
+/// Sums what crossed a port to twice the digits, and holds what is told against it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Balance {
+    supplied: Double,
+    absolute: f64,
+    largest: f64,
+    ticks: f64,
+    /// The rounding unit of the ledger's scalar.
+    unit: f64,
+    /// The smallest normal number of that scalar: what is below rounds by more than its unit.
+    tiny: f64,
+}
+
+impl Balance {
+    /// The account in a scalar of the rounding unit `unit` and the smallest normal number `tiny`, with `budget` joules on it.
+    pub(super) fn new(unit: f64, tiny: f64, budget: f64) -> Self {
+        Self { supplied: budget.into(), absolute: budget, largest: budget, ticks: 0.0, unit, tiny }
+    }
+
+    /// What crossed the port in all, and was credited, J.
+    pub(super) fn supplied(&self) -> f64 {
+        self.supplied.value()
+    }
+
+    /// The sum of the magnitudes of all that was booked, J.
+    pub(super) fn size(&self) -> f64 {
+        self.absolute
+    }
+
+    /// Books the works and credits of a tick if they are finite, which is when a ledger books them; credits that are
+    /// differences of an energy are rounded as that is, and `held` joules are in it.
+    pub(super) fn book(&mut self, terms: &[Double], held: f64) {
+        let sum = terms.iter().fold(Double::default(), |sum, term| sum.plus(*term));
+        if sum.value().is_finite() {
+            self.supplied = self.supplied.plus(sum);
+            self.absolute += terms.iter().map(|term| term.value().abs()).sum::<f64>();
+        }
+        self.largest = self.largest.max(self.supplied().abs()).max(held.abs());
+        self.ticks += 1.0;
+    }
+
+    /// By how much the account does not close, as a share of what is allowed: `supplied = stored − dissipated −
+    /// shortfall` within `4 u (Σ |work| + ticks · largest stored)`.
+    pub(super) fn off(&self, told: Told) -> f64 {
+        let stored = told.sum.max(0.0);
+        let owed = Double::from(told.dissipated).plus(told.shortfall.into());
+        self.share(self.supplied.plus(owed).plus((-stored).into()).value().abs())
+    }
+
+    /// How much more is told to be there than is, likewise: all that an account which forgets credit may not do.
+    pub(super) fn over(&self, told: Told) -> f64 {
+        self.share((-self.supplied.plus((-told.sum).into()).value()).max(0.0))
+    }
+
+    /// An error, as a share of what is allowed.
+    fn share(&self, error: f64) -> f64 {
+        let rounding = 4.0 * self.unit * (self.absolute + self.ticks * self.largest);
+        // Works below the smallest normal number are rounded by up to half of the least one.
+        error / (rounding + 4.0 * self.ticks * self.tiny * self.unit)
+    }
+}
+
+/// An unevaluated sum of two `f64`: the number and what it lacks (Dekker, Numerische Mathematik 18, 1971).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Double {
+    high: f64,
+    low: f64,
+}
+
+impl Double {
+    /// The product of two `f64`, exact where nothing underflows.
+    pub(super) fn product(a: f64, b: f64) -> Self {
+        let high = a * b;
+        Self { high, low: a.mul_add(b, -high) }
+    }
+
+    /// This times `factor`.
+    pub(super) fn times(self, factor: f64) -> Self {
+        let product = Self::product(self.high, factor);
+        Self::normal(product.high, product.low + self.low * factor)
+    }
+
+    /// This plus `other`.
+    pub(super) fn plus(self, other: Self) -> Self {
+        let high = self.high + other.high;
+        let share = high - self.high;
+        let error = (self.high - (high - share)) + (other.high - share);
+        Self::normal(high, error + (self.low + other.low))
+    }
+
+    /// The nearest `f64`.
+    pub(super) fn value(self) -> f64 {
+        self.high
+    }
+
+    fn normal(high: f64, low: f64) -> Self {
+        let sum = high + low;
+        Self { high: sum, low: low - (sum - high) }
+    }
+}
+
+impl From<f64> for Double {
+    fn from(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: f64 = f64::EPSILON / 2.0;
+
+    fn after(works: &[(f64, f64)]) -> Balance {
+        let mut balance = Balance::new(UNIT, f64::MIN_POSITIVE, 0.0);
+        works
+            .iter()
+            .for_each(|(force, moved)| balance.book(&[Double::product(*force, *moved)], 0.0));
+        balance
+    }
+
+    #[test]
+    fn a_true_account_closes_and_one_that_hides_a_thousandth_does_not() {
+        let told = |sum, dissipated, shortfall| Told { sum, dissipated, shortfall };
+        let stored = after(&[(2.0, 0.5), (-1.0, 0.25)]);
+        assert_eq!(stored.off(told(0.75, 0.0, 0.0)), 0.0);
+        assert!(stored.off(told(0.75 + 1e-3, 0.0, 0.0)) > 1e6);
+        // A debt may be burnt, owed, or both, and the sum itself may not hide it.
+        let owed = after(&[(2.0, 0.5), (-3.0, 0.5)]);
+        assert_eq!(owed.off(told(-0.5, 0.25, 0.25)), 0.0);
+        assert!(owed.off(told(-0.5, 0.25, 0.0)) > 1e6);
+        assert!(owed.off(told(0.0, 0.0, 0.0)) > 1e6);
+    }
+
+    /// 1e16 + 1 − 1e16, of which a plain sum would keep nothing.
+    #[test]
+    fn nothing_is_rounded_away_outside() {
+        assert_eq!(after(&[(1e8, 1e8), (1.0, 1.0), (-1e8, 1e8)]).supplied(), 1.0);
+    }
+
+    #[test]
+    fn what_is_not_finite_is_not_booked() {
+        assert_eq!(after(&[(1.0, 1.0), (f64::NAN, 1.0), (f64::MAX, 1e9)]).supplied(), 1.0);
+    }
+}

@@ -1,0 +1,217 @@
+//! Samples that are not finite.
+
+use lyapunov::{
+    DampingLimit, OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
+    bodies::{Body, Impedance},
+    effects::{Fallback, OnePortExt},
+    environments::Wall,
+};
+
+use crate::simulate::family::{Basis, StabilizerName};
+use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::pledge::Pledge;
+use crate::studies::hard::tally::Tally;
+use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
+use crate::studies::hard::watched::Terms;
+
+pub(super) const PERIOD: f64 = 1e-3;
+pub(super) const MASS: f64 = 0.2;
+pub(super) const TICKS: u64 = 120;
+/// Of the wall, N/m.
+pub(super) const STIFFNESS: f64 = 8000.0;
+/// The hand: kg, N·s/m, N/m.
+const HAND: [f64; 3] = [MASS, 0.05, 50.0];
+
+/// A hand that meets a wall of 8 kN/m at tick 10 and leaves it at about tick 26; lane `i` is a little slower.
+pub(super) fn hand<T: Scalar>(first: usize) -> Result<Body<T>, ParameterError> {
+    let [mass, damping, stiffness] = HAND.map(T::of);
+    let speed = T::from_lanes(|lane| 0.1 - 0.003 * (first + lane) as f64);
+    let body = Body::new(Impedance { mass, damping, stiffness }, T::of(PERIOD))?;
+    Ok(body.starting(T::of(-1e-3), speed))
+}
+
+pub(super) fn wall<T: Scalar>() -> Result<Wall<T>, ParameterError> {
+    Wall::new(T::of(STIFFNESS), T::of(0.5))
+}
+
+pub(super) fn limit<T: Scalar>() -> Result<DampingLimit<T>, ParameterError> {
+    DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
+}
+
+/// How far the hand can swing, m: with the energy of the start and that of one tick without the wall's force, which is
+/// `v sqrt(K m)` at most, times `v T`.
+pub(super) fn reach() -> f64 {
+    let [mass, _, stiffness] = HAND;
+    let (start, speed) = (1e-3, 0.1);
+    let energy = 0.5 * (mass * speed * speed + stiffness * start * start);
+    let lost = speed * (STIFFNESS * mass).sqrt() * speed * PERIOD;
+    (2.0 * (energy + lost) / stiffness).sqrt()
+}
+
+/// A field of the sample is not finite at a tick, or from that tick on: run `6 k + i` spoils field `i` at tick `k`.
+#[derive(Clone, Copy)]
+struct Spoilt {
+    value: f64,
+    forever: bool,
+    /// The device's damping that is credited, N·s/m.
+    credit: f64,
+}
+
+const FIELDS: u64 = 6;
+
+impl Spoilt {
+    fn spoil<T: Scalar>(&self, field: u64, sample: PortSample<T>) -> PortSample<T> {
+        let bad = T::of(self.value);
+        match field {
+            0 => PortSample { period: bad, ..sample },
+            1 => PortSample { position: bad, ..sample },
+            2 => PortSample { velocity: bad, ..sample },
+            3 => PortSample { displacement: bad, ..sample },
+            4 => PortSample { applied: bad, ..sample },
+            _ => PortSample { work: bad, ..sample },
+        }
+    }
+
+    fn close<T: Scalar>(
+        &self,
+        index: u64,
+        first: usize,
+        mut port: impl OnePort<T>,
+    ) -> Result<T, ParameterError> {
+        let (at, field) = (index / FIELDS, index % FIELDS);
+        let mut plant = hand::<T>(first)?;
+        let mut sample = plant.start();
+        for tick in 0..TICKS {
+            let spoilt = tick == at || (self.forever && tick > at);
+            let told = if spoilt { self.spoil(field, sample) } else { sample };
+            sample = plant.advance(port.respond(&told));
+        }
+        // Where the plant is in the end, whatever was told of it.
+        Ok(sample.position.magnitude())
+    }
+}
+
+impl Play for Spoilt {
+    fn play<T: Scalar>(
+        &self,
+        index: u64,
+        first: usize,
+        stabilizer: impl Stabilizer<T>,
+    ) -> Result<T, ParameterError> {
+        self.close(index, first, wall::<T>()?.stabilized(stabilizer))
+    }
+
+    fn runs(&self) -> u64 {
+        TICKS * FIELDS
+    }
+
+    fn basis(&self) -> Basis {
+        Basis { damping: self.credit, ..Basis::of_hand(MASS, PERIOD, 0.1) }
+    }
+
+    fn terms(&self, limit: f64) -> Terms {
+        Terms::of(TICKS, limit)
+    }
+}
+
+/// The same behind a guard, which is for one value at a time.
+struct Guarded(Spoilt);
+
+impl Guarded {
+    fn runs_in<T: Scalar<Mask = bool>, S: Stabilizer<T>>(
+        &self,
+        first: usize,
+        pledge: Pledge,
+        stabilizer: impl Fn() -> Result<S, ParameterError>,
+    ) -> Result<Tally, HardError> {
+        let most = limit::<T>()?.most().lane(0);
+        let mut worst = Tally::default();
+        for index in 0..self.0.runs() {
+            let terms = Terms { pledge: pledge.clone(), ..Terms::of(TICKS, most) };
+            let (watched, record) =
+                crate::studies::hard::watched::Watched::new::<T>(stabilizer()?, terms);
+            let port = wall::<T>()?.stabilized(watched).guarded(Fallback::Hold);
+            let end = self.0.close(index, first, port)?;
+            for mut tally in record.tallies() {
+                tally.value = end.lane(0);
+                worst = worst.worse(tally);
+            }
+        }
+        Ok(worst)
+    }
+}
+
+impl Trial for Guarded {
+    fn ours(&self) -> Result<Runs, HardError> {
+        let mut runs = Runs::default();
+        for first in 0..4 {
+            let popc = || Ok(lyapunov::Lolc::new(lyapunov::PortEnergy, limit::<f64>()?));
+            runs.double.push(self.runs_in::<f64, _>(first, Pledge::POPC, popc)?);
+            let popc = || Ok(lyapunov::Lolc::new(lyapunov::PortEnergy, limit::<f32>()?));
+            runs.single.push(self.runs_in::<f32, _>(first, Pledge::POPC, popc)?);
+        }
+        Ok(runs)
+    }
+
+    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+        let basis = self.0.basis();
+        let mut runs = Runs::default();
+        for first in 0..4 {
+            let pledge = Pledge::of::<f64>(member, &basis);
+            runs.double.push(self.runs_in(first, pledge, || member.set_by::<f64>(&basis))?);
+            let pledge = Pledge::of::<f32>(member, &basis);
+            runs.single.push(self.runs_in(first, pledge, || member.set_by::<f32>(&basis))?);
+        }
+        Ok(Some(runs))
+    }
+
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+        Ok(Some(self.runs_in::<f64, _>(0, Pledge::POPC, || Ok(own()))?))
+    }
+}
+
+pub(super) fn cases() -> Vec<Case> {
+    let case = |name, hard, value, forever| Case {
+        name,
+        theme: "samples",
+        hard,
+        quantity: Quantity { words: "where it ends", unit: "mm", of: |tally| 1e3 * tally.value },
+        bound: 1e3 * reach(),
+        apart: None,
+        trial: Box::new(Played(Spoilt { value, forever, credit: 0.0 })),
+    };
+    let guarded = Case {
+        name: "NaN once, behind a guard",
+        hard: "as above; the guard holds the last force and hands on what the gap was",
+        apart: Some("a guard stands on one value at a time, so there are no lanes"),
+        trial: Box::new(Guarded(Spoilt { value: f64::NAN, forever: false, credit: 0.0 })),
+        ..case("", "", f64::NAN, false)
+    };
+    let credited = Case {
+        trial: Box::new(Played(Spoilt { value: f64::NAN, forever: false, credit: HAND[1] })),
+        ..case(
+            "NaN once, with a credit",
+            "a credit of NaN may not take the work of its tick with it: that debt is real",
+            f64::NAN,
+            false,
+        )
+    };
+    vec![
+        case(
+            "NaN once",
+            "in each of 6 fields of the sample, at each of 120 ticks: 720 runs",
+            f64::NAN,
+            false,
+        ),
+        case("infinity once", "likewise, +inf", f64::INFINITY, false),
+        case(
+            "NaN from then on",
+            "a sensor that died: each field, from each tick on",
+            f64::NAN,
+            true,
+        ),
+        case("infinity from then on", "likewise, -inf", f64::NEG_INFINITY, true),
+        credited,
+        guarded,
+    ]
+}

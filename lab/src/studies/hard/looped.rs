@@ -1,0 +1,145 @@
+//! A case that is a scene.
+
+use lyapunov::lanes::AutoF64x8;
+use lyapunov::{ParameterError, Scalar};
+
+use super::naive::Naive;
+use super::pledge::{Pledge, promises};
+use super::tally::Tally;
+use super::trial::{HardError, OwnStabilizer, Runs, Trial};
+use super::watched::{Meters, Terms};
+use crate::files::scene::{Candidate, Finite, Lolc, Scene, Stabilizer};
+use crate::simulate::family::{Settings, StabilizerName};
+use crate::simulate::{AnyStabilizer, Rollout, Space, Tick};
+
+/// A loop closed as a scene says.
+pub(super) struct Looped {
+    /// The scene, TOML.
+    pub(super) text: String,
+    /// Where swings are counted from, m.
+    pub(super) rest: f64,
+    /// The damping that the naive one credits, N·s/m.
+    pub(super) credit: f64,
+}
+
+/// The starts of a scene, as shares of its own.
+const SHARES: [f64; 4] = [1.0, 0.97, 0.93, 0.88];
+
+impl Looped {
+    fn scene(&self, share: f64) -> Result<Scene, HardError> {
+        let scene = Scene::parse(&self.text, "a hard case")?;
+        let moved = |from: f64| Finite::new(from * share).map(Into::into);
+        let mut draft = scene.to_draft();
+        let initial = &mut draft.initial;
+        // A share of a number in range is one.
+        (initial.position, initial.velocity) =
+            match (moved(initial.position.get()), moved(initial.velocity.get())) {
+                (Ok(position), Ok(velocity)) => (position, velocity),
+                _ => return Ok(scene),
+            };
+        Ok(draft.check().unwrap_or(scene))
+    }
+
+    fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
+        let scene = self.scene(share)?;
+        Ok(looped::<V>(&scene, self.rest, named_in::<V>(&scene), AnyStabilizer::of(&scene)?)?)
+    }
+
+    fn of_family<T: Scalar + Space>(
+        &self,
+        member: StabilizerName,
+        share: f64,
+    ) -> Result<Vec<Tally>, HardError> {
+        let scene = self.scene(share)?;
+        let pledge = Pledge::on::<T>(member, &scene);
+        Ok(looped::<T>(&scene, self.rest, pledge, member.on(&scene)?)?)
+    }
+}
+
+/// What the loop of `scene` comes to under `stabilizer`, with swings counted from `rest`, lane by lane.
+fn looped<V: Space>(
+    scene: &Scene,
+    rest: f64,
+    pledge: Pledge,
+    stabilizer: AnyStabilizer<V>,
+) -> Result<Vec<Tally>, ParameterError> {
+    let mut meters = Meters::new::<V::Scalar>(terms(scene, rest, pledge));
+    let mut rollout = Rollout::assemble(scene, stabilizer)?;
+    // To the end, also where the motion has left the range of the scalar.
+    for _ in 0..=scene.ticks() {
+        let Tick { measured, environment, correction, .. } = rollout.tick();
+        meters.watch(&measured, environment, &correction);
+    }
+    Ok(meters.tallies())
+}
+
+/// What the loop of `scene` comes to under the stabilizer that it names, in the scalar of `V`: with swings counted from the
+/// origin, and without a word on the account where the candidate is the paper's and the environment not a wall.
+///
+/// # Errors
+/// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
+    looped::<V>(scene, 0.0, named_in::<V>(scene), AnyStabilizer::of(scene)?)
+}
+
+/// What the stabilizer that a scene names is held to.
+fn named_in<V: Space>(scene: &Scene) -> Pledge {
+    let named = scene.stabilizer.map(|named| Pledge::named::<V::Scalar>(named, scene));
+    named.unwrap_or(Pledge::POPC)
+}
+
+fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
+    let cap = Settings::of(scene).damping_cap.get();
+    let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
+    // What a scene says is rounded once more on its way to f32.
+    let most = scene.damping(cap).limit().map_or(f64::MAX, |limit| limit.most());
+    let limit = (most * (1.0 + 1e-6)).min(f64::MAX);
+    let force = force * (1.0 + 1e-6);
+    Terms { ticks: scene.ticks(), rest, limit, pledge, force }
+}
+
+impl Trial for Looped {
+    fn promised_by(&self, member: StabilizerName) -> Result<bool, HardError> {
+        let scene = self.scene(SHARES[0])?;
+        let credits = |named| {
+            matches!(named, Some(Stabilizer::Lolc(Lolc { candidate, .. }))
+                if candidate == Candidate::MassSpringDamper)
+        };
+        // What is promised of the paper's credit is promised of nothing else.
+        let alike = || member.basic_name().and_then(|it| it.on(&scene)) == scene.stabilizer;
+        Ok(if credits(scene.stabilizer) { alike() } else { promises(member) })
+    }
+
+    fn ours(&self) -> Result<Runs, HardError> {
+        let mut runs = Runs::default();
+        for share in SHARES {
+            runs.double.append(&mut self.named::<f64>(share)?);
+            runs.single.append(&mut self.named::<f32>(share)?);
+        }
+        // Lanes of one start: eight times the same.
+        runs.double_lanes = self.named::<AutoF64x8>(SHARES[0])?;
+        Ok(runs)
+    }
+
+    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+        let mut runs = Runs::default();
+        for share in SHARES {
+            runs.double.append(&mut self.of_family::<f64>(member, share)?);
+            runs.single.append(&mut self.of_family::<f32>(member, share)?);
+        }
+        Ok(Some(runs))
+    }
+
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+        let scene = self.scene(SHARES[0])?;
+        Ok(looped(&scene, self.rest, named_in::<f64>(&scene), own())?.pop())
+    }
+
+    fn naive(&self) -> Result<Option<Tally>, HardError> {
+        self.with(&|| AnyStabilizer::new(Naive::<f64>::crediting(self.credit)))
+    }
+
+    fn scene(&self) -> Option<&str> {
+        Some(&self.text)
+    }
+}

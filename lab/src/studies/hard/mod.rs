@@ -1,0 +1,102 @@
+//! Hard cases that stay stable: `lyapunov hard`.
+//!
+//! A [`Catalogue`] of [`Case`]s, each with what makes it hard, a bound, a run of the paper's steps as printed
+//! ([`Naive`]) and runs of the shipped stabilizer in `f64`, `f32` and lanes. Whatever is measured is measured beside
+//! the library. [`Case::with`] tries a stabilizer of one's own.
+
+mod balance;
+mod case;
+mod cases;
+mod looped;
+mod naive;
+mod pledge;
+mod report;
+mod table;
+mod tally;
+mod trial;
+mod watched;
+
+pub use case::{Case, Outcome, Row, Verdicts};
+pub use looped::watch;
+pub use naive::Naive;
+pub use tally::Tally;
+pub use trial::{HardError, OwnStabilizer};
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::simulate::family::StabilizerName;
+
+/// What came of the whole catalogue: `hard.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Catalogue {
+    /// The member of the family that stood in the place of our stabilizer, if one did.
+    pub stabilizer: Option<&'static str>,
+    /// One for each case.
+    pub rows: Vec<Row>,
+}
+
+impl Catalogue {
+    /// The cases.
+    pub fn cases() -> Vec<Case> {
+        cases::all()
+    }
+
+    /// Runs all cases, on all cores; `watch` is told of each that is done, and may end it.
+    ///
+    /// # Errors
+    /// As [`HardError`] tells.
+    pub fn run(watch: &(dyn Fn() -> ControlFlow<()> + Sync)) -> Result<Self, HardError> {
+        Self::of(None, watch)
+    }
+
+    /// The same with `member`, if there is one, in the place of our stabilizer, in `f64` and `f32`. Left out are cases in
+    /// which it takes no part.
+    ///
+    /// # Errors
+    /// As [`HardError`] tells.
+    pub fn of(
+        member: Option<StabilizerName>,
+        watch: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Self, HardError> {
+        let rows = Self::cases().into_par_iter().map(|case| {
+            let row = match member {
+                None => Some(case.row()?),
+                Some(member) => case.row_of(member)?,
+            };
+            match watch() {
+                ControlFlow::Continue(()) => Ok(row),
+                ControlFlow::Break(()) => Err(HardError::Stopped),
+            }
+        });
+        let rows = rows.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        Ok(Self { stabilizer: member.map(StabilizerName::name), rows })
+    }
+
+    /// Whether every case passed.
+    pub fn passed(&self) -> bool {
+        self.rows.iter().all(|row| row.passed)
+    }
+
+    /// As a page in HTML that needs nothing else; `command` is what made it.
+    pub fn report(&self, command: &str) -> String {
+        report::page(self, command)
+    }
+
+    /// As JSON.
+    ///
+    /// # Errors
+    /// None: every part can be written as JSON.
+    pub fn document(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(self).map(|text| text + "\n")
+    }
+}
+
+impl fmt::Display for Catalogue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        table::write(self, f)
+    }
+}

@@ -1,0 +1,149 @@
+//! What a stabilizer is held to beside finite outputs.
+
+use lyapunov::Scalar;
+
+use crate::files::scene::{Candidate, Scene, Stabilizer};
+use crate::simulate::family::{BasicName, Basis, Reference, StabilizerName};
+
+/// What is credited beside the work.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Credit {
+    /// Nothing.
+    None,
+    /// `b v² T` where the position is beyond a place: N·s/m, m.
+    Damper { damping: f64, beyond: f64 },
+    /// `b |Δx|² / T`, N·s/m.
+    Moved { damping: f64 },
+    /// What a reference holds less on this tick than on the one before, from a state on: m and m/s.
+    Reference { reference: Reference, start: [f64; 2] },
+}
+
+/// What account a stabilizer keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Account {
+    /// None, or one that cannot be kept beside it.
+    None,
+    /// Of everything.
+    Whole,
+    /// Of everything, but credit may be forgotten.
+    Forgetful,
+}
+
+/// What a stabilizer may do to an effort.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Manner {
+    /// Add a damping.
+    Damps,
+    /// Make it smaller.
+    Cuts,
+}
+
+/// What a stabilizer is held to.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Pledge {
+    /// What is credited.
+    pub(super) credit: Credit,
+    /// What is on the account at the start, J.
+    pub(super) budget: f64,
+    /// What account is kept.
+    pub(super) account: Account,
+    /// What may be done to an effort.
+    pub(super) manner: Manner,
+}
+
+impl Pledge {
+    /// POPC's: every joule is accounted for, and only damping is added.
+    pub(super) const POPC: Self =
+        Self { credit: Credit::None, budget: 0.0, account: Account::Whole, manner: Manner::Damps };
+
+    /// With the credit of a damper that is always there, N·s/m.
+    pub(super) fn damper(damping: f64) -> Self {
+        let credit = Credit::Damper { damping, beyond: f64::NEG_INFINITY };
+        Self { credit, ..Self::POPC }
+    }
+
+    /// Of `member` as `basis` sets it, in a scalar like `T`.
+    pub(super) fn of<T: Scalar>(member: StabilizerName, basis: &Basis) -> Self {
+        // The credit is what the scalar makes of the number.
+        let of = |number: f64| T::of(number).lane(0);
+        match member {
+            StabilizerName::Basic(
+                BasicName::NoStabilizer | BasicName::Popc | BasicName::LolcSpring,
+            )
+            | StabilizerName::Threshold
+            | StabilizerName::Spread
+            | StabilizerName::RateLimited
+            | StabilizerName::Rising => Self::POPC,
+            StabilizerName::Basic(_) => Self::damper(of(basis.damping)),
+            StabilizerName::Budgeted => Self { budget: of(basis.stored()), ..Self::POPC },
+            StabilizerName::Bounded | StabilizerName::Windowed | StabilizerName::ContactReset => {
+                Self { account: Account::Forgetful, ..Self::POPC }
+            }
+            StabilizerName::Reference => {
+                let start = basis.start.map(of);
+                let credit = |reference| Credit::Reference { reference, start };
+                let credit = basis.reference.clone().map_or(Credit::None, credit);
+                Self { credit, ..Self::POPC }
+            }
+            StabilizerName::ForceBound => Self {
+                credit: Credit::Moved { damping: of(basis.damping) },
+                budget: of(basis.energy),
+                manner: Manner::Cuts,
+                ..Self::POPC
+            },
+            StabilizerName::Tank => Self {
+                budget: of(basis.energy),
+                account: Account::Forgetful,
+                manner: Manner::Cuts,
+                ..Self::POPC
+            },
+        }
+    }
+
+    /// Of `member` on the loop of `scene`.
+    pub(super) fn on<T: Scalar>(member: StabilizerName, scene: &Scene) -> Self {
+        match member.basic_name().and_then(|basic_name| basic_name.on(scene)) {
+            Some(named) => Self::named::<T>(named, scene),
+            None => Self::of::<T>(member, &Basis::of(scene)),
+        }
+    }
+
+    /// Of the stabilizer `named` on the loop of `scene`.
+    pub(super) fn named<T: Scalar>(named: Stabilizer, scene: &Scene) -> Self {
+        let of = |number: f64| T::of(number).lane(0);
+        let Stabilizer::Lolc(lolc) = named else { return Self::POPC };
+        match (lolc.candidate, scene.environment.wall()) {
+            (Candidate::Spring, _) => Self::POPC,
+            (Candidate::DeviceDamping, _) => Self::damper(of(scene.device.damping.get())),
+            (Candidate::MassSpringDamper, Some(wall)) => {
+                let (damping, beyond) = (of(wall.damping.get()), of(wall.position.get()));
+                Self { credit: Credit::Damper { damping, beyond }, ..Self::POPC }
+            }
+            (Candidate::MassSpringDamper, _) => Self { account: Account::None, ..Self::POPC },
+        }
+    }
+}
+
+/// Whether `member` promises what is promised of POPC in the catalogue: it serves every debt at once, and credits nothing that
+/// may not have burnt.
+pub(super) fn promises(member: StabilizerName) -> bool {
+    match member {
+        StabilizerName::Basic(basic_name) => {
+            matches!(
+                basic_name,
+                BasicName::Popc | BasicName::LolcSpring | BasicName::LolcDeviceDamping
+            )
+        }
+        StabilizerName::Bounded
+        | StabilizerName::Windowed
+        | StabilizerName::ContactReset
+        | StabilizerName::Reference => true,
+        StabilizerName::Budgeted
+        | StabilizerName::Threshold
+        | StabilizerName::Spread
+        | StabilizerName::RateLimited
+        | StabilizerName::Rising
+        | StabilizerName::ForceBound
+        | StabilizerName::Tank => false,
+    }
+}

@@ -1,0 +1,264 @@
+//! What a case does: it runs, with our stabilizer in every scalar, or with any other.
+
+use std::fmt;
+
+use lyapunov::lanes::{AutoF32x8, AutoF64x8};
+use lyapunov::{DampingLimit, Dissipation, ParameterError, PortEnergy, Scalar};
+
+use super::naive::Naive;
+use super::pledge::{Pledge, promises};
+use super::tally::{Tally, larger};
+use super::watched::{Terms, Watched};
+use crate::files::scene::Diagnostic;
+use crate::simulate::family::{Basis, StabilizerName};
+use crate::simulate::{AnyStabilizer, Space};
+
+/// Why a case cannot run: it is not written right.
+#[derive(Debug)]
+pub enum HardError {
+    /// Its scene is not right.
+    Scene(Box<Diagnostic>),
+    /// A part of it cannot be made.
+    Parameter(ParameterError),
+    /// Whoever watched ended it.
+    Stopped,
+}
+
+impl fmt::Display for HardError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene(error) => error.fmt(f),
+            Self::Parameter(error) => error.fmt(f),
+            Self::Stopped => f.write_str("stopped"),
+        }
+    }
+}
+
+impl std::error::Error for HardError {}
+
+impl From<Diagnostic> for HardError {
+    fn from(error: Diagnostic) -> Self {
+        Self::Scene(Box::new(error))
+    }
+}
+
+impl From<ParameterError> for HardError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+/// The same runs in each kind of number; runs at the same place differ in nothing else.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Runs {
+    /// In `f64`; empty where the case is for `f32` alone.
+    pub(super) double: Vec<Tally>,
+    /// In `f32`; empty where the case is for `f64` alone.
+    pub(super) single: Vec<Tally>,
+    /// In lanes of `f64`, lane by lane.
+    pub(super) double_lanes: Vec<Tally>,
+    /// In lanes of `f32`, lane by lane.
+    pub(super) single_lanes: Vec<Tally>,
+}
+
+/// A program that is the same in every scalar, from starts that differ a little.
+pub(super) trait EveryScalar {
+    /// One run, with lane `i` from start `first + i`.
+    fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError>;
+
+    /// Whether it is within the range of `f32`.
+    fn fits_single(&self) -> bool {
+        true
+    }
+}
+
+/// As many starts as the widest lanes hold.
+const STARTS: usize = 8;
+
+impl Runs {
+    /// All runs of `program`: start by start, and all at once on lanes.
+    pub(super) fn of(program: &impl EveryScalar) -> Result<Self, HardError> {
+        let mut runs = Self::default();
+        for first in 0..STARTS {
+            runs.double.append(&mut program.ours_in::<f64>(first)?);
+            if program.fits_single() {
+                runs.single.append(&mut program.ours_in::<f32>(first)?);
+            }
+        }
+        runs.double_lanes = program.ours_in::<AutoF64x8>(0)?;
+        if program.fits_single() {
+            runs.single_lanes = program.ours_in::<AutoF32x8>(0)?;
+        }
+        Ok(runs)
+    }
+
+    /// The runs of a program on scalars alone, start by start.
+    pub(super) fn of_scalars(
+        double: impl Fn(usize) -> Result<Vec<Tally>, HardError>,
+        single: impl Fn(usize) -> Result<Vec<Tally>, HardError>,
+    ) -> Result<Self, HardError> {
+        let mut runs = Self::default();
+        for first in 0..STARTS {
+            runs.double.append(&mut double(first)?);
+            runs.single.append(&mut single(first)?);
+        }
+        Ok(runs)
+    }
+
+    /// Whether every lane came to what a scalar run came to: the one at its place, or the first where all lanes run
+    /// that one; none without lanes.
+    pub(super) fn lanes_equal(&self) -> Option<bool> {
+        let alike = |lanes: &[Tally], scalars: &[Tally]| {
+            let same = scalars.len() != lanes.len();
+            lanes.iter().enumerate().all(|(lane, tally)| {
+                scalars.get(if same { 0 } else { lane }).is_none_or(|scalar| scalar == tally)
+            })
+        };
+        let lanes = self.double_lanes.len() + self.single_lanes.len();
+        (lanes > 0).then(|| {
+            alike(&self.double_lanes, &self.double) && alike(&self.single_lanes, &self.single)
+        })
+    }
+
+    /// All of them.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Tally> {
+        let scalars = self.double.iter().chain(&self.single);
+        scalars.chain(self.double_lanes.iter().chain(&self.single_lanes))
+    }
+}
+
+/// A stabilizer of somebody's own, made anew for every run, on a mass (kg) and a period (s).
+pub type OwnStabilizer<'a> = &'a dyn Fn() -> AnyStabilizer<f64>;
+
+/// What a case does.
+pub(super) trait Trial: Send + Sync {
+    /// With our stabilizer, in every scalar.
+    fn ours(&self) -> Result<Runs, HardError>;
+
+    /// With a member of the family, in `f64` and `f32`; none where it takes no part.
+    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError>;
+
+    /// Whether the bound is a promise of `member`.
+    fn promised_by(&self, member: StabilizerName) -> Result<bool, HardError> {
+        Ok(promises(member))
+    }
+
+    /// With a stabilizer of somebody's own, in `f64`; none where it is about something else.
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError>;
+
+    /// With the naive one.
+    fn naive(&self) -> Result<Option<Tally>, HardError> {
+        self.with(&|| AnyStabilizer::new(Naive::<f64>::default()))
+    }
+
+    /// The scene, if it is one.
+    fn scene(&self) -> Option<&str> {
+        None
+    }
+}
+
+/// A run that is the same program in every scalar, with a number of variations.
+pub(super) trait Play: Send + Sync {
+    /// Run number `index` under `stabilizer`: lane `i` is of variation `first + i`. Answers with what is measured in a
+    /// way of its own.
+    fn play<T: Scalar>(
+        &self,
+        index: u64,
+        first: usize,
+        stabilizer: impl lyapunov::Stabilizer<T>,
+    ) -> Result<T, ParameterError>;
+
+    /// How many runs there are.
+    fn runs(&self) -> u64 {
+        1
+    }
+
+    /// What stabilizers are set for; ours credits its damping.
+    fn basis(&self) -> Basis;
+
+    /// What a stabilizer may inject.
+    fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
+        self.basis().limit.limit()
+    }
+
+    /// What has to be known of the runs beside the limit.
+    fn terms(&self, limit: f64) -> Terms;
+
+    /// Whether it is within the range of `f32`.
+    fn fits_single(&self) -> bool {
+        true
+    }
+}
+
+/// A play with our stabilizer, or any other.
+pub(super) struct Played<P>(pub(super) P);
+
+impl<P: Play> Played<P> {
+    fn run<T: Scalar, S: lyapunov::Stabilizer<T>>(
+        &self,
+        first: usize,
+        pledge: Pledge,
+        stabilizer: impl Fn() -> Result<S, ParameterError>,
+    ) -> Result<Vec<Tally>, HardError> {
+        // In f32 the limit is rounded once more.
+        let limit = self.0.limit::<T>()?.most().lane(0);
+        let mut worst: Option<Vec<Tally>> = None;
+        for index in 0..self.0.runs() {
+            let terms = Terms { pledge: pledge.clone(), ..self.0.terms(limit) };
+            let (watched, record) = Watched::new::<T>(stabilizer()?, terms);
+            let value = self.0.play::<T>(index, first, watched)?;
+            let mut tallies = record.tallies();
+            for (lane, tally) in tallies.iter_mut().enumerate() {
+                tally.value = larger(tally.value, value.lane(lane));
+            }
+            worst = Some(match worst {
+                None => tallies,
+                Some(worst) => worst.into_iter().zip(tallies).map(|(a, b)| a.worse(b)).collect(),
+            });
+        }
+        Ok(worst.unwrap_or_default())
+    }
+
+    fn of_family<T: Scalar + Space>(
+        &self,
+        member: StabilizerName,
+        first: usize,
+    ) -> Result<Vec<Tally>, HardError> {
+        let basis = self.0.basis();
+        let pledge = Pledge::of::<T>(member, &basis);
+        self.run::<T, _>(first, pledge, || member.set_by::<T>(&basis))
+    }
+}
+
+impl<P: Play> EveryScalar for Played<P> {
+    fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError> {
+        let damping = T::of(self.0.basis().damping);
+        let (damper, pledge) = (Dissipation::of(damping)?, Pledge::damper(damping.lane(0)));
+        let lolc = || Ok(lyapunov::Lolc::new((PortEnergy, damper), self.0.limit::<T>()?));
+        self.run::<T, _>(first, pledge, lolc)
+    }
+
+    fn fits_single(&self) -> bool {
+        self.0.fits_single()
+    }
+}
+
+impl<P: Play> Trial for Played<P> {
+    fn ours(&self) -> Result<Runs, HardError> {
+        Runs::of(self)
+    }
+
+    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+        let double = |first| self.of_family::<f64>(member, first);
+        let single = |first| match self.0.fits_single() {
+            true => self.of_family::<f32>(member, first),
+            false => Ok(Vec::new()),
+        };
+        Runs::of_scalars(double, single).map(Some)
+    }
+
+    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+        let pledge = Pledge::damper(self.0.basis().damping);
+        Ok(self.run::<f64, _>(0, pledge, || Ok(own()))?.pop())
+    }
+}

@@ -1,0 +1,131 @@
+//! One axis of a map.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::files::scene::unit;
+
+/// The most values along an axis.
+const MOST: u64 = 1_000_000;
+
+const FORM: &str =
+    "KEY=FROM..TO:N or KEY=FROM..TO:N:log, for example environment.wall.stiffness=100..50000:256";
+
+/// A number of the scene, by its dotted key, over a range: `KEY=FROM..TO:N[:log]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// The key with its table path.
+    pub key: String,
+    /// The first value.
+    pub from: f64,
+    /// The last value, greater than the first.
+    pub to: f64,
+    /// How many values, 2 or more.
+    pub count: u64,
+    /// How they are spaced.
+    pub spacing: Spacing,
+}
+
+/// How the values of an axis are spaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// By equal differences.
+    Linear,
+    /// By equal ratios.
+    Logarithmic,
+}
+
+impl Axis {
+    /// Value number `index`, from 0 to `count - 1`; both ends are exactly what was asked for.
+    pub fn value(&self, index: u64) -> f64 {
+        let last = self.count - 1;
+        let (index, steps) = (index.min(last) as f64, last as f64);
+        if index == steps {
+            return self.to;
+        }
+        match self.spacing {
+            Spacing::Linear => self.from + (self.to - self.from) * index / steps,
+            Spacing::Logarithmic => self.from * libm::pow(self.to / self.from, index / steps),
+        }
+    }
+
+    /// The unit of its width: that of the number, or decades; empty where it has none.
+    pub fn unit(&self) -> &'static str {
+        match self.spacing {
+            // A range may stand behind the unit.
+            Spacing::Linear => unit(&self.key).split(',').next().unwrap_or_default(),
+            Spacing::Logarithmic => "decades",
+        }
+    }
+
+    /// How wide the axis is, in its unit; a logarithmic one in decades.
+    pub(super) fn width(&self) -> f64 {
+        match self.spacing {
+            Spacing::Linear => self.to - self.from,
+            Spacing::Logarithmic => libm::log10(self.to / self.from),
+        }
+    }
+}
+
+/// An axis that cannot be read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisError(String);
+
+impl fmt::Display for AxisError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n  = give {FORM}", self.0)
+    }
+}
+
+impl std::error::Error for AxisError {}
+
+impl FromStr for Axis {
+    type Err = AxisError;
+
+    fn from_str(text: &str) -> Result<Self, AxisError> {
+        let no = |problem: String| Err(AxisError(problem));
+        let Some((key, range)) = text.split_once('=') else {
+            return no("an axis is a key, `=` and a range".to_owned());
+        };
+        let mut parts = range.split(':');
+        let (ends, count, word) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
+        let Some((from, to)) = ends.split_once("..") else {
+            return no(format!("`{ends}` is not a range FROM..TO"));
+        };
+        let number = |text: &str| match text.trim().parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(AxisError(format!("`{text}` is not a finite number"))),
+        };
+        let (from, to) = (number(from)?, number(to)?);
+        if from >= to {
+            let what = if from == to { "empty" } else { "reversed" };
+            return no(format!("the range {from}..{to} is {what}: FROM has to be less than TO"));
+        }
+        let Some(count) = count else {
+            return no(format!("the range {from}..{to} lacks the number of values"));
+        };
+        let Some(count) = count.trim().parse().ok().filter(|count| (2..=MOST).contains(count))
+        else {
+            return no(format!("`{count}` is not a number of values from 2 to {MOST}"));
+        };
+        let spacing = match (word.map(str::trim), parts.next()) {
+            (None, _) => Spacing::Linear,
+            (Some("log"), None) => Spacing::Logarithmic,
+            _ => return no(format!("`{range}` ends in something other than `:log`")),
+        };
+        if spacing == Spacing::Logarithmic && from <= 0.0 {
+            return no(format!("a logarithmic range begins above 0, not at {from}"));
+        }
+        if !(to - from).is_finite() {
+            return no(format!("the range {from}..{to} is wider than numbers can tell"));
+        }
+        Ok(Self { key: key.trim().to_owned(), from, to, count, spacing })
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let word = if self.spacing == Spacing::Logarithmic { ":log" } else { "" };
+        write!(f, "{}={:?}..{:?}:{}{word}", self.key, self.from, self.to, self.count)
+    }
+}

@@ -1,0 +1,127 @@
+//! What the formulas say, over a map.
+
+use std::fmt;
+
+use rayon::prelude::*;
+
+use super::axis::Axis;
+use super::grid::Grid;
+use super::survey::{Reach, Survey};
+use crate::files::Scene;
+use crate::measure::Limits;
+use crate::text::found;
+
+/// The most values of the other axis at which the formulas are evaluated.
+const SAMPLES: u64 = 97;
+
+/// The bounds on the stiffness of the environment, where that is an axis, for values of the other one.
+#[derive(Clone, Debug)]
+pub struct Bounds {
+    /// Whether the stiffness is the axis upwards.
+    upwards: bool,
+    /// The number of each value of the other axis, the value, and the bounds there.
+    samples: Vec<(u64, f64, Limits)>,
+}
+
+/// The stiffness that a stabilizer renders stably, over the exact bound of the loop without one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverExact {
+    /// The one over the other.
+    pub ratio: f64,
+    /// Whether it is more: the stabilizer holds up to the edge of the map.
+    pub is_least: bool,
+}
+
+impl fmt::Display for OverExact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&format!("{}{}", if self.is_least { ">= " } else { "" }, found(self.ratio)))
+    }
+}
+
+/// A bound along one axis for each value of the other.
+#[derive(Clone, Debug)]
+pub(super) struct Curve {
+    pub(super) label: &'static str,
+    pub(super) colour: usize,
+    pub(super) is_dashed: bool,
+    /// Values of x and y.
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+impl Bounds {
+    /// Those of `grid`; none if no axis is the stiffness of the environment.
+    pub fn of(grid: &Grid) -> Option<Self> {
+        let key = format!("environment.{}.stiffness", grid.scene.environment.name());
+        let upwards = match (grid.x.key == key, grid.y.key == key) {
+            (true, _) => false,
+            (_, true) => true,
+            _ => return None,
+        };
+        let (which, other) = if upwards { (0, &grid.x) } else { (1, &grid.y) };
+        let count = other.count.min(SAMPLES);
+        let sample = |number: u64| {
+            let index = number * (other.count - 1) / (count - 1);
+            let value = other.value(index);
+            let scene: Scene = grid.with(which, value).ok()?;
+            Some((index, value, Limits::of(&scene)))
+        };
+        let samples = (0..count).into_par_iter().filter_map(sample).collect();
+        Some(Self { upwards, samples })
+    }
+
+    /// A curve for each bound that applies.
+    pub(super) fn curves(&self) -> Vec<Curve> {
+        let Some((.., first)) = self.samples.first() else { return Vec::new() };
+        let names = first.named().map(|(_, words, _)| words);
+        let curve = |(number, label): (usize, &'static str)| {
+            let points: Vec<(f64, f64)> = self
+                .samples
+                .iter()
+                .map(|(_, other, limits)| {
+                    let bound = limits.named()[number].2.unwrap_or(f64::NAN);
+                    if self.upwards { (*other, bound) } else { (bound, *other) }
+                })
+                .collect();
+            let applies = points.iter().any(|(x, y)| x.is_finite() && y.is_finite());
+            let colour = COLOURS[number % COLOURS.len()];
+            applies.then_some(Curve {
+                label,
+                colour,
+                is_dashed: label != "exact, this operator",
+                points,
+            })
+        };
+        names.into_iter().enumerate().filter_map(curve).collect()
+    }
+
+    /// The stiffness below the first that is unstable under stabilizer `index`, over the exact bound of the loop without one:
+    /// the middle one of the values of the other axis.
+    ///
+    /// Where nothing that was judged is unstable its last stiffness counts, and where the first is unstable 0. Left
+    /// out are values that tell nothing: without a bound, with both beyond the same edge, or with no cell judged. None if no
+    /// value is left.
+    pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<OverExact> {
+        let grid = survey.grid();
+        let (axis, reaches): (&Axis, &[Reach]) = if self.upwards {
+            (&grid.y, survey.along_y(index))
+        } else {
+            (&grid.x, survey.along_x(index))
+        };
+        let ratio = |(other, _, limits): &(u64, f64, Limits)| {
+            let (Reach { end, is_broken }, exact) = (reaches[*other as usize], limits.exact?);
+            let is_least = !is_broken;
+            let reached = if end == 0 { 0.0 } else { axis.value(end - 1) };
+            let unknown = if is_least { exact >= reached } else { end == 0 && exact <= axis.from };
+            (!unknown && exact > 0.0).then(|| OverExact { ratio: reached / exact, is_least })
+        };
+        let mut ratios: Vec<OverExact> = self.samples.iter().filter_map(ratio).collect();
+        ratios.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
+        let middle = ratios.len() / 2;
+        // One that is more than it says could be beyond the middle.
+        let is_least = ratios.iter().take(middle + 1).any(|over| over.is_least);
+        ratios.get(middle).map(|over| OverExact { is_least, ..*over })
+    }
+}
+
+/// Numbers of colours that stand out on the ramp of a heat map.
+const COLOURS: [usize; 4] = [3, 4, 5, 1];

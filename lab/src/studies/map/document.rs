@@ -1,0 +1,133 @@
+//! `map.json`.
+
+use serde::Serialize;
+
+use super::axis::{Axis, Spacing};
+use super::bounds::Bounds;
+use super::run::{Method, Run, Workload};
+use super::survey::Survey;
+use crate::simulate::family::StabilizerName;
+
+/// How a map was computed.
+#[derive(Clone, Debug, Serialize)]
+pub struct Computation {
+    /// Cells computed by this run.
+    pub cells: u64,
+    /// Their ticks, those of all stabilizers together, each run to its end.
+    pub rollout_steps: u64,
+    /// Time in which their verdicts were found, s.
+    pub kernel_seconds: f64,
+    /// Time in which their bounded runs were measured, s.
+    pub measures_seconds: f64,
+    /// Threads.
+    pub threads: usize,
+    /// Cells that travel together; 1: one by one.
+    pub lanes: usize,
+    /// `lanes`, or `single` for a scene with parts that the lanes do not have.
+    pub method: &'static str,
+    /// The vector instructions of the lanes; null without.
+    pub instructions: Option<&'static str>,
+}
+
+impl Computation {
+    /// What `run` did.
+    pub fn of(run: &Run<'_>, effort: Workload) -> Self {
+        let (lanes, method, instructions) = match run.method() {
+            Method::Lanes(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
+            Method::Single => (1, "single", None),
+        };
+        let Workload { cells, rollout_steps, kernel_seconds, measures_seconds } = effort;
+        let threads = run.threads();
+        Self {
+            cells,
+            rollout_steps,
+            kernel_seconds,
+            measures_seconds,
+            threads,
+            lanes,
+            method,
+            instructions,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    /// The keys that a clock was asked for or that depend on the machine.
+    not_deterministic: [&'static str; 5],
+    x: Along<'a>,
+    y: Along<'a>,
+    #[serde(flatten)]
+    computation: Option<&'a Computation>,
+    areas: Vec<Line>,
+}
+
+#[derive(Serialize)]
+struct Along<'a> {
+    key: &'a str,
+    from: f64,
+    to: f64,
+    count: u64,
+    spacing: &'static str,
+}
+
+#[derive(Serialize)]
+struct Line {
+    stabilizer: &'static str,
+    stable_cells: u64,
+    judged_cells: u64,
+    /// None where no cell was judged.
+    stable_share: Option<f64>,
+    area: Option<f64>,
+    /// None where the stiffness is no axis, or nothing on the map tells.
+    stiffness_over_exact: Option<f64>,
+    /// Whether that is the least that it can be.
+    stiffness_over_exact_is_least: bool,
+}
+
+fn along(axis: &Axis) -> Along<'_> {
+    let spacing = match axis.spacing {
+        Spacing::Linear => "linear",
+        Spacing::Logarithmic => "log",
+    };
+    Along { key: &axis.key, from: axis.from, to: axis.to, count: axis.count, spacing }
+}
+
+/// The map as JSON; docs/map.md says what is in it.
+///
+/// # Errors
+/// None: every part can be written as JSON.
+pub fn document(
+    survey: &Survey,
+    bounds: Option<&Bounds>,
+    computation: Option<&Computation>,
+) -> serde_json::Result<String> {
+    let grid = survey.grid();
+    let line = |(index, member): (usize, &StabilizerName)| {
+        let area = survey.area(index);
+        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
+        Line {
+            stabilizer: member.name(),
+            stable_cells: area.stable,
+            judged_cells: area.judged,
+            stable_share: area.share,
+            area: area.area,
+            stiffness_over_exact: over.map(|over| over.ratio),
+            stiffness_over_exact_is_least: over.is_some_and(|over| over.is_least),
+        }
+    };
+    let document = Document {
+        not_deterministic: [
+            "kernel_seconds",
+            "measures_seconds",
+            "threads",
+            "lanes",
+            "instructions",
+        ],
+        x: along(&grid.x),
+        y: along(&grid.y),
+        computation,
+        areas: grid.stabilizers.iter().enumerate().map(line).collect(),
+    };
+    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+}

@@ -1,0 +1,163 @@
+//! What a map is of: a scene, two of its numbers, and stabilizers.
+
+use std::fmt;
+
+use toml::Value;
+
+use super::axis::Axis;
+use super::vary::{self, Vary, VaryError};
+use crate::files::Scene;
+use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
+
+/// A scene with two of its numbers varied, under some stabilizers.
+///
+/// Cells are counted along x first: cell `i + j · x.count` has value `i` of x and value `j` of y.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    /// The scene whose numbers are varied.
+    pub scene: Scene,
+    /// The axis to the right.
+    pub x: Axis,
+    /// The axis upwards.
+    pub y: Axis,
+    /// Who runs in each cell.
+    pub stabilizers: StabilizerNames,
+    tree: Value,
+    numbers: [Vary; 2],
+}
+
+/// Why there is no such map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GridError {
+    /// An axis that does not fit the scene.
+    Axis(VaryError),
+    /// The same number twice.
+    SameKey(String),
+    /// A scene of more than one dimension: what is measured is measured along one axis.
+    Space,
+    /// A stabilizer named twice, or none at all.
+    StabilizerNames(StabilizerNamesError),
+    /// A scene that cannot be written down.
+    Unwritten(String),
+    /// Two values that are each right and make no scene together.
+    Cell {
+        /// What they are.
+        cell: String,
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+impl fmt::Display for GridError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Axis(error) => error.fmt(f),
+            Self::SameKey(key) => {
+                write!(f, "both axes are `{key}`\n  = give two different numbers of the scene")
+            }
+            Self::Space => f.write_str("[space] is not for a map\n  = map scenes of one dimension"),
+            Self::StabilizerNames(error) => error.fmt(f),
+            Self::Unwritten(problem) => f.write_str(problem),
+            Self::Cell { cell, reason } => write!(
+                f,
+                "{cell} is no scene: {reason}\n  = choose ranges in which every pair is right"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for GridError {}
+
+impl From<VaryError> for GridError {
+    fn from(error: VaryError) -> Self {
+        Self::Axis(error)
+    }
+}
+
+impl Grid {
+    /// The map of `scene` over `x` and `y`.
+    ///
+    /// # Errors
+    /// A key that is no number of the scene, or the same twice; a value that the scene does not allow; a scene in more
+    /// than one dimension; a stabilizer named twice.
+    pub fn new(
+        scene: Scene,
+        x: Axis,
+        y: Axis,
+        members: impl IntoIterator<Item = impl Into<StabilizerName>>,
+    ) -> Result<Self, GridError> {
+        if scene.dimensions() > 1 {
+            return Err(GridError::Space);
+        }
+        if x.key == y.key {
+            return Err(GridError::SameKey(x.key));
+        }
+        let members = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
+        let tree =
+            Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
+        let numbers = [Vary::of(&x, &tree)?, Vary::of(&y, &tree)?];
+        Ok(Self { scene, x, y, stabilizers: members, tree, numbers })
+    }
+
+    /// How many cells there are.
+    pub fn cells(&self) -> u64 {
+        self.x.count * self.y.count
+    }
+
+    /// The values of x and y in a cell.
+    pub fn values(&self, cell: u64) -> [f64; 2] {
+        [self.x.value(cell % self.x.count), self.y.value(cell / self.x.count)]
+    }
+
+    /// The scene of each value of an axis, with the other number as the scene has it.
+    ///
+    /// # Errors
+    /// A value that the scene does not allow.
+    pub(super) fn along(&self, which: usize) -> Result<Vec<Scene>, VaryError> {
+        let axis = [&self.x, &self.y][which];
+        (0..axis.count).map(|index| self.with(which, axis.value(index))).collect()
+    }
+
+    /// The scene with `value` for one of its two numbers, and the other as the scene has it.
+    ///
+    /// # Errors
+    /// A value that the scene does not allow.
+    pub(super) fn with(&self, which: usize, value: f64) -> Result<Scene, VaryError> {
+        let number = &self.numbers[which];
+        let mut tree = self.tree.clone();
+        number.write(&mut tree, value)?;
+        vary::read(&tree, &self.scene).map_err(|reason| number.refused(value, &reason))
+    }
+
+    /// The scene of a cell.
+    ///
+    /// # Errors
+    /// Two values that make no scene together.
+    pub fn scene_of(&self, cell: u64) -> Result<Scene, GridError> {
+        let values = self.values(cell);
+        let mut tree = self.tree.clone();
+        for (number, value) in self.numbers.iter().zip(values) {
+            number.write(&mut tree, value)?;
+        }
+        vary::read(&tree, &self.scene).map_err(|reason| self.at(cell, reason))
+    }
+
+    /// What is wrong with a cell.
+    pub(super) fn at(&self, cell: u64, reason: String) -> GridError {
+        let [x, y] = self.values(cell);
+        let cell = format!("`{}` = {x:?} with `{}` = {y:?}", self.x.key, self.y.key);
+        GridError::Cell { cell, reason }
+    }
+
+    /// The rows of the run of a cell, `round(duration servo_rate) + 1`.
+    pub(super) fn rows(&self, cell: u64) -> u64 {
+        let values = self.values(cell);
+        let number = |key: &str, own: f64| {
+            let axes = [&self.x.key, &self.y.key];
+            axes.iter().position(|axis| *axis == key).map_or(own, |which| values[which])
+        };
+        let duration = number("duration", self.scene.duration.get());
+        let rate = number("servo_rate", self.scene.servo_rate.get());
+        (duration * rate).round() as u64 + 1
+    }
+}

@@ -1,0 +1,55 @@
+//! The numbers of a scene that may differ from lane to lane.
+
+use crate::files::scene::{Draft, Stabilizer, Wall};
+
+/// Takes one number over from another scene.
+pub(super) type Copy = fn(&mut Draft, &Draft);
+
+/// The numbers by their keys; those that set the course of a run (rates, ticks) are the same for all lanes of a group.
+const FIELDS: &[(&str, Copy)] = &[
+    ("operator.mass", |to, from| to.operator.mass = from.operator.mass),
+    ("operator.damping", |to, from| to.operator.damping = from.operator.damping),
+    ("operator.stiffness", |to, from| to.operator.stiffness = from.operator.stiffness),
+    ("operator.rest", |to, from| to.operator.rest.clone_from(&from.operator.rest)),
+    ("device.mass", |to, from| to.device.mass = from.device.mass),
+    ("device.damping", |to, from| to.device.damping = from.device.damping),
+    ("initial.position", |to, from| to.initial.position.clone_from(&from.initial.position)),
+    ("initial.velocity", |to, from| to.initial.velocity.clone_from(&from.initial.velocity)),
+    ("environment.wall.stiffness", |to, from| {
+        wall(to, from, |to, from| to.stiffness = from.stiffness);
+    }),
+    ("environment.wall.damping", |to, from| {
+        wall(to, from, |to, from| to.damping = from.damping);
+    }),
+    ("environment.wall.position", |to, from| {
+        wall(to, from, |to, from| to.position = from.position);
+    }),
+    ("stabilizer.popc.damping_cap", cap),
+    ("stabilizer.lolc.damping_cap", cap),
+    ("duration", |to, from| to.duration = from.duration),
+    ("servo_rate", |to, from| to.servo_rate = from.servo_rate),
+    ("environment_rate", |to, from| to.environment_rate = from.environment_rate),
+];
+
+fn wall(to: &mut Draft, from: &Draft, copy: fn(&mut Wall, &Wall)) {
+    if let (Some(to), Some(from)) = (to.environment.wall_mut(), from.environment.wall()) {
+        copy(to, from);
+    }
+}
+
+fn cap(to: &mut Draft, from: &Draft) {
+    match (&mut to.stabilizer, &from.stabilizer) {
+        (Some(Stabilizer::Popc(to)), Some(Stabilizer::Popc(from))) => {
+            to.damping_cap = from.damping_cap;
+        }
+        (Some(Stabilizer::Lolc(to)), Some(Stabilizer::Lolc(from))) => {
+            to.damping_cap = from.damping_cap;
+        }
+        _ => {}
+    }
+}
+
+/// How the number `key` is taken over, if lanes can differ in it.
+pub(super) fn copier(key: &str) -> Option<Copy> {
+    FIELDS.iter().find(|(known, _)| *known == key).map(|(_, copy)| *copy)
+}

@@ -1,0 +1,126 @@
+//! What a rollout of the kernel is watched by.
+
+use lyapunov::{Mask, OnePort, PortSample, Scalar, Stabilizer};
+
+use super::backward::Fuse;
+use super::parts::{Lanes, Watched};
+use crate::files::scene::Draft;
+use crate::measure::{Boundedness, Chatter, Energies, Settling};
+use crate::simulate::Criterion;
+use crate::studies::map::outcome::Measures;
+
+/// What is looked at along a rollout: no more than what is asked for, by type.
+pub(super) trait Meter<T: Fuse> {
+    /// What a lane came to.
+    type Reading: Copy + Send;
+
+    fn new(lanes: Lanes<'_>) -> Self;
+
+    /// One more tick: the motion, and `applied`, the force from here on.
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>);
+
+    /// Whether nothing that follows matters any more.
+    fn is_decided(&self) -> bool;
+
+    /// What a lane came to; `sound`: its last row is finite.
+    fn read(&self, lane: usize, sound: bool) -> Self::Reading;
+}
+
+/// Whether the runs are bounded, and no more.
+pub(super) struct Verdicts<T: Scalar> {
+    criteria: Vec<Criterion>,
+    boundedness: Boundedness<T>,
+    accepted: T::Mask,
+}
+
+impl<T: Fuse> Meter<T> for Verdicts<T> {
+    type Reading = Option<bool>;
+
+    fn new(lanes: Lanes<'_>) -> Self {
+        Self {
+            criteria: lanes.0.iter().map(Criterion::of).collect(),
+            boundedness: Boundedness::new(lanes.common().ticks()),
+            accepted: Mask::of(true),
+        }
+    }
+
+    #[inline(always)]
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, _acted: T, port: &Watched<T, S>) {
+        self.boundedness.add(sample.position);
+        self.accepted = self.accepted & port.correction().accepted;
+    }
+
+    fn is_decided(&self) -> bool {
+        let mut lanes = self.criteria.iter().enumerate();
+        lanes.all(|(lane, criterion)| self.boundedness.is_lost(lane, criterion))
+    }
+
+    fn read(&self, lane: usize, sound: bool) -> Option<bool> {
+        if self.boundedness.is_lost(lane, &self.criteria[lane]) {
+            return Some(false);
+        }
+        if !sound || !self.accepted.lane(lane) {
+            return Some(false);
+        }
+        self.boundedness.verdict(lane, &self.criteria[lane])
+    }
+}
+
+/// Everything that is measured along a run that is bounded.
+pub(super) struct Everything<T> {
+    rate: f64,
+    ticks: f64,
+    peak: T,
+    active: T,
+    settling: Settling<T>,
+    energies: Energies<T>,
+    chatter: Option<Chatter<T>>,
+}
+
+impl<T: Fuse> Meter<T> for Everything<T> {
+    type Reading = Measures;
+
+    fn new(lanes: Lanes<'_>) -> Self {
+        let common = lanes.common();
+        let rest = |scene: &Draft| Criterion::of(scene).rest();
+        Self {
+            rate: common.servo_rate.get(),
+            ticks: (common.ticks() + 1) as f64,
+            peak: T::zero(),
+            active: T::zero(),
+            settling: Settling::new(lanes.each(|it| rest(it).0), lanes.each(|it| rest(it).1)),
+            energies: Energies::new(),
+            chatter: Chatter::new(common.servo_rate.get()),
+        }
+    }
+
+    #[inline(always)]
+    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>) {
+        let environment = port.port().port().effort();
+        let injects = port.correction().alpha.above(T::zero());
+        self.peak = applied.magnitude().larger(self.peak);
+        self.active += T::choose(injects, T::one(), T::zero());
+        self.settling.add(sample.position);
+        self.energies.add(sample.position, environment, applied - environment);
+        if let Some(chatter) = &mut self.chatter {
+            chatter.add(applied);
+        }
+    }
+
+    fn is_decided(&self) -> bool {
+        false
+    }
+
+    fn read(&self, lane: usize, _sound: bool) -> Measures {
+        let chatter = self.chatter.as_ref().and_then(Chatter::root_mean_square);
+        Measures {
+            peak_force: Some(self.peak.lane(lane)),
+            settling_time: self.settling.since(lane).map(|tick| tick / self.rate),
+            energy_injected: Some(1e3 * self.energies.injected().lane(lane)),
+            energy_taken: Some(1e3 * self.energies.taken().lane(lane)),
+            active: Some(100.0 * self.active.lane(lane) / self.ticks),
+            chatter: chatter.map(|chatter| chatter.lane(lane)),
+        }
+        .in_range()
+    }
+}

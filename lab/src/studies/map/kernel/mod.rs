@@ -1,0 +1,266 @@
+//! Many cells at once: lanes of one generic rollout, on the vector instructions that the processor has.
+//!
+//! The rollout is made of the library's own parts: a [`Body`](lyapunov::bodies::Body), a [`Wall`](lyapunov::environments::Wall) behind a hold,
+//! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
+//! other parts are run one by one, see [`single`](super::single).
+
+mod aligned;
+mod backward;
+mod field;
+mod instructions;
+mod meter;
+mod parts;
+mod rollout;
+mod seats;
+
+pub use instructions::Instructions;
+
+use lyapunov::lanes::{AutoF32x16, AutoF64x8};
+use lyapunov::{
+    Dissipation, Lolc, ParameterError, PortEnergy, Scalar, candidates::InContact,
+    stabilizers::NoStabilizer,
+};
+
+use pulp::NullaryFnOnce;
+
+use crate::files::scene::{
+    Candidate, Draft, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
+};
+use crate::simulate::family::{BasicName, Settings};
+use crate::studies::map::grid::{Grid, GridError};
+use crate::studies::map::outcome::Measures;
+use aligned::Aligned;
+use backward::Fuse;
+use meter::{Everything, Meter, Verdicts};
+use parts::Laned;
+use rollout::Rollouts;
+use seats::{Along, Seats};
+
+/// The most ticks of a run in `f32`: beyond, it cannot count them.
+const COUNTED: u64 = 1 << 24;
+
+/// The rollouts of a map on lanes.
+#[derive(Debug)]
+pub struct Kernel {
+    along: Along,
+    instructions: Instructions,
+    lanes: Lanes,
+}
+
+/// How many rollouts travel together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lanes {
+    /// One at a time: what the lanes are measured against.
+    One,
+    /// As many as fill a vector of 512 bits.
+    Many,
+}
+
+impl Kernel {
+    /// The kernel for `grid`; none if its scene has parts that the kernel does not.
+    ///
+    /// # Errors
+    /// A value of an axis that the scene does not allow.
+    pub fn of(
+        grid: &Grid,
+        instructions: Instructions,
+        lanes: Lanes,
+    ) -> Result<Option<Self>, GridError> {
+        let (Some(x), Some(y)) = (field::copier(&grid.x.key), field::copier(&grid.y.key)) else {
+            return Ok(None);
+        };
+        if !covers(&grid.scene) {
+            return Ok(None);
+        }
+        let along =
+            Along { base: grid.scene.to_draft(), x: (grid.along(0)?, x), y: (grid.along(1)?, y) };
+        let counted = |scenes: &[Scene]| scenes.iter().all(|scene| scene.ticks() < COUNTED);
+        let fits = grid.scene.scalar == Width::F64 || counted(&along.x.0) && counted(&along.y.0);
+        Ok(fits.then_some(Self { along, instructions, lanes }))
+    }
+
+    /// How many rollouts travel together.
+    pub fn lanes(&self) -> usize {
+        match (self.lanes, self.along.base.scalar) {
+            (Lanes::One, _) => 1,
+            (Lanes::Many, Width::F64) => AutoF64x8::LANES,
+            (Lanes::Many, Width::F32) => AutoF32x16::LANES,
+        }
+    }
+
+    /// The instructions it runs on.
+    pub fn instructions(&self) -> Instructions {
+        self.instructions
+    }
+
+    /// Whether the run of each of `cells` under `basic_name` is bounded. A run whose fate is sealed is not run to its end.
+    ///
+    /// `go_on` is asked now and then; none if it said so.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar.
+    pub fn verdicts(
+        &self,
+        basic_name: BasicName,
+        cells: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Vec<Option<bool>>>, ParameterError> {
+        self.run(Run { kernel: self, basic_name, cells, go_on }, Judge)
+    }
+
+    /// What the runs of `cells` under `basic_name` come to.
+    ///
+    /// `go_on` is asked now and then; none if it said so.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar.
+    pub fn measures(
+        &self,
+        basic_name: BasicName,
+        cells: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Vec<Measures>>, ParameterError> {
+        self.run(Run { kernel: self, basic_name, cells, go_on }, MeasureAll)
+    }
+
+    /// Whether a quotient by the period is sooner had by multiplying and adding at once: with less lanes than eight a
+    /// division takes as long, and in `f32` many displacements are zero, which are divided.
+    fn fuses(&self) -> bool {
+        let many = self.lanes == Lanes::Many && self.along.base.scalar == Width::F64;
+        many && self.instructions.multiplies_and_adds_at_once()
+    }
+
+    fn run<W: Watching>(
+        &self,
+        run: Run<'_>,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        match (self.lanes, self.along.base.scalar) {
+            (Lanes::One, Width::F64) => run.on::<f64, W>(watching),
+            (Lanes::One, Width::F32) => run.on::<f32, W>(watching),
+            (Lanes::Many, Width::F64) => run.on::<Aligned<AutoF64x8>, W>(watching),
+            (Lanes::Many, Width::F32) => run.on::<Aligned<AutoF32x16>, W>(watching),
+        }
+    }
+}
+
+/// Whether the kernel has all parts of a scene.
+fn covers(scene: &Scene) -> bool {
+    let plain = Draft {
+        duration: scene.duration,
+        servo_rate: scene.servo_rate,
+        environment_rate: scene.environment_rate,
+        velocity: Velocity::BackwardDifference,
+        scalar: scene.scalar,
+        integrator: Integrator::Exact,
+        operator: crate::files::scene::Operator {
+            motion: None,
+            grip: None,
+            ..scene.operator.clone()
+        },
+        device: scene.device,
+        link: None,
+        space: None,
+        initial: scene.initial.clone(),
+        environment: scene.environment.clone(),
+        stabilizer: scene.stabilizer,
+        effects: Default::default(),
+    };
+    let Settings { work, ledger, .. } = Settings::of(scene);
+    let booked = work == Work::Held && ledger == Ledger::Plain;
+    scene.environment.wall().is_some() && booked && plain == **scene
+}
+
+/// Some cells under one stabilizer.
+struct Run<'a> {
+    kernel: &'a Kernel,
+    basic_name: BasicName,
+    cells: &'a [u64],
+    go_on: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// What the rollouts are watched by, on lanes of any scalar.
+trait Watching: std::marker::Copy {
+    type Reading: std::marker::Copy + Send;
+    type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
+
+    /// Whether `run` hands on instructions that multiply and add at once.
+    const FUSES: bool;
+
+    fn empty(self) -> Self::Reading;
+
+    /// Runs `job` compiled for as much of `instructions` as pays.
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
+}
+
+#[derive(Clone, Copy)]
+struct Judge;
+
+impl Watching for Judge {
+    type Reading = Option<bool>;
+    type Meter<T: Fuse> = Verdicts<T>;
+
+    const FUSES: bool = true;
+
+    fn empty(self) -> Option<bool> {
+        None
+    }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        instructions.run(job)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct MeasureAll;
+
+impl Watching for MeasureAll {
+    type Reading = Measures;
+    type Meter<T: Fuse> = Everything<T>;
+
+    const FUSES: bool = false;
+
+    fn empty(self) -> Measures {
+        Measures::default()
+    }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        // The sums of the chatter lie side by side in memory line by line, and wider vectors gather them one by one:
+        // they take four times as long.
+        let _ = instructions;
+        job.call()
+    }
+}
+
+impl Run<'_> {
+    /// The rollouts with the type that the stabilizer has.
+    fn on<T: Fuse, W: Watching>(
+        self,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
+        type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
+        let candidate = match self.basic_name.on(&self.kernel.along.base) {
+            None => return self.under::<T, NoStabilizer, W>(watching),
+            Some(Stabilizer::Popc(_)) => Candidate::Spring,
+            Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
+        };
+        match candidate {
+            Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
+            Candidate::DeviceDamping => self.under::<T, Lolc<T, DeviceDamped<T>>, W>(watching),
+            Candidate::MassSpringDamper => self.under::<T, Lolc<T, WallDamped<T>>, W>(watching),
+        }
+    }
+
+    fn under<T: Fuse, S: Laned<T>, W: Watching>(
+        self,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        let seats = Seats::new(&self.kernel.along, self.cells);
+        let fuses = W::FUSES && self.kernel.fuses();
+        let empty = watching.empty();
+        let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
+        // One rollout at a time has nothing to gain from vectors.
+        if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
+    }
+}

@@ -1,0 +1,130 @@
+//! The parts of a loop whose numbers differ from lane to lane.
+
+use lyapunov::{
+    Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar,
+    Stabilized, Stabilizer,
+    bodies::{Body, Impedance},
+    candidates::InContact,
+    effects::{OnePortExt, ZeroOrderHold},
+    environments::Wall,
+    stabilizers::NoStabilizer,
+};
+
+use super::backward::{Backward, Fuse, Period};
+use crate::files::scene::{self, Damping, Draft};
+use crate::simulate::family::Settings;
+
+/// The scenes of the lanes, alike in rates and duration; past the last one the last one again.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lanes<'a>(pub(super) &'a [Draft]);
+
+/// The port of the kernel: a wall behind a hold, watched, and told velocities that are taken from displacements.
+pub(super) type Watched<T, S> = Backward<Stabilized<ZeroOrderHold<Wall<T>, T>, S, T>, T>;
+
+impl<'a> Lanes<'a> {
+    /// What all scenes have in common.
+    pub(super) fn common(self) -> &'a Draft {
+        &self.0[0]
+    }
+
+    /// A number of each scene.
+    pub(super) fn each<T: Scalar>(self, number: impl Fn(&Draft) -> f64) -> T {
+        T::from_lanes(|lane| number(self.of(lane)))
+    }
+
+    fn of(self, lane: usize) -> &'a Draft {
+        &self.0[lane.min(self.0.len() - 1)]
+    }
+
+    /// The body with the numbers of each lane, taken from `last` where that is made of the same.
+    pub(super) fn body<T: Scalar>(self, last: &mut Bodies<T>) -> Result<Body<T>, ParameterError> {
+        let parts = Impedance {
+            mass: self.each(Draft::port_mass),
+            damping: self.each(|it| it.operator.damping.get() + it.device.damping.get()),
+            stiffness: self.each(|it| it.operator.stiffness.get()),
+        };
+        let body = last.of(parts, T::of(self.common().period()))?;
+        let (position, velocity) =
+            (self.each(|it| it.initial.position.get()), self.each(|it| it.initial.velocity.get()));
+        Ok(body.resting_at(self.each(|it| it.operator.rest.get())).starting(position, velocity))
+    }
+
+    /// The port with the numbers of each lane. `fuses`: as of a [`Period`].
+    pub(super) fn port<T: Fuse, S: Laned<T>>(
+        self,
+        fuses: bool,
+    ) -> Result<Watched<T, S>, ParameterError> {
+        let of = |number: fn(&scene::Wall) -> f64| {
+            self.each(|scene| scene.environment.wall().map_or(0.0, number))
+        };
+        let wall = Wall::new(of(|it| it.stiffness.get()), of(|it| it.damping.get()))?;
+        let wall = wall.at(of(|it| it.position.get()));
+        let stabilizer = S::of(self, &wall)?;
+        let ticks = u32::try_from(self.common().environment_ratio()).unwrap_or(u32::MAX);
+        let period = Period::of(self.common().period(), fuses);
+        Ok(Backward::new(wall.held(ticks)?.stabilized(stabilizer), period))
+    }
+}
+
+/// The last body that was made: its exact motion is worked out once and not for each group of cells.
+#[derive(Debug)]
+pub(super) struct Bodies<T: Scalar>(Option<(Impedance<T>, T, Body<T>)>);
+
+impl<T: Scalar> Bodies<T> {
+    pub(super) fn none() -> Self {
+        Self(None)
+    }
+
+    fn of(&mut self, parts: Impedance<T>, period: T) -> Result<Body<T>, ParameterError> {
+        match &self.0 {
+            Some((made_of, over, body)) if *made_of == parts && *over == period => Ok(*body),
+            _ => {
+                let body = Body::new(parts, period)?;
+                self.0 = Some((parts, period, body));
+                Ok(body)
+            }
+        }
+    }
+}
+
+/// A stabilizer with the numbers of each lane.
+pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Sized {
+    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
+}
+
+impl<T: Scalar> Laned<T> for NoStabilizer {
+    fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
+        Ok(Self)
+    }
+}
+
+impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
+    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
+        let damping = |scene: &Draft| scene.damping(Settings::of(scene).damping_cap.get());
+        let limit = Damping::limit_of_lanes(|lane| damping(lanes.of(lane)))?;
+        Ok(Self::new(C::of(lanes, wall)?, limit))
+    }
+}
+
+/// A candidate with the numbers of each lane.
+pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Sized {
+    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
+}
+
+impl<T: Scalar> Crediting<T> for PortEnergy {
+    fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
+        Ok(Self)
+    }
+}
+
+impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T>) {
+    fn of(lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
+        Ok((PortEnergy, Dissipation::of(lanes.each(|scene| scene.device.damping.get()))?))
+    }
+}
+
+impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T, InContact<T>>) {
+    fn of(_lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
+        Ok((PortEnergy, wall.dissipation()))
+    }
+}

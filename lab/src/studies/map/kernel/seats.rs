@@ -1,0 +1,66 @@
+//! From the cells of a map to lanes.
+
+use super::field::Copy;
+use super::parts::Lanes;
+use crate::files::scene::{Draft, Scene};
+
+/// Cells that wait for a lane, and the scenes that they make.
+#[derive(Debug)]
+pub(super) struct Seats<'a> {
+    pub(super) along: &'a Along,
+    pub(super) cells: &'a [u64],
+    taken: usize,
+    scenes: Vec<Draft>,
+}
+
+/// The scenes along both axes, and how a cell takes its two numbers from them.
+#[derive(Debug)]
+pub(super) struct Along {
+    pub(super) base: Draft,
+    pub(super) x: (Vec<Scene>, Copy),
+    pub(super) y: (Vec<Scene>, Copy),
+}
+
+impl Along {
+    /// Makes the scene of `cell` out of that of another.
+    fn write(&self, cell: u64, scene: &mut Draft) {
+        let columns = self.x.0.len();
+        let (column, row) = (cell as usize % columns, cell as usize / columns);
+        (self.x.1)(scene, &self.x.0[column]);
+        (self.y.1)(scene, &self.y.0[row]);
+    }
+}
+
+impl<'a> Seats<'a> {
+    pub(super) fn new(along: &'a Along, cells: &'a [u64]) -> Self {
+        Self { along, cells, taken: 0, scenes: Vec::new() }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// The next cells, at most `lanes` and alike in rates and duration, and the place of the first of them.
+    pub(super) fn next(&mut self, lanes: usize) -> Option<(usize, Lanes<'_>)> {
+        let first = self.taken;
+        let waiting = self.cells.get(first..)?;
+        let mut count = 0;
+        for &cell in waiting.iter().take(lanes) {
+            if self.scenes.len() == count {
+                self.scenes.push(self.along.base.clone());
+            }
+            self.along.write(cell, &mut self.scenes[count]);
+            if count > 0 && course(&self.scenes[count]) != course(&self.scenes[0]) {
+                break;
+            }
+            count += 1;
+        }
+        self.taken += count;
+        (count > 0).then(|| (first, Lanes(&self.scenes[..count])))
+    }
+}
+
+/// What has to be the same for all lanes of a group.
+fn course(scene: &Draft) -> (f64, u64, u64) {
+    (scene.servo_rate.get(), scene.environment_ratio(), scene.ticks())
+}

@@ -1,0 +1,314 @@
+//! The cells of a map, computed on all cores and handed on in their order.
+
+use std::fmt;
+use std::time::{Duration, Instant};
+
+use rayon::ThreadPool;
+use rayon::prelude::*;
+
+use super::grid::{Grid, GridError};
+use super::kernel::{Instructions, Kernel, Lanes};
+use super::outcome::Outcome;
+use super::single;
+use crate::show::OutputError;
+use crate::simulate::family::{BasicName, StabilizerName};
+
+/// How long a band of cells may take: no more than this is lost when a machine stops.
+const BAND: Duration = Duration::from_millis(500);
+
+/// Cells that one thread takes at once: at most, and at least while there are so many.
+const SHARE: usize = 1024;
+const LEAST: usize = 64;
+
+/// The most cells of a band.
+const MOST: usize = 1 << 16;
+
+/// How the cells are computed.
+#[derive(Debug)]
+pub enum Method {
+    /// Many at once, on lanes.
+    Lanes(Box<Kernel>),
+    /// One by one: the scene has parts, or the axes are numbers, that the kernel does not have.
+    Single,
+}
+
+/// What the computation took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Workload {
+    /// Cells.
+    pub cells: u64,
+    /// Ticks of all rollouts, each to the end of its run, also of those that were stopped before.
+    pub rollout_steps: u64,
+    /// Time in which the verdicts were found, s.
+    pub kernel_seconds: f64,
+    /// Time in which the bounded runs were measured, s; 0 where that happens along with the verdict.
+    pub measures_seconds: f64,
+}
+
+/// Why a map is not finished.
+#[derive(Debug)]
+pub enum RunError {
+    /// A cell that is no scene.
+    Cell(GridError),
+    /// What was found could not be written down.
+    Output(OutputError),
+    /// Threads could not be started.
+    Threads(String),
+    /// Whoever watched said so; what was handed on is sound.
+    Stopped,
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cell(error) => error.fmt(f),
+            Self::Output(error) => error.fmt(f),
+            Self::Threads(error) => write!(f, "no threads: {error}"),
+            Self::Stopped => f.write_str("the map was stopped"),
+        }
+    }
+}
+
+impl std::error::Error for RunError {}
+
+impl From<GridError> for RunError {
+    fn from(error: GridError) -> Self {
+        Self::Cell(error)
+    }
+}
+
+impl From<OutputError> for RunError {
+    fn from(error: OutputError) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// Is handed the first cell of a band, and what each of its cells came to under each stabilizer.
+pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
+
+/// The computation of a map.
+#[derive(Debug)]
+pub struct Run<'a> {
+    grid: &'a Grid,
+    method: Method,
+    pool: ThreadPool,
+}
+
+impl<'a> Run<'a> {
+    /// The computation of `grid` on `threads` threads, or as many as there are cores.
+    ///
+    /// # Errors
+    /// A value of an axis that the scene does not allow; threads that cannot be started.
+    pub fn of(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
+        let best = Instructions::all()[0];
+        match Kernel::of(grid, best, Lanes::Many)? {
+            Some(kernel) => Self::by(grid, Method::Lanes(Box::new(kernel)), threads),
+            None => Self::one_by_one(grid, threads),
+        }
+    }
+
+    /// The same, each cell by itself whatever the scene is made of.
+    ///
+    /// # Errors
+    /// As [`Run::of`].
+    pub fn one_by_one(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
+        // A wrong value would be met only after the cells before it.
+        grid.along(0).and(grid.along(1)).map_err(GridError::from)?;
+        Self::by(grid, Method::Single, threads)
+    }
+
+    fn by(grid: &'a Grid, method: Method, threads: Option<usize>) -> Result<Self, RunError> {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.unwrap_or_default())
+            .build()
+            .map_err(|error| RunError::Threads(error.to_string()))?;
+        Ok(Self { grid, method, pool })
+    }
+
+    /// How the cells are computed.
+    pub fn method(&self) -> &Method {
+        &self.method
+    }
+
+    /// How many threads compute.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+
+    /// Computes `cells` and hands them to `put` in their order, a band at a time; `go_on` is asked now and then.
+    ///
+    /// # Errors
+    /// [`RunError::Stopped`] if `go_on` says so, and what `put` or a cell meets. What was handed on before is sound.
+    pub fn cells(
+        &self,
+        cells: std::ops::Range<u64>,
+        go_on: &(dyn Fn() -> bool + Sync),
+        put: &mut TakeOutcomes<'_>,
+    ) -> Result<Workload, RunError> {
+        let mut effort = Workload::default();
+        let mut size = self.first_band();
+        let mut first = cells.start;
+        while first < cells.end {
+            let began = Instant::now();
+            let last = cells.end.min(first + size as u64);
+            let band: Vec<u64> = (first..last).collect();
+            let outcomes = match &self.method {
+                Method::Lanes(kernel) => self.by_lanes(kernel, &band, go_on, &mut effort)?,
+                Method::Single => self.by_itself(&band, go_on, &mut effort)?,
+            };
+            let done = &band[..outcomes.len()];
+            let steps: u64 = done.iter().map(|cell| self.grid.rows(*cell)).sum();
+            effort.cells += done.len() as u64;
+            effort.rollout_steps += steps * self.grid.stabilizers.len() as u64;
+            put(first, &outcomes)?;
+            if done.len() < band.len() || !go_on() {
+                return Err(RunError::Stopped);
+            }
+            first = last;
+            let share = BAND.as_secs_f64() / began.elapsed().as_secs_f64().max(1e-6);
+            size = ((size as f64 * share.clamp(0.25, 4.0)) as usize).clamp(self.threads(), MOST);
+        }
+        Ok(effort)
+    }
+
+    /// So many cells that a band is short whatever a cell takes.
+    fn first_band(&self) -> usize {
+        let rows = self.grid.rows(0).max(self.grid.rows(self.grid.cells() - 1));
+        let fast = matches!(self.method, Method::Lanes(_))
+            && self.grid.stabilizers.iter().all(|member| member.basic_name().is_some());
+        let steps: u64 = if fast { 20_000_000 } else { 1_000_000 };
+        ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
+    }
+
+    fn by_lanes(
+        &self,
+        kernel: &Kernel,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+        effort: &mut Workload,
+    ) -> Result<Vec<Vec<Outcome>>, RunError> {
+        let members = &self.grid.stabilizers;
+        let mut outcomes = vec![vec![Outcome::default(); members.len()]; band.len()];
+        for (index, member) in members.iter().enumerate() {
+            let found = match member.basic_name() {
+                Some(basic_name) => self.on_lanes(kernel, basic_name, band, go_on, effort)?,
+                None => self.alone(*member, band, go_on, effort)?,
+            };
+            for (outcomes, outcome) in outcomes.iter_mut().zip(found) {
+                outcomes[index] = outcome;
+            }
+        }
+        Ok(outcomes)
+    }
+
+    fn on_lanes(
+        &self,
+        kernel: &Kernel,
+        basic_name: BasicName,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+        effort: &mut Workload,
+    ) -> Result<Vec<Outcome>, RunError> {
+        let began = Instant::now();
+        let verdicts = self.shared(band, |cells| kernel.verdicts(basic_name, cells, go_on))?;
+        effort.kernel_seconds += began.elapsed().as_secs_f64();
+        let began = Instant::now();
+        let bounded: Vec<usize> =
+            (0..band.len()).filter(|at| verdicts[*at] != Some(false)).collect();
+        let cells: Vec<u64> = bounded.iter().map(|at| band[*at]).collect();
+        let measures = self.shared(&cells, |cells| kernel.measures(basic_name, cells, go_on))?;
+        let unmeasured = |stable| Outcome { stable, ..Outcome::default() };
+        let mut outcomes: Vec<Outcome> = verdicts.into_iter().map(unmeasured).collect();
+        for (at, measures) in bounded.into_iter().zip(measures) {
+            outcomes[at].measures = measures;
+        }
+        effort.measures_seconds += began.elapsed().as_secs_f64();
+        Ok(outcomes)
+    }
+
+    /// What has no lanes, beside what has.
+    fn alone(
+        &self,
+        member: StabilizerName,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+        effort: &mut Workload,
+    ) -> Result<Vec<Outcome>, RunError> {
+        let began = Instant::now();
+        let one = |cell: &u64| match self.outcome(*cell, member, go_on) {
+            Ok(outcome) => outcome.ok_or(RunError::Stopped),
+            Err(error) => Err(RunError::Cell(error)),
+        };
+        let outcomes = self.pool.install(|| band.par_iter().map(one).collect());
+        effort.kernel_seconds += began.elapsed().as_secs_f64();
+        outcomes
+    }
+
+    fn outcome(
+        &self,
+        cell: u64,
+        member: StabilizerName,
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Outcome>, GridError> {
+        let scene = self.grid.scene_of(cell)?;
+        single::outcome(&scene, member, go_on)
+            .map_err(|error| self.grid.at(cell, error.to_string()))
+    }
+
+    /// What `of` makes of all cells, on all threads: in shares that grow smaller, so that all are done at the same time.
+    fn shared<R: Send>(
+        &self,
+        cells: &[u64],
+        of: impl Fn(&[u64]) -> Result<Option<Vec<R>>, lyapunov::ParameterError> + Sync,
+    ) -> Result<Vec<R>, RunError> {
+        let mut left = cells;
+        let shares = std::iter::from_fn(|| {
+            let share = (left.len() / (4 * self.threads())).clamp(LEAST, SHARE).min(left.len());
+            left.split_off(..share).filter(|share| !share.is_empty())
+        });
+        let one = |cells: &[u64]| match of(cells) {
+            Ok(done) => done.ok_or(RunError::Stopped),
+            Err(error) => Err(self.blamed(cells, error)),
+        };
+        let mut shares: Vec<(usize, Result<Vec<R>, RunError>)> = self.pool.install(|| {
+            // Handed out in their order, as threads ask for them.
+            shares.enumerate().par_bridge().map(|(at, cells)| (at, one(cells))).collect()
+        });
+        shares.sort_unstable_by_key(|(at, _)| *at);
+        let mut all = Vec::with_capacity(cells.len());
+        for (_, share) in shares {
+            all.extend(share?);
+        }
+        Ok(all)
+    }
+
+    /// Says which cell it is that an error is about.
+    fn blamed(&self, cells: &[u64], error: lyapunov::ParameterError) -> RunError {
+        let fault = cells.iter().find_map(|cell| self.grid.scene_of(*cell).err());
+        RunError::Cell(fault.unwrap_or_else(|| self.grid.at(cells[0], error.to_string())))
+    }
+
+    /// The cells up to the first that was stopped.
+    fn by_itself(
+        &self,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+        effort: &mut Workload,
+    ) -> Result<Vec<Vec<Outcome>>, RunError> {
+        let began = Instant::now();
+        let one = |cell: &u64| -> Result<Option<Vec<Outcome>>, GridError> {
+            let members = self.grid.stabilizers.iter();
+            members.map(|member| self.outcome(*cell, *member, go_on)).collect()
+        };
+        let cells: Vec<_> = self.pool.install(|| band.par_iter().map(one).collect());
+        effort.kernel_seconds += began.elapsed().as_secs_f64();
+        let mut outcomes = Vec::with_capacity(band.len());
+        for cell in cells {
+            match cell? {
+                Some(cell) => outcomes.push(cell),
+                None => break,
+            }
+        }
+        Ok(outcomes)
+    }
+}

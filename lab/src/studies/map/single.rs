@@ -1,0 +1,102 @@
+//! Cells run one by one, for scenes with parts that the kernel does not have.
+
+use lyapunov::{ParameterError, Scalar};
+
+use super::outcome::{Measures, Outcome};
+use crate::files::scene::{Scalar as Width, Scene};
+use crate::measure::{Boundedness, Chatter, Energies, Settling, Share};
+use crate::simulate::family::StabilizerName;
+use crate::simulate::{Criterion, Rollout, Space, Tick};
+
+/// Ticks between two looks at what is decided.
+const STRETCH: u64 = 64;
+
+/// What the run of `scene` under `member` comes to. A run whose fate is sealed is not run to its end.
+/// None if `go_on` said so.
+pub(super) fn outcome(
+    scene: &Scene,
+    member: StabilizerName,
+    go_on: &(dyn Fn() -> bool + Sync),
+) -> Result<Option<Outcome>, ParameterError> {
+    match scene.scalar {
+        Width::F64 => run::<f64>(scene, member, go_on),
+        Width::F32 => run::<f32>(scene, member, go_on),
+    }
+}
+
+fn run<T: Scalar + Space>(
+    scene: &Scene,
+    member: StabilizerName,
+    go_on: &(dyn Fn() -> bool + Sync),
+) -> Result<Option<Outcome>, ParameterError> {
+    let criterion = Criterion::of(scene);
+    let mut boundedness = Boundedness::<f64>::new(scene.ticks());
+    let mut meters = Meters::new::<T>(scene, &criterion);
+    let mut ticks = 0;
+    for tick in Rollout::<T>::under(scene, member)? {
+        boundedness.add(tick.truth.position.axis(0));
+        meters.add(&tick);
+        ticks += 1;
+        if ticks % STRETCH == 0 {
+            if boundedness.is_lost(0, &criterion) {
+                break;
+            }
+            if !go_on() {
+                return Ok(None);
+            }
+        }
+    }
+    let stable = boundedness.verdict(0, &criterion);
+    let measures = if stable == Some(false) { Measures::default() } else { meters.finish(scene) };
+    Ok(Some(Outcome { stable, measures }))
+}
+
+struct Meters {
+    ticks: u64,
+    active: u64,
+    peak: f64,
+    settling: Settling<f64>,
+    share: Share,
+    energies: Energies<f64>,
+    chatter: Option<Chatter<f64>>,
+}
+
+impl Meters {
+    fn new<V: Space>(scene: &Scene, criterion: &Criterion) -> Self {
+        let (rest, band) = criterion.rest();
+        Self {
+            ticks: 0,
+            active: 0,
+            peak: 0.0,
+            settling: Settling::new(rest, band),
+            share: Share::new::<V>(scene),
+            energies: Energies::new(),
+            chatter: Chatter::new(scene.servo_rate.get()),
+        }
+    }
+
+    fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let (position, force) = (tick.truth.position.axis(0), tick.applied.axis(0));
+        let split = self.share.split(tick);
+        self.ticks += 1;
+        self.active += u64::from(tick.correction.alpha.lane(0) > 0.0);
+        self.peak = self.peak.max(force.abs());
+        self.settling.add(position);
+        self.energies.add(position, split.environment, split.controller);
+        if let Some(chatter) = &mut self.chatter {
+            chatter.add(force);
+        }
+    }
+
+    fn finish(&self, scene: &Scene) -> Measures {
+        Measures {
+            peak_force: Some(self.peak),
+            settling_time: self.settling.since(0).map(|tick| tick / scene.servo_rate.get()),
+            energy_injected: Some(1e3 * self.energies.injected()),
+            energy_taken: Some(1e3 * self.energies.taken()),
+            active: Some(100.0 * self.active as f64 / self.ticks as f64),
+            chatter: self.chatter.as_ref().and_then(Chatter::root_mean_square),
+        }
+        .in_range()
+    }
+}

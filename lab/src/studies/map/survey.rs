@@ -1,0 +1,155 @@
+//! What a whole map comes to, cell by cell: little, however large it is.
+
+use super::grid::Grid;
+use super::outcome::{Measure, Outcome};
+
+/// The most picture elements along an axis; a larger map is drawn by means.
+const FINEST: u64 = 512;
+
+/// What is kept of a map while its cells pass by.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    grid: Grid,
+    columns: usize,
+    rows: usize,
+    layers: Vec<Layer>,
+}
+
+/// What one stabilizer came to.
+#[derive(Clone, Debug)]
+struct Layer {
+    stable: u64,
+    judged: u64,
+    /// How far each row is stable, from its beginning; and each column.
+    along_x: Vec<Reach>,
+    along_y: Vec<Reach>,
+    /// For each element: how many cells were judged, how many of them stable.
+    cells: Vec<u32>,
+    held: Vec<u32>,
+    /// For each measure and element, the sum and the number of the values.
+    sums: Vec<Vec<(f64, u32)>>,
+}
+
+/// How far a row or a column of a map is stable, from its beginning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reach {
+    /// The number of the cell after the last stable one before any that is unstable; 0 without one.
+    pub end: u64,
+    /// Whether an unstable one follows.
+    pub is_broken: bool,
+}
+
+impl Reach {
+    /// Looks at the next cell, number `index`.
+    fn pass(&mut self, index: u64, stable: Option<bool>) {
+        self.is_broken |= stable == Some(false);
+        if stable == Some(true) && !self.is_broken {
+            self.end = index + 1;
+        }
+    }
+}
+
+/// The share of a map that a stabilizer renders stably: its Z-width.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Area {
+    /// Stable cells.
+    pub stable: u64,
+    /// Cells that were judged: all, but for those where no spring pulls the plant anywhere.
+    pub judged: u64,
+    /// The one of the other; none if none was judged.
+    pub share: Option<f64>,
+    /// The share of all cells, of the rectangle, in the units of both axes; of a logarithmic axis in decades.
+    pub area: Option<f64>,
+}
+
+impl Survey {
+    /// Nothing seen yet.
+    pub fn of(grid: &Grid) -> Self {
+        let [columns, rows] = [grid.x.count, grid.y.count].map(|count| count.min(FINEST) as usize);
+        let layer = Layer {
+            stable: 0,
+            judged: 0,
+            along_x: vec![Reach::default(); grid.y.count as usize],
+            along_y: vec![Reach::default(); grid.x.count as usize],
+            cells: vec![0; columns * rows],
+            held: vec![0; columns * rows],
+            sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
+        };
+        let layers = vec![layer; grid.stabilizers.len()];
+        Self { grid: grid.clone(), columns, rows, layers }
+    }
+
+    /// One more cell; the cells of a map come in their order.
+    pub fn add(&mut self, cell: u64, outcomes: &[Outcome]) {
+        let (x, y) = (cell % self.grid.x.count, cell / self.grid.x.count);
+        let at = |index: u64, count: u64, finest: usize| (index * finest as u64 / count) as usize;
+        let column = at(x, self.grid.x.count, self.columns);
+        let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
+        for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
+            layer.judged += u64::from(outcome.stable.is_some());
+            layer.stable += u64::from(outcome.stable == Some(true));
+            layer.along_x[y as usize].pass(x, outcome.stable);
+            layer.along_y[x as usize].pass(y, outcome.stable);
+            layer.cells[element] += u32::from(outcome.stable.is_some());
+            layer.held[element] += u32::from(outcome.stable == Some(true));
+            for (measure, sums) in Measure::ALL.iter().zip(&mut layer.sums) {
+                if let Some(value) = measure.of(&outcome.measures) {
+                    sums[element].0 += value;
+                    sums[element].1 += 1;
+                }
+            }
+        }
+    }
+
+    /// What is mapped.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// What stabilizer `index` renders stably.
+    pub fn area(&self, index: usize) -> Area {
+        let Layer { stable, judged, .. } = self.layers[index];
+        let share = (judged > 0).then(|| stable as f64 / judged as f64);
+        let whole = self.grid.x.width() * self.grid.y.width();
+        let area = share.map(|_| stable as f64 / self.grid.cells() as f64 * whole);
+        Area { stable, judged, share, area }
+    }
+
+    /// The unit of areas.
+    pub fn unit(&self) -> String {
+        let units = [self.grid.x.unit(), self.grid.y.unit()].map(|unit| match unit {
+            "" => "1",
+            unit => unit,
+        });
+        units.join(" x ")
+    }
+
+    /// How far along x stabilizer `index` renders each value of y stably.
+    pub fn along_x(&self, index: usize) -> &[Reach] {
+        &self.layers[index].along_x
+    }
+
+    /// The same of y for each value of x.
+    pub fn along_y(&self, index: usize) -> &[Reach] {
+        &self.layers[index].along_y
+    }
+
+    /// Columns and rows of the picture.
+    pub(super) fn size(&self) -> (usize, usize) {
+        (self.columns, self.rows)
+    }
+
+    /// The share of the judged cells that are stable under stabilizer `index`, row by row from the bottom; NaN where none was
+    /// judged.
+    pub(super) fn stable(&self, index: usize) -> Vec<f64> {
+        let layer = &self.layers[index];
+        let share = |(cells, held): (&u32, &u32)| f64::from(*held) / f64::from(*cells);
+        layer.cells.iter().zip(&layer.held).map(share).collect()
+    }
+
+    /// The mean of a measure over the cells of each element; NaN where there is none.
+    pub(super) fn mean(&self, index: usize, measure: usize) -> Vec<f64> {
+        let sums = &self.layers[index].sums[measure];
+        sums.iter().map(|(sum, count)| sum / f64::from(*count)).collect()
+    }
+}

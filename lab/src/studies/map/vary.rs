@@ -1,0 +1,137 @@
+//! A scene with one of its numbers changed.
+
+use std::fmt;
+
+use toml::Value;
+
+use super::axis::Axis;
+use crate::files::scene::{Draft, Motion, Scene, number_keys};
+use crate::text::nearest;
+
+/// A number of a scene, found by its dotted key.
+#[derive(Clone, Debug)]
+pub(super) struct Vary {
+    key: String,
+    is_whole: bool,
+}
+
+/// Why an axis does not fit a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VaryError {
+    problem: String,
+    remedy: String,
+}
+
+impl VaryError {
+    fn new(problem: String, remedy: impl Into<String>) -> Self {
+        Self { problem, remedy: remedy.into() }
+    }
+}
+
+impl fmt::Display for VaryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n  = {}", self.problem, self.remedy)
+    }
+}
+
+impl std::error::Error for VaryError {}
+
+impl Vary {
+    /// The number that `axis` names in the scene written down as `tree`.
+    pub(super) fn of(axis: &Axis, tree: &Value) -> Result<Self, VaryError> {
+        let key = axis.key.as_str();
+        let is_whole = match find(tree, key) {
+            Some(Value::Integer(_)) => true,
+            Some(Value::Float(_)) => false,
+            Some(_) => {
+                let problem = format!("`{key}` is not a number of the scene");
+                return Err(VaryError::new(problem, known(tree, key)));
+            }
+            // What has a default may be left out of a scene.
+            None if number_keys().any(|known| known == key) && find(tree, table(key)).is_some() => {
+                false
+            }
+            None => {
+                let problem = format!("the scene has no number `{key}`");
+                return Err(VaryError::new(problem, known(tree, key)));
+            }
+        };
+        Ok(Self { key: key.to_owned(), is_whole })
+    }
+
+    /// Writes `value` in the place of the number.
+    pub(super) fn write(&self, tree: &mut Value, value: f64) -> Result<(), VaryError> {
+        let number = match self.is_whole {
+            false => Value::Float(value),
+            true if value.fract() == 0.0 => Value::Integer(value as i64),
+            true => {
+                let problem = format!("`{}` takes whole numbers only, not {value:?}", self.key);
+                let remedy = "choose FROM..TO:N so that every step is whole, as in 0..8:9";
+                return Err(VaryError::new(problem, remedy));
+            }
+        };
+        let mut parts = self.key.split('.').peekable();
+        let mut place = tree;
+        while let Some(part) = parts.next() {
+            let Value::Table(table) = place else { break };
+            if parts.peek().is_none() {
+                table.insert(part.to_owned(), number);
+                break;
+            }
+            let Some(next) = table.get_mut(part) else { break };
+            place = next;
+        }
+        Ok(())
+    }
+
+    /// What is wrong with `value` there.
+    pub(super) fn refused(&self, value: f64, reason: &str) -> VaryError {
+        let problem = format!("`{}` = {value:?} is no scene: {reason}", self.key);
+        VaryError::new(problem, "choose a range in which every value is right")
+    }
+}
+
+/// The scene that `tree` describes, with what only a file holds taken from `base`.
+pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
+    let mut draft: Draft =
+        tree.clone().try_into().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    if let (Some(Motion::File { samples, .. }), Some(Motion::File { samples: own, .. })) =
+        (&mut draft.operator.motion, &base.operator.motion)
+    {
+        *samples = std::sync::Arc::clone(own);
+    }
+    draft.check().map_err(|conflict| conflict.to_string())
+}
+
+fn table(key: &str) -> &str {
+    key.rsplit_once('.').map_or("", |(table, _)| table)
+}
+
+fn find<'a>(tree: &'a Value, key: &str) -> Option<&'a Value> {
+    key.split('.').filter(|part| !part.is_empty()).try_fold(tree, |value, part| value.get(part))
+}
+
+/// The numbers that the scene does have.
+fn known(tree: &Value, key: &str) -> String {
+    let mut keys = Vec::new();
+    gather(tree, "", &mut keys);
+    let all: Vec<&str> = keys.iter().map(String::as_str).collect();
+    match nearest(key, &all) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => {
+            let rows: Vec<String> = all.chunks(3).map(|keys| keys.join(", ")).collect();
+            format!("the numbers of this scene are:\n    {}", rows.join("\n    "))
+        }
+    }
+}
+
+fn gather(value: &Value, path: &str, keys: &mut Vec<String>) {
+    match value {
+        Value::Float(_) | Value::Integer(_) => keys.push(path.to_owned()),
+        Value::Table(table) => table.iter().for_each(|(key, value)| {
+            let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+            gather(value, &path, keys);
+        }),
+        _ => {}
+    }
+}

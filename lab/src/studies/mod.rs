@@ -1,0 +1,12 @@
+//! A room for each command, named after it.
+
+pub mod accuracy;
+pub mod bound;
+pub mod compare;
+pub mod effects;
+pub mod explain;
+pub mod hard;
+pub mod map;
+pub mod observe;
+pub mod paper;
+pub mod scenes;

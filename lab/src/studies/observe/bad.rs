@@ -1,0 +1,119 @@
+//! Rows that cannot be used.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::columns::Role;
+use crate::text::shorten;
+
+/// Bad rows that are named one by one; the rest are counted.
+const NAMED: usize = 10;
+
+/// The largest number in SI units, of either sign, that a row may hold.
+///
+/// With it no product or sum of a report can leave the range of an `f64`.
+pub(super) const LARGEST: f64 = 1e50;
+
+/// The shortest time between two rows, s; for the same reason.
+pub(super) const SHORTEST: f64 = 1e-50;
+
+/// Why a row cannot be used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Reason<'a> {
+    Fields { found: usize, expected: usize },
+    Number { role: Role, field: &'a [u8] },
+    Range { role: Role, field: &'a [u8] },
+    Order { time: f64, last: f64, line: u64 },
+    TooLong,
+}
+
+impl fmt::Display for Reason<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = |field| shorten(String::from_utf8_lossy(field).trim());
+        match self {
+            Self::Fields { found, expected } => {
+                let plural = if *found == 1 { "" } else { "s" };
+                write!(f, "{found} field{plural}, not {expected}")
+            }
+            Self::Number { role, field } if field.trim_ascii().is_empty() => {
+                write!(f, "{} is empty", role.letter())
+            }
+            Self::Number { role, field } => {
+                write!(f, "{} is `{}`, no number", role.letter(), text(field))
+            }
+            Self::Range { role, field } => {
+                write!(f, "{} is `{}`, out of range", role.letter(), text(field))
+            }
+            Self::Order { time, last, line } => {
+                write!(f, "t = {time:?} s is not after {last:?} s of line {line}")
+            }
+            Self::TooLong => f.write_str("longer than 256 KiB"),
+        }
+    }
+}
+
+/// A row that cannot be used, and what can be read of it all the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bad<'a> {
+    pub(super) line: u64,
+    pub(super) reason: Reason<'a>,
+    pub(super) time: Option<f64>,
+    pub(super) force: Option<f64>,
+}
+
+/// A bad row by its line.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct BadRow {
+    /// The number of the line, from 1.
+    pub line: u64,
+    /// Why it cannot be used.
+    pub reason: String,
+}
+
+/// The rows of a log that cannot be used.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct BadRows {
+    /// All of them.
+    pub count: u64,
+    /// Those with more or fewer fields than the first line, or too long to be a row.
+    pub fields: u64,
+    /// Those with a field that is no number.
+    pub numbers: u64,
+    /// Those with a NaN, an infinity or a number beyond ±1e50 in SI units.
+    pub range: u64,
+    /// Those with a time stamp that is not after that of the last good row.
+    pub order: u64,
+    /// The first ten.
+    pub first: Vec<BadRow>,
+}
+
+impl BadRows {
+    pub(super) fn add(&mut self, line: u64, reason: &Reason<'_>) {
+        self.count += 1;
+        *match reason {
+            Reason::Fields { .. } | Reason::TooLong => &mut self.fields,
+            Reason::Number { .. } => &mut self.numbers,
+            Reason::Range { .. } => &mut self.range,
+            Reason::Order { .. } => &mut self.order,
+        } += 1;
+        if self.first.len() < NAMED {
+            self.first.push(BadRow { line, reason: reason.to_string() });
+        }
+    }
+
+    /// What to do about the most frequent kind.
+    pub fn remedy(&self) -> Option<&'static str> {
+        let kinds = [
+            (self.fields, "every row needs as many fields as the first line; is it cut off?"),
+            (self.numbers, "write numbers as 0.5 or 5e-1, with a point; --columns may be wrong"),
+            (self.range, "NaN and infinities are no measurements; --scale may be wrong"),
+            (self.order, "time must increase: sort the log, or cut it where the clock went back"),
+        ];
+        kinds
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
+            .max_by_key(|(count, _)| *count)
+            .map(|(_, text)| text)
+    }
+}

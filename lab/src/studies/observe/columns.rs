@@ -1,0 +1,101 @@
+//! Which columns of a log hold what, as they are asked for.
+
+use std::str::FromStr;
+
+use serde::Serialize;
+
+use super::error::ObserveError;
+
+/// The columns of time, position, force and, maybe, velocity, in this order: by name, or by number from 1.
+///
+/// ```
+/// use lyapunov_lab::observe::Columns;
+/// assert!("time,position,force".parse::<Columns>().is_ok());
+/// assert!("1,4,2,5".parse::<Columns>().is_ok());
+/// assert!("time,position".parse::<Columns>().is_err());
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Columns(Vec<String>);
+
+impl Columns {
+    /// Each role with the column that was asked for.
+    pub(super) fn roles(&self) -> impl Iterator<Item = (Role, &str)> {
+        Role::ALL.into_iter().zip(self.0.iter().map(String::as_str))
+    }
+
+    /// Whether there is a column of this role.
+    pub(super) fn has(&self, role: Role) -> bool {
+        role.index() < self.0.len()
+    }
+
+    /// Whether every column is given by its number.
+    pub(super) fn numbered(&self) -> bool {
+        self.0.iter().all(|name| position(name).is_some())
+    }
+}
+
+/// The index, from 0, of a column that is given by its number, from 1.
+pub(super) fn position(name: &str) -> Option<usize> {
+    name.parse::<usize>().ok()?.checked_sub(1)
+}
+
+impl Default for Columns {
+    fn default() -> Self {
+        Self(["t", "x", "f"].map(str::to_owned).to_vec())
+    }
+}
+
+impl FromStr for Columns {
+    type Err = ObserveError;
+
+    fn from_str(text: &str) -> Result<Self, ObserveError> {
+        let names: Vec<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
+        if !(3..=4).contains(&names.len()) || names.iter().any(String::is_empty) {
+            return Err(ObserveError::new("these are not three or four names").with_help(
+                "name the columns of time, position, force and, if there is one, velocity, as in \
+                 t,x,f or 1,4,2",
+            ));
+        }
+        for (index, name) in names.iter().enumerate() {
+            if names[..index].contains(name) {
+                return Err(ObserveError::new(format!("the column `{name}` is named twice"))
+                    .with_help("time, position, force and velocity are four different columns"));
+            }
+        }
+        Ok(Self(names))
+    }
+}
+
+/// What a column of a log holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// Time, s.
+    T,
+    /// Position, m.
+    X,
+    /// The environment's force on the device from this row until the next, N.
+    F,
+    /// Velocity, m/s.
+    V,
+}
+
+impl Role {
+    /// All of them, in the order in which columns are given.
+    pub const ALL: [Self; 4] = [Self::T, Self::X, Self::F, Self::V];
+
+    /// The letter by which a command line names it.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::T => "t",
+            Self::X => "x",
+            Self::F => "f",
+            Self::V => "v",
+        }
+    }
+
+    pub(super) fn index(self) -> usize {
+        self as usize
+    }
+}

@@ -1,0 +1,74 @@
+//! Why a log cannot be observed.
+
+use std::fmt;
+use std::io;
+
+use super::bad::BadRows;
+use crate::text::{folded, printable};
+
+/// Why a log cannot be observed: what is wrong, and what would be right.
+#[derive(Debug)]
+pub struct ObserveError {
+    message: String,
+    help: Option<String>,
+}
+
+impl ObserveError {
+    /// An error without a remedy yet.
+    pub(super) fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), help: None }
+    }
+
+    /// An error about a place in a log.
+    pub(super) fn at(name: &str, line: u64, message: impl fmt::Display) -> Self {
+        let name: String = name.chars().map(printable).collect();
+        Self::new(format!("{name}:{line}: {message}"))
+    }
+
+    /// An error about a log as a whole.
+    pub(super) fn about(name: &str, message: impl fmt::Display) -> Self {
+        let name: String = name.chars().map(printable).collect();
+        Self::new(format!("{name}: {message}"))
+    }
+
+    /// The error of the stream behind a log.
+    pub(super) fn unreadable(name: &str, error: &io::Error) -> Self {
+        Self::about(name, format!("it cannot be read: {error}"))
+    }
+
+    /// The error of a log with fewer than two good rows.
+    pub(super) fn too_few(name: &str, bad: &BadRows) -> Self {
+        let error = Self::about(name, "fewer than two good rows, so nothing moved");
+        error.with_help(match (bad.first.first(), bad.remedy()) {
+            (Some(first), Some(remedy)) => {
+                let (count, line, reason) = (bad.count, first.line, &first.reason);
+                format!("{count} bad, the first at line {line}: {reason}; {remedy}")
+            }
+            _ => "give a log of a motion".to_owned(),
+        })
+    }
+
+    pub(super) fn with_help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+
+    /// What is wrong, with its place.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// What would be right.
+    pub fn help(&self) -> Option<&str> {
+        self.help.as_deref()
+    }
+}
+
+impl fmt::Display for ObserveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)?;
+        let Some(help) = &self.help else { return Ok(()) };
+        write!(f, "\n{}", folded("  = ", help))
+    }
+}
+
+impl std::error::Error for ObserveError {}

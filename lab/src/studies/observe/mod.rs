@@ -1,0 +1,118 @@
+//! Observers over a recorded log of any device.
+//!
+//! [`observe`] reads a log once, row by row, in memory that does not grow, and tells when energy was generated,
+//! how much and by which contact. What each number means is in docs/observe.md.
+//!
+//! ```
+//! use lyapunov_lab::observe::{Settings, observe};
+//!
+//! let log = "t,x,f\n0.0,0.000,0\n0.1,0.001,8\n0.2,0.002,16\n0.3,0.001,8\n0.4,0.000,0\n";
+//! let observed = observe(log.as_bytes(), "spring.csv", &Settings::default())?;
+//! let energy = observed.report.energy;
+//! assert!((energy.generated - 0.016).abs() < 1e-12); // a sampled spring of 8 kN/m is not passive
+//! println!("{}", observed.report);
+//! # Ok::<(), lyapunov_lab::observe::ObserveError>(())
+//! ```
+
+mod bad;
+mod candidate;
+mod columns;
+mod contact;
+mod envelope;
+mod error;
+mod fields;
+mod layout;
+mod lines;
+mod log;
+mod observed_energy;
+mod report;
+mod scale;
+mod step;
+mod tally;
+mod text;
+mod traces;
+mod watch;
+
+pub use bad::{BadRow, BadRows};
+pub use candidate::Candidate;
+pub use columns::Columns;
+pub use columns::Role;
+pub use contact::{Contact, Contacts};
+pub use error::ObserveError;
+pub use observed_energy::{Debt, ObservedEnergy};
+pub use report::{ConstantDamper, Energy, Report};
+pub use scale::Scale;
+pub use step::{Gap, Gaps};
+pub use traces::Traces;
+
+use std::io::Read;
+
+use log::Log;
+use lyapunov_figures::Figure;
+use watch::Watch;
+
+/// How a log is to be read and observed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// Which columns hold what.
+    pub columns: Columns,
+    /// Factors to SI units; those of the same column multiply.
+    pub scales: Vec<Scale>,
+    /// What the observed energies.
+    pub candidate: Candidate,
+    /// The force above which there is contact, N; none: 1 % of the largest so far.
+    pub contact: Option<f64>,
+}
+
+impl Settings {
+    fn check(&self) -> Result<(), ObserveError> {
+        if let Some(scale) = self.scales.iter().find(|scale| !self.columns.has(scale.role)) {
+            let letter = scale.role.letter();
+            return Err(ObserveError::new(format!("there is no column of {letter} to scale"))
+                .with_help("name it as the fourth of --columns, or leave its --scale out"));
+        }
+        match self.contact {
+            Some(force) if !(force >= 0.0 && force.is_finite()) => {
+                Err(ObserveError::new(format!("the contact threshold is {force} N"))
+                    .with_help("give a finite force of 0 N or more"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What was observed in a log.
+#[derive(Clone, Debug)]
+pub struct Observed {
+    /// What it came to.
+    pub report: Report,
+    traces: Traces,
+}
+
+impl Observed {
+    /// Force, observed energies and position over time.
+    pub fn figure(&self) -> Figure {
+        self.traces.figure(&self.report)
+    }
+}
+
+/// Reads the log called `name` to its end and observes it.
+///
+/// # Errors
+/// Settings out of range, a log that has not the columns asked for or fewer than two good rows, or a stream that
+/// fails.
+pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, ObserveError> {
+    settings.check()?;
+    let candidate = settings.candidate.checked()?;
+    let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
+    let mut watch = Watch::new(candidate, settings.contact);
+    while let Some(entry) = log.read().map_err(|error| ObserveError::unreadable(name, &error))? {
+        watch.add(&entry);
+    }
+    let bad = watch.bad_rows().clone();
+    let Some((report, traces)) = watch.finish() else {
+        return Err(ObserveError::too_few(name, &bad));
+    };
+    let report = Report { log: name.to_owned(), candidate: settings.candidate, ..report };
+    Ok(Observed { report, traces })
+}

@@ -1,0 +1,84 @@
+//! What a log came to.
+
+use serde::Serialize;
+
+use super::bad::BadRows;
+use super::candidate::Candidate;
+use super::contact::Contacts;
+use super::observed_energy::ObservedEnergy;
+use super::step::Gaps;
+
+/// What a log came to, in SI units; `Display` gives it for the terminal.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Report {
+    /// The name of the log.
+    pub log: String,
+    /// The candidate whose decrease is summed.
+    pub candidate: Candidate,
+    /// Good rows.
+    pub rows: u64,
+    /// Rows that could not be used.
+    pub bad_rows: BadRows,
+    /// Time of the first good row, s.
+    pub start: f64,
+    /// Time of the last good row, s.
+    pub end: f64,
+    /// Time between the two, s.
+    pub duration: f64,
+    /// Median of the first 1024 time steps, s.
+    pub median_period: f64,
+    /// Time steps that are longer than they should be.
+    pub gaps: Gaps,
+    /// Whether a force acts on the first row; energy stored before it may then come out later.
+    pub starts_in_contact: bool,
+    /// Whether a force acts on the last row; energy stored by then may come out after it.
+    pub ends_in_contact: bool,
+    /// Energy over the port.
+    pub energy: Energy,
+    /// The observer over held work.
+    pub observed_energy: ObservedEnergy,
+    /// The damper that would have repaired the log.
+    pub repair: ConstantDamper,
+    /// The observer over sampled work, as the paper prints it.
+    pub printed: ObservedEnergy,
+    /// The contacts.
+    pub contacts: Contacts,
+}
+
+/// Energy over the port, by held work.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Energy {
+    /// ObservedEnergy of the positive works, J.
+    pub absorbed: f64,
+    /// ObservedEnergy of the negative works, without their sign, J.
+    pub released: f64,
+    /// `released − absorbed`, J: above 0 if the port generated energy.
+    pub generated: f64,
+    /// What the candidate credits, J.
+    pub credited: f64,
+}
+
+/// The smallest constant damper that, on from the first row, would have burnt every debt by the time it was
+/// there: the largest of `−L(n) / Σ v² T` up to row `n`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ConstantDamper {
+    /// The damping, N·s/m; none if a debt came before any motion.
+    pub damping: Option<f64>,
+    /// The row that needs it, s; none if there was no debt.
+    pub at: Option<f64>,
+}
+
+impl Default for ConstantDamper {
+    fn default() -> Self {
+        Self { damping: Some(0.0), at: None }
+    }
+}
+
+impl ConstantDamper {
+    pub(super) fn add(&mut self, time: f64, needed: Option<f64>) {
+        let Some(known) = self.damping else { return };
+        if needed.is_none_or(|needed| needed > known) {
+            *self = Self { damping: needed, at: Some(time) };
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Factors from the units of a log to SI.
+
+use std::str::FromStr;
+
+use super::columns::Role;
+use super::error::ObserveError;
+use crate::text::nearest;
+
+/// The factor of one column: what its numbers are multiplied with to give SI units.
+///
+/// ```
+/// use lyapunov_lab::observe::Scale;
+/// let millimetres: Scale = "x=1e-3".parse()?;
+/// assert_eq!(millimetres.factor, 1e-3);
+/// # Ok::<(), lyapunov_lab::observe::ObserveError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The column.
+    pub role: Role,
+    /// The factor.
+    pub factor: f64,
+}
+
+impl FromStr for Scale {
+    type Err = ObserveError;
+
+    fn from_str(text: &str) -> Result<Self, ObserveError> {
+        let wrong = |message: &str, help: &str| Err(ObserveError::new(message).with_help(help));
+        let Some((name, factor)) = text.split_once('=') else {
+            return wrong("there is no `=` in it", "write a column and a factor, as in x=1e-3");
+        };
+        let name = name.trim();
+        let Some(role) = Role::ALL.into_iter().find(|role| role.letter() == name) else {
+            let help = match nearest(name, &["t", "x", "f", "v"]) {
+                Some(letter) => format!("did you mean `{letter}`?"),
+                None => {
+                    "the columns are t, x, f and v here, whatever the log calls them".to_owned()
+                }
+            };
+            return wrong(&format!("there is no column `{name}`"), &help);
+        };
+        match factor.trim().parse::<f64>() {
+            Ok(factor) if role == Role::T && factor <= 0.0 => {
+                wrong("time must not run backwards", "the factor of t is above 0, as in t=1e-3")
+            }
+            Ok(factor) if factor.is_normal() => Ok(Self { role, factor }),
+            _ => wrong(
+                &format!("`{}` is no factor", factor.trim()),
+                "write a finite number other than 0, as in x=1e-3 or f=-1",
+            ),
+        }
+    }
+}

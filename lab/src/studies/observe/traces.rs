@@ -1,0 +1,93 @@
+//! The curves of a log, thinned as it is read.
+
+use std::path::Path;
+
+use super::envelope::Envelope;
+use super::log::Sample;
+use super::report::Report;
+use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
+
+/// The curves of a log, in a bounded number of points.
+#[derive(Clone, Debug)]
+pub struct Traces {
+    position: Envelope,
+    force: Envelope,
+    held: Envelope,
+    sampled: Envelope,
+}
+
+/// A unit in which a magnitude reads well: its factor from SI, and its prefix.
+pub(super) fn prefix(largest: f64) -> (f64, &'static str) {
+    match largest {
+        size if size >= 1.0 || size == 0.0 => (1.0, ""),
+        size if size >= 1e-3 => (1e3, "m"),
+        _ => (1e6, "µ"),
+    }
+}
+
+impl Traces {
+    pub(super) fn new() -> Self {
+        let empty = Envelope::new();
+        Self { position: empty.clone(), force: empty.clone(), held: empty.clone(), sampled: empty }
+    }
+
+    /// Adds a row with the sums up to it.
+    pub(super) fn add(&mut self, sample: &Sample, held: f64, sampled: f64) {
+        self.position.add(sample.t, sample.x);
+        self.held.add(sample.t, held);
+        self.sampled.add(sample.t, sampled);
+    }
+
+    /// Adds the force that acts from a row on. That of the last row of a log acts on nothing.
+    pub(super) fn push(&mut self, time: f64, force: f64) {
+        self.force.add(time, force);
+    }
+
+    /// Force, observed energies and position over time.
+    pub(super) fn figure(&self, report: &Report) -> Figure {
+        // On an axis far from zero the numbers would be too long to tell apart.
+        let far = report.start.abs() > 100.0 * report.duration;
+        let origin = if far { report.start } else { 0.0 };
+        let label =
+            if far { format!("time after {} s, s", report.start) } else { "time, s".to_owned() };
+        let curve = |envelope: &Envelope, factor: f64| -> Vec<(f64, f64)> {
+            envelope.points().map(|(time, value)| (time - origin, value * factor)).collect()
+        };
+        let (metre, metres) = prefix(largest([&self.position]));
+        let (joule, joules) = prefix(largest([&self.held, &self.sampled]));
+        let energy = Panel::new("(b) observed energy", &label, format!("energy, {joules}J"))
+            .with_series(
+                Series::line("sampled, as printed", 1, curve(&self.sampled, joule)).dashed(),
+            )
+            .with_series(Series::line("held", 0, curve(&self.held, joule)))
+            .with_guide(Guide::horizontal(0.0, ""));
+        let energy = match report.observed_energy.negative_at {
+            Some(time) => {
+                let width = (30.0 * report.median_period).max(0.04 * report.duration);
+                let start = (time - width / 3.0).max(report.start) - origin;
+                energy
+                    .with_guide(Guide::vertical(time - origin, "first below zero"))
+                    .with_inset(Inset::over(start, start + width))
+            }
+            None => energy,
+        };
+        let title = Path::new(&report.log).file_name().map(|name| name.to_string_lossy());
+        Figure::new(title.unwrap_or_default())
+            .with_width(840.0)
+            .with_panel_height(190.0)
+            .with_panel(
+                Panel::new("(a) force of the environment", &label, "force, N")
+                    .with_series(Series::steps("", 0, curve(&self.force, 1.0))),
+            )
+            .with_panel(energy)
+            .with_panel(
+                Panel::new("(c) position", &label, format!("position, {metres}m"))
+                    .with_series(Series::line("", 0, curve(&self.position, metre))),
+            )
+    }
+}
+
+fn largest<'a>(envelopes: impl IntoIterator<Item = &'a Envelope>) -> f64 {
+    let points = envelopes.into_iter().flat_map(Envelope::points);
+    points.fold(0.0, |largest, (_, value)| value.abs().max(largest))
+}

@@ -1,0 +1,214 @@
+//! The observers over the steps of a log.
+
+use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
+
+use super::bad::{Bad, BadRows, Reason, SHORTEST};
+use super::candidate::Credited;
+use super::contact::{Finder, Push};
+use super::log::{Entry, Sample};
+use super::observed_energy::ObservedEnergy;
+use super::report::{ConstantDamper, Energy, Report};
+use super::step::{Gaps, Step, median};
+use super::tally::Tally;
+use super::traces::Traces;
+
+/// Steps from which the median period is estimated; they wait until it is known.
+const WAITING: usize = 1024;
+
+/// An observer with a sum that forgets nothing over a long log.
+type Observing<W> = Observer<Credited, W, Compensated<f64>>;
+
+/// The observers over the steps of a log, and all that a report tells.
+#[derive(Debug)]
+pub(super) struct Watch {
+    rows: u64,
+    bad: BadRows,
+    first: Option<Sample>,
+    last: Option<Sample>,
+    /// Whether there are bad rows since the last good one, and the forces that they tell.
+    spans: bool,
+    forces: Option<(f64, f64)>,
+    waiting: Vec<Step>,
+    period: Option<f64>,
+    account: Account,
+}
+
+impl Watch {
+    pub(super) fn new(candidate: Credited, contact: Option<f64>) -> Self {
+        Self {
+            rows: 0,
+            bad: BadRows::default(),
+            first: None,
+            last: None,
+            spans: false,
+            forces: None,
+            waiting: Vec::with_capacity(WAITING),
+            period: None,
+            account: Account::new(candidate, contact),
+        }
+    }
+
+    pub(super) fn add(&mut self, entry: &Entry<'_>) {
+        match entry {
+            Entry::Good(reading) => self.good(reading),
+            Entry::Bad(bad) => self.bad(bad),
+        }
+    }
+
+    fn good(&mut self, reading: &Sample) {
+        if let Some(last) = self.last {
+            if reading.t - last.t < SHORTEST {
+                let (line, time) = (reading.line, reading.t);
+                let reason = Reason::Order { time, last: last.t, line: last.line };
+                return self.bad(&Bad { line, reason, time: None, force: None });
+            }
+            let (least, most) = self.forces.take().unwrap_or((last.f, last.f));
+            let forces = (least.min(last.f), most.max(last.f));
+            let spans = std::mem::take(&mut self.spans);
+            self.step(Step { from: last, to: *reading, forces, spans });
+        } else {
+            (self.spans, self.forces) = (false, None);
+            self.first = Some(*reading);
+            self.account.start(reading);
+        }
+        self.rows += 1;
+        self.last = Some(*reading);
+    }
+
+    fn bad(&mut self, bad: &Bad<'_>) {
+        self.bad.add(bad.line, &bad.reason);
+        self.spans = true;
+        // A force is believed if it applied after the last good row.
+        if let (Some(time), Some(force), Some(last)) = (bad.time, bad.force, self.last)
+            && time > last.t
+        {
+            let (least, most) = self.forces.unwrap_or((force, force));
+            self.forces = Some((least.min(force), most.max(force)));
+        }
+    }
+
+    fn step(&mut self, step: Step) {
+        if let Some(period) = self.period {
+            return self.account.book(&step, period);
+        }
+        self.waiting.push(step);
+        if self.waiting.len() == WAITING {
+            self.settle();
+        }
+    }
+
+    /// Books the steps that waited for the median period.
+    fn settle(&mut self) -> f64 {
+        let waiting = std::mem::take(&mut self.waiting);
+        let period = *self.period.get_or_insert_with(|| median(&waiting));
+        waiting.iter().for_each(|step| self.account.book(step, period));
+        period
+    }
+
+    /// The bad rows so far.
+    pub(super) fn bad_rows(&self) -> &BadRows {
+        &self.bad
+    }
+
+    /// What the log came to, and its curves; none with fewer than two good rows.
+    pub(super) fn finish(mut self) -> Option<(Report, Traces)> {
+        let period = self.settle();
+        let (first, last) = (self.first?, self.last.filter(|_| self.rows > 1)?);
+        let mut account = self.account;
+        account.traces.push(last.t, account.pushed);
+        let contacts = account.contacts.finish();
+        let report = Report {
+            rows: self.rows,
+            bad_rows: self.bad,
+            start: first.t,
+            end: last.t,
+            duration: last.t - first.t,
+            median_period: period,
+            gaps: account.gaps,
+            starts_in_contact: first.f.abs() > contacts.threshold,
+            ends_in_contact: last.f.abs() > contacts.threshold,
+            energy: Energy {
+                absorbed: account.port.absorbed(),
+                released: account.port.released(),
+                generated: account.port.generated(),
+                credited: account.credited.absorbed(),
+            },
+            observed_energy: account.held_course.finish(),
+            repair: account.repair,
+            printed: account.sampled_course.finish(),
+            contacts,
+            ..Report::default()
+        };
+        Some((report, account.traces))
+    }
+}
+
+/// The sums over the steps.
+#[derive(Debug)]
+struct Account {
+    held: Observing<Held>,
+    sampled: Observing<Sampled>,
+    held_course: ObservedEnergy,
+    sampled_course: ObservedEnergy,
+    port: Tally,
+    credited: Tally,
+    repair: ConstantDamper,
+    gaps: Gaps,
+    contacts: Finder,
+    traces: Traces,
+    /// The force of the last step, N.
+    pushed: f64,
+}
+
+fn observing<W: Work>(candidate: Credited) -> Observing<W> {
+    Observer { candidate, ledger: Ledger::new() }
+}
+
+impl Account {
+    fn new(candidate: Credited, contact: Option<f64>) -> Self {
+        Self {
+            held: observing(candidate),
+            sampled: observing(candidate),
+            held_course: ObservedEnergy::default(),
+            sampled_course: ObservedEnergy::default(),
+            port: Tally::new(),
+            credited: Tally::new(),
+            repair: ConstantDamper::default(),
+            gaps: Gaps::default(),
+            contacts: Finder::new(contact),
+            traces: Traces::new(),
+            pushed: 0.0,
+        }
+    }
+
+    fn start(&mut self, reading: &Sample) {
+        (self.held_course, self.sampled_course) =
+            (ObservedEnergy::starting(reading.t), ObservedEnergy::starting(reading.t));
+        self.traces.add(reading, 0.0, 0.0);
+    }
+
+    fn book(&mut self, step: &Step, median: f64) {
+        if step.is_gap(median) {
+            self.gaps.add(step);
+        }
+        let sample = step.sample(median);
+        let motion = sample.velocity * sample.velocity * sample.period;
+        self.port.add(sample.work, motion);
+        self.credited.add(self.held.candidate.credit(&sample), 0.0);
+        let held = self.held.observe(&sample, step.to.f);
+        let sampled = self.sampled.observe(&sample, step.to.f);
+        self.held_course.add(step.to.t, held);
+        self.sampled_course.add(step.to.t, sampled);
+        self.repair.add(step.to.t, self.port.damper(-held));
+        self.contacts.add(&Push {
+            from: step.from.t,
+            to: step.to.t,
+            force: step.from.f,
+            work: sample.work,
+            motion,
+        });
+        self.traces.push(step.from.t, step.from.f);
+        self.traces.add(&step.to, held, sampled);
+        self.pushed = step.from.f;
+    }
+}

@@ -1,0 +1,91 @@
+//! The paper's figures 6 to 9.
+
+use super::{Case, PaperError};
+use crate::simulate::Row;
+use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
+
+/// The name of a figure's files without an ending, the figure, and the cases it is drawn from.
+pub type NamedFigure = (&'static str, Figure, &'static [Case]);
+
+/// The paper's figures 6 to 9.
+///
+/// # Errors
+/// None as long as the scene files that ship are right.
+pub fn figures() -> Result<[NamedFigure; 4], PaperError> {
+    let plain8k = Case::Plain8k.rows()?;
+    let lolc8k = Case::Lolc8k.rows()?;
+    let (popc50k, lolc50k) = (Case::Popc50k.rows()?, Case::Lolc50k.rows()?);
+    const STIFF: &[Case] = &[Case::Popc50k, Case::Lolc50k];
+    Ok([
+        ("figure-6", figure_6(&plain8k), &[Case::Plain8k]),
+        ("figure-7", figure_7(&lolc8k), &[Case::Lolc8k]),
+        ("figure-8", figure_8(&popc50k, &lolc50k), STIFF),
+        ("figure-9", figure_9(&popc50k, &lolc50k), STIFF),
+    ])
+}
+
+fn points(rows: &[Row], y: impl Fn(&Row) -> f64) -> Vec<(f64, f64)> {
+    rows.iter().map(|row| (row.t, y(row))).collect()
+}
+
+const TIME: &str = "time, s";
+const SURFACE: &str = "wall surface";
+
+fn figure_6(plain: &[Row]) -> Figure {
+    let shown = 2.0;
+    let title = "8 kN/m, 2 N·s/m, without control; the curve is cut off at ±60 mm";
+    let panel = Panel::new(title, TIME, "position, mm")
+        .with_series(Series::line("no control", 0, points(plain, |row| 1e3 * row.x)))
+        .with_guide(Guide::horizontal(0.0, SURFACE))
+        .with_x_range(0.0, shown)
+        .with_y_range(-60.0, 60.0);
+    Figure::new("Figure 6: without control the position is unstable").with_panel(panel)
+}
+
+fn figure_7(lolc: &[Row]) -> Figure {
+    let line = |y: fn(&Row) -> f64| Series::line("LOLC", 0, points(lolc, y));
+    let steps = |y: fn(&Row) -> f64| Series::steps("LOLC", 0, points(lolc, y));
+    Figure::new("Figure 7: 8 kN/m and 2 N·s/m with the Lyapunov observer/controller")
+        .with_columns(2)
+        .with_width(960.0)
+        .with_panel(
+            Panel::new("(a) position", TIME, "position, mm")
+                .with_series(line(|row| 1e3 * row.x))
+                .with_guide(Guide::horizontal(0.0, SURFACE)),
+        )
+        .with_panel(
+            Panel::new("(b) force of the environment", TIME, "force, N")
+                .with_series(steps(|row| row.f_env)),
+        )
+        .with_panel(
+            Panel::new("(c) force of the controller", TIME, "force, N")
+                .with_series(steps(|row| row.f_ctl)),
+        )
+        .with_panel(
+            Panel::new("(d) observed energy", TIME, "energy, mJ")
+                .with_series(line(|row| 1e3 * row.observed_energy))
+                .with_guide(Guide::horizontal(0.0, "")),
+        )
+}
+
+fn figure_8(popc: &[Row], lolc: &[Row]) -> Figure {
+    let panel = Panel::new("50 kN/m, 20 N·s/m", TIME, "position, mm")
+        .with_series(Series::line("POPC", 1, points(popc, |row| 1e3 * row.x)))
+        .with_series(Series::line("LOLC", 0, points(lolc, |row| 1e3 * row.x)))
+        .with_guide(Guide::horizontal(0.0, SURFACE))
+        .with_x_range(0.0, 5.0)
+        .with_inset(Inset::over(2.5, 4.0));
+    Figure::new("Figure 8: position with POPC and with LOLC").with_width(840.0).with_panel(panel)
+}
+
+fn figure_9(popc: &[Row], lolc: &[Row]) -> Figure {
+    let panel = Panel::new("50 kN/m, 20 N·s/m", TIME, "observed energy, mJ")
+        .with_series(Series::line("POPC", 1, points(popc, |row| 1e3 * row.observed_energy)))
+        .with_series(Series::line("LOLC", 0, points(lolc, |row| 1e3 * row.observed_energy)))
+        .with_guide(Guide::horizontal(0.0, ""))
+        .with_x_range(0.0, 5.0)
+        .with_inset(Inset::over(2.5, 4.0));
+    Figure::new("Figure 9: observed energy with POPC and with LOLC")
+        .with_width(840.0)
+        .with_panel(panel)
+}

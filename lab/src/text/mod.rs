@@ -1,0 +1,11 @@
+//! The ground floor: text helpers for every other floor, independent of the subject of the text.
+
+pub(crate) mod excerpt;
+pub(crate) mod numbers;
+pub(crate) mod suggest;
+pub(crate) mod words;
+
+pub(crate) use excerpt::{printable, shorten};
+pub(crate) use numbers::{found, given};
+pub(crate) use suggest::nearest;
+pub(crate) use words::{folded, listed};

@@ -1,0 +1,43 @@
+//! Numbers formatted for readers.
+
+use std::fmt;
+
+/// A computed number, to the four digits that matter.
+pub(crate) fn found(value: f64) -> Number {
+    Number { value, digits: 4 }
+}
+
+/// A number from the scene, or a time: close to the written value, and still short.
+pub(crate) fn given(value: f64) -> Number {
+    Number { value, digits: 9 }
+}
+
+/// A number rounded to some significant digits, but never before the decimal point, and without trailing zeros.
+pub(crate) struct Number {
+    value: f64,
+    digits: usize,
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (value, size) = (self.value, self.value.abs());
+        if size.is_infinite() {
+            f.write_str(if value > 0.0 { "over 1.797e308" } else { "under -1.797e308" })
+        } else if size == 0.0 {
+            f.write_str("0")
+        } else if (1e-3..1e6).contains(&size) {
+            let decimals = (self.digits as i32 - 1 - size.log10().floor() as i32).max(0) as usize;
+            f.write_str(trimmed(&format!("{value:.decimals$}")))
+        } else {
+            let decimals = self.digits - 1;
+            let text = format!("{value:.decimals$e}");
+            let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            write!(f, "{}e{exponent}", trimmed(digits))
+        }
+    }
+}
+
+/// The number without the trailing zeros of its fraction.
+fn trimmed(number: &str) -> &str {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+}

@@ -1,0 +1,30 @@
+//! Suggestion of the nearest known word.
+
+/// The least likeness, from 0 to 1, at which one word is suggested for another.
+const ALIKE: f64 = 0.5;
+
+/// The known word most like this one, if any is like enough.
+pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    // A word of a million letters is no misspelling, and comparing it takes long.
+    if word.len() > 80 {
+        return None;
+    }
+    let word = plain(word);
+    known
+        .iter()
+        .map(|candidate| (likeness(&word, &plain(candidate)), *candidate))
+        .filter(|(likeness, _)| *likeness >= ALIKE)
+        .max_by(|(one, _), (other, _)| one.total_cmp(other))
+        .map(|(_, candidate)| candidate)
+}
+
+/// The word without the differences that people mix up: case, and the separator between the parts of a word.
+fn plain(word: &str) -> String {
+    word.to_lowercase().replace(['-', ' '], "_")
+}
+
+fn likeness(word: &str, candidate: &str) -> f64 {
+    let likeness = strsim::normalized_damerau_levenshtein(word, candidate);
+    let contained = word.len() >= 3 && (candidate.contains(word) || word.contains(candidate));
+    if contained { likeness.max(ALIKE) } else { likeness }
+}

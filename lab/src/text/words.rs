@@ -1,0 +1,51 @@
+//! Sentences folded between words to fit a terminal.
+
+use textwrap::core::display_width;
+use textwrap::{Options, WordSplitter};
+
+/// The widest line, in columns.
+const WIDTH: usize = 98;
+
+/// `text` folded between words: the first line behind `label`, the others behind as many blanks.
+pub(crate) fn folded(label: &str, text: &str) -> String {
+    let blanks = " ".repeat(display_width(label));
+    let options = Options::new(WIDTH)
+        .initial_indent(label)
+        .subsequent_indent(&blanks)
+        .break_words(false)
+        .word_splitter(WordSplitter::NoHyphenation);
+    textwrap::fill(text, options)
+}
+
+/// `things` behind `label`, separated by commas, with line breaks only after a comma.
+pub(crate) fn listed(label: &str, things: &[String]) -> String {
+    // A no-break space keeps a thing on one line.
+    let things: Vec<String> = things.iter().map(|thing| thing.replace(' ', "\u{a0}")).collect();
+    folded(label, &things.join(", ")).replace('\u{a0}', " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_text_is_folded_between_words() {
+        let folded_text = folded("  time        ", "half-way word ".repeat(30).trim_end());
+        assert!(folded_text.lines().count() > 2);
+        for (index, line) in folded_text.lines().enumerate() {
+            let start = if index == 0 { "  time        " } else { "              " };
+            assert!(line.len() <= WIDTH && line.starts_with(start), "{line}");
+            let words: Vec<&str> = line[start.len()..].split(' ').collect();
+            assert!(words.iter().all(|word| ["half-way", "word"].contains(word)), "{line}");
+        }
+        assert_eq!(folded("", "short text"), "short text");
+    }
+
+    #[test]
+    fn lists_are_folded_between_things() {
+        let things: Vec<String> = (0..20).map(|n| format!("thing number {n}")).collect();
+        for line in listed("all ", &things).lines() {
+            assert!(line.len() <= WIDTH && !line.ends_with("thing") && !line.ends_with("number"));
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! Causes of unstable loops: the energy balance closes, and the proposed remedies hold.
+
+use approx::{abs_diff_eq, assert_abs_diff_eq};
+use lyapunov_lab::explain::{Balance, Change, Explanation};
+use lyapunov_lab::scene::{Positive, Scene};
+use lyapunov_lab::{Rollout, Row, scenes};
+
+use crate::bound::systems::{self, Chance, scene};
+
+/// Sum of the magnitudes of all terms of a balance.
+fn size(it: &Balance) -> f64 {
+    let ins = [it.hold, it.delay, it.filter, it.encoder, it.saturation, it.hand, it.push];
+    let outs = [it.device, it.operator, it.link, it.wall, it.controller, it.friction, it.gained];
+    ins.into_iter().chain(outs).map(f64::abs).sum()
+}
+
+fn shipped_scenes() -> Vec<Scene> {
+    let texts = scenes::SCENES.iter().filter(|it| it.name != "motion-file").map(|it| it.text);
+    texts.map(scene).filter(|scene| scene.dimensions() == 1).collect()
+}
+
+#[test]
+fn every_shipped_scene_closes_to_rounding() {
+    for scene in shipped_scenes() {
+        let explained = Explanation::of::<f64>(&scene).unwrap();
+        let balances = explained.first_contact.into_iter().chain([explained.whole_run]);
+        for balance in balances {
+            let (closing, size) = (balance.closing.abs(), size(&balance));
+            assert!(closing <= 1e-12 * size, "{closing:e} of {size:e}: {scene:?}");
+        }
+    }
+}
+
+#[test]
+fn absent_effects_leak_nothing() {
+    let of = |more: &str| {
+        let text = format!(
+            "duration = 1\nservo_rate = 500\ndevice = {{ mass = 0.2, damping = 0.3 }}\n\
+             operator = {{ mass = 0.1, damping = 0.2, stiffness = 50.0, rest = 0.004 }}\n\
+             environment.wall = {{ stiffness = 900, damping = 1 }}\ninitial.position = -0.004\n{more}"
+        );
+        Explanation::of::<f64>(&scene(&text)).unwrap().whole_run
+    };
+    let bare = of("");
+    let zero =
+        |it: Balance| [it.delay, it.filter, it.encoder, it.saturation, it.controller, it.link];
+    assert_eq!(zero(bare), [0.0; 6]);
+    assert!(bare.hold > 0.0 && bare.hand == 0.0 && bare.push == 0.0);
+    assert!(of("effects.delay.ticks = 2").delay > 0.0);
+    assert!(of("effects.filter.cutoff = 30").filter != 0.0);
+    assert!(of("effects.encoder.resolution = 1e-4").encoder != 0.0);
+    assert!(of("effects.saturation.force = 0.5").saturation != 0.0);
+    assert!(of("effects.load.force = 0.5").push != 0.0);
+    assert!(of("effects.delay.ticks = 4\nstabilizer.popc.work = \"held\"").controller != 0.0);
+}
+
+/// Without a stabilizer the whole force is the environment's, also where `f32` cannot hold the force limit exactly.
+#[test]
+fn an_absent_controller_gets_no_energy() {
+    let text = scenes::text_of("saturation").unwrap().replace("force = 4.0", "force = 4.1");
+    let scene = scene(&text);
+    assert!(scene.stabilizer.is_none());
+    let told = Explanation::of::<f32>(&scene).unwrap().whole_run;
+    assert!(told.saturation != 0.0 && told.controller == 0.0, "{}", told.controller);
+}
+
+/// A free mass under held forces moves on parabolas: the work of the spring along them is known in closed form.
+#[test]
+fn the_hold_leaks_the_held_work_less_the_work_of_the_spring() {
+    let scene = scene(
+        "duration = 0.2\nservo_rate = 100\ndevice.mass = 0.5\n\
+         environment.spring.stiffness = 300.0\ninitial.position = 0.01",
+    );
+    let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().rows().collect();
+    let stored = |row: &Row| 0.5 * 300.0 * row.x * row.x;
+    let held: f64 = rows.windows(2).map(|pair| pair[0].f_act * (pair[1].x - pair[0].x)).sum();
+    let leak = stored(&rows[rows.len() - 1]) - stored(&rows[0]) - held;
+    let told = Explanation::of::<f64>(&scene).unwrap().whole_run;
+    assert!(abs_diff_eq!(told.hold / leak, 1.0, epsilon = 1e-9), "{} {leak}", told.hold);
+    assert_abs_diff_eq!(told.gained / -held, 1.0, epsilon = 1e-9);
+}
+
+/// Random scene whose wall is too stiff for the loop.
+fn unstable(chance: &mut Chance) -> Scene {
+    let rate = chance.decades(100.0, 2000.0).round();
+    let mass = chance.within(0.05, 0.5);
+    let hand = chance.within(0.0, 0.3);
+    let both = mass + hand;
+    let share = |chance: &mut Chance| both * rate * chance.decades(1e-3, 3e-2);
+    let (device, grip) = (share(chance), share(chance));
+    let wall = if chance.happens(0.5) { share(chance) } else { 0.0 };
+    let stiffness = both * rate * rate * chance.decades(0.05, 2.0);
+    let mut text = format!(
+        "duration = 2\nservo_rate = {rate}\ndevice = {{ mass = {mass}, damping = {device} }}\n\
+         operator = {{ mass = {hand}, damping = {grip}, stiffness = {}, rest = 0.004 }}\n\
+         initial.position = -0.004\nenvironment.wall = {{ stiffness = {stiffness}, damping = {wall} }}\n",
+        chance.within(20.0, 200.0)
+    );
+    if chance.happens(0.3) {
+        text += &format!("effects.delay.ticks = {}\n", chance.whole(1, 2));
+    }
+    if chance.happens(0.3) {
+        text += &format!("environment_rate = {}\n", rate / 2.0);
+    }
+    if chance.happens(0.2) {
+        text += "effects.encoder.resolution = 1e-6\n";
+    }
+    if chance.happens(0.2) {
+        text += &format!("effects.filter.cutoff = {}\n", 0.2 * rate);
+    }
+    scene(&text)
+}
+
+/// Whether the swing towards the end of a run does not grow, from its rows alone.
+fn stays(scene: &Scene) -> bool {
+    let rows: Vec<f64> = Rollout::<f64>::of(scene).unwrap().rows().map(|row| row.x).collect();
+    if rows.len() as u64 != scene.ticks() + 1 {
+        return false;
+    }
+    let quarter = |index: usize| &rows[index * rows.len() / 4..(index + 1) * rows.len() / 4];
+    let width = |part: &[f64]| {
+        let most = part.iter().copied().fold(f64::MIN, f64::max);
+        most - part.iter().copied().fold(f64::MAX, f64::min)
+    };
+    let [second, last] = [1, 3].map(|index| width(quarter(index)));
+    last <= (1.1 * second).max(0.1 * 0.008) && width(&rows) < 0.16
+}
+
+#[test]
+fn every_remedy_holds() {
+    let mut chance = Chance::new(41);
+    let (mut scenes, mut remedies) = (0, 0);
+    while scenes < 250 {
+        let scene = unstable(&mut chance);
+        let explained = Explanation::of::<f64>(&scene).unwrap();
+        if explained.is_bounded {
+            continue;
+        }
+        scenes += 1;
+        assert!(explained.remedies.len() >= 2, "{}: {scene:?}", explained.remedies.len());
+        for remedy in &explained.remedies {
+            remedies += 1;
+            assert!(stays(&remedy.scene), "{:?}: {scene:?}", remedy.changes);
+            assert!(remedy.peak_force.is_finite() && remedy.force_error.is_finite());
+            if remedy.scene.stabilizer.is_none() {
+                let mut longer = remedy.scene.to_draft();
+                longer.duration = Positive::new(6.0).unwrap();
+                assert!(stays(&longer.check().unwrap()), "{:?}: {scene:?}", remedy.changes);
+            }
+        }
+    }
+    assert!(remedies > 3 * scenes, "{remedies}");
+}
+
+#[test]
+fn a_little_beyond_its_remedy_the_loop_fails() {
+    let scene = scene(
+        "duration = 4\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.2 }\n\
+         operator = { mass = 0.1, damping = 0.2, stiffness = 50, rest = 0.004 }\n\
+         initial.position = -0.004\nenvironment.spring = { stiffness = 8000 }\n",
+    );
+    let explained = Explanation::of::<f64>(&scene).unwrap();
+    assert!(!explained.is_bounded);
+    let most = explained.limits.exact.unwrap();
+    let number = |key: &str| {
+        let changes = explained.remedies.iter().flat_map(|remedy| &remedy.changes);
+        let found = changes.filter(|(name, _)| name == key).find_map(|(_, change)| match change {
+            Change::Number(number) => Some(*number),
+            Change::Word(_) => None,
+        });
+        found.unwrap()
+    };
+    let stiffness = number("environment.spring.stiffness");
+    assert!(stiffness < most && stiffness > 0.9 * most, "{stiffness} {most}");
+    let with = |text: &str| {
+        let limits = lyapunov_lab::bound::Limits::of(&systems::scene(text));
+        limits.spectral_radius.unwrap()
+    };
+    let at = |rate: f64, damping: f64| {
+        with(&format!(
+            "duration = 4\nservo_rate = {rate}\ndevice = {{ mass = 0.2, damping = {damping} }}\n\
+             operator = {{ mass = 0.1, damping = 0.2, stiffness = 50 }}\n\
+             environment.spring.stiffness = 8000\n"
+        ))
+    };
+    let (rate, damping) = (number("servo_rate"), number("device.damping"));
+    assert!(at(rate, 0.2) < 1.0 && at(0.9 * rate, 0.2) > 1.0, "{rate}");
+    assert!(at(1000.0, damping) < 1.0 && at(1000.0, 0.9 * damping) > 1.0, "{damping}");
+}
+
+#[test]
+fn a_stable_loop_needs_no_remedy_and_a_space_has_no_explanation() {
+    let stable = "duration = 1\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.5 }\n\
+                  operator = { damping = 0.5, stiffness = 50 }\ninitial.position = -0.004\n\
+                  environment.wall.stiffness = 500\n";
+    let explained = Explanation::of::<f64>(&scene(stable)).unwrap();
+    assert!(explained.is_bounded && explained.remedies.is_empty());
+    let solid = "duration = 1\nservo_rate = 1000\ndevice.mass = 0.2\nspace.dimensions = 2\n\
+                 environment.plane = { point = [0, 0], normal = [0, 1], stiffness = 100 }";
+    assert!(Explanation::of::<f64>(&scene(solid)).is_err());
+}
