@@ -129,7 +129,10 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         let zero = V::Scalar::of(0.0);
         let moved = sample.displacement;
         let burnt = self.band.burns() * moved.inner(moved);
-        let booked = book(&mut self.energy, sample.work.sum() + burnt);
+        // What the damper dissipates over an unknown time is unknown, and with it the tick's change.
+        let timed = sample.period.finite();
+        let change = V::Scalar::choose(timed, sample.work.sum() + burnt, sample.period);
+        let booked = book(&mut self.energy, change);
         let sum = self.energy.value();
 
         let band = &self.band;
