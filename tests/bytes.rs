@@ -50,7 +50,7 @@ fn an_adaptor_of_a_body_adds_its_own_numbers() {
     let numbers = [
         ("value, tick", added::<ExternalForce<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
         ("value, from, until, tick", added::<ExternalForce<Plant, Pulse>, Plant, f64>(), 3.0 + 1.0),
-        ("course, tick", added::<HandMotion<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
+        ("trajectory, tick", added::<HandMotion<Plant, Constant>, Plant, f64>(), 1.0 + 1.0),
         ("a row, period, next, tick", added::<Grip<Plant, Row, f64>, Plant, f64>(), 4.0 + 3.0),
         (
             "parts, period, deviation",

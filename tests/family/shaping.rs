@@ -1,4 +1,4 @@
-//! Time course of an added damping, at a port that moves steadily and on which nothing else acts.
+//! Time trajectory of an added damping, at a port that moves steadily and on which nothing else acts.
 
 use approx::relative_eq;
 use lyapunov::{PortSample, Signal, Stabilizer, stabilizers::StabilizerExt};

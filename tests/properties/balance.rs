@@ -68,8 +68,8 @@ fn effort(tick: u64, position: f64) -> f64 {
     400.0 * (position - 0.01).max(0.0) + 0.3 * ((tick * 7 % 5) as f64 - 2.0)
 }
 
-fn at(course: &impl Trajectory<f64>, tick: u64) -> f64 {
-    course.at(tick)
+fn at(trajectory: &impl Trajectory<f64>, tick: u64) -> f64 {
+    trajectory.at(tick)
 }
 
 /// The energy of one cause, and the sum of its magnitudes.

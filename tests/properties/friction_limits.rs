@@ -14,7 +14,7 @@ use lyapunov::{
 use crate::friction::law;
 use crate::support::{Bits, CASES, Port, Real, hold, hostile, log_between, ordinary, same, wild};
 
-type StickSlipPhase<T> = Friction<Body<T>, T, 2>;
+type FrictionBody<T> = Friction<Body<T>, T, 2>;
 
 /// A scene of ordinary size and its efforts.
 struct Scene([f64; 9], [f64; 40]);
@@ -43,7 +43,7 @@ impl Scene {
 }
 
 /// The scenes in the lanes of one body.
-fn bodies<T: Scalar + Signal<Scalar = T>>(scenes: &[Scene]) -> (Body<T>, StickSlipPhase<T>) {
+fn bodies<T: Scalar + Signal<Scalar = T>>(scenes: &[Scene]) -> (Body<T>, FrictionBody<T>) {
     let number = |at: usize| T::from_lanes(|lane| scenes[lane].0[at]);
     let parts = Impedance { mass: number(0), damping: number(1), stiffness: number(2) };
     let body = Body::<T>::new(parts, number(3)).expect("a body").starting(number(4), number(5));

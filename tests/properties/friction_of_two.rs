@@ -14,13 +14,13 @@ use lyapunov::{
 use crate::friction::{law, transitions};
 use crate::support::{Bits, CASES, TwoMasses, hold, log_between, ordinary};
 
-type StickSlipPhase = Friction<TwoMasses, f64, 4>;
+type FrictionBody = Friction<TwoMasses, f64, 4>;
 
 fn impedance(mass: f64, damping: f64, stiffness: f64) -> Impedance<f64> {
     Impedance { mass, damping, stiffness }
 }
 
-fn rubbing(body: TwoMasses, law: Stribeck<f64>) -> StickSlipPhase {
+fn with_friction(body: TwoMasses, law: Stribeck<f64>) -> FrictionBody {
     Friction::new(body, body.parts, law).expect("friction")
 }
 
@@ -42,7 +42,7 @@ fn a_pull_slips_when_it_exceeds_static_friction() {
         let body = TwoMasses { parts, period, rest: 0.0, state };
         let ticks = (2.0 / pace / period) as usize + 1;
         let below = link * amplitude * (1.0 - short);
-        let mut plant = rubbing(body, law(0.9 * below, below, 0.01));
+        let mut plant = with_friction(body, law(0.9 * below, below, 0.01));
         let first = transitions(&mut plant, 0.0, ticks).into_iter().next();
         let slip = (1.0 - short).asin() / pace;
         // Near its top a sine is flat: the slope magnifies an error in the pull.
@@ -50,7 +50,7 @@ fn a_pull_slips_when_it_exceeds_static_friction() {
         let found = matches!(first, Some((at, Slip)) if (at - slip).abs() < blunt.max(1e-13));
         prop_assert!(found, "{first:?} instead of {slip} within {blunt:e}");
         let above = link * amplitude * (1.0 + short);
-        let mut plant = rubbing(body, law(0.9 * above, above, 0.01));
+        let mut plant = with_friction(body, law(0.9 * above, above, 0.01));
         prop_assert!(transitions(&mut plant, 0.0, ticks).is_empty());
         Ok(())
     });
@@ -67,7 +67,7 @@ fn reference(
     let parts = [impedance(0.1, 0.2, 50.0), impedance(0.0, 0.1, 300.0), impedance(0.2, 0.01, 0.0)];
     let period = 0.3 / ticks as f64;
     let body = TwoMasses { parts, period, rest: 0.0, state: [-0.004, 0.5, -0.004, 0.0] };
-    let mut plant = rubbing(body, law);
+    let mut plant = with_friction(body, law);
     let found = transitions(&mut plant, 0.1, ticks);
     if ticks > 1 {
         assert!(found.len() == events.len(), "{found:?}");
@@ -152,7 +152,7 @@ fn energy_balances_and_a_stuck_device_stays() {
         let coulomb = log_between(bits[7], 0.01, 1.0);
         let law =
             law(coulomb, coulomb * log_between(bits[4], 1.0, 3.0), log_between(bits[5], 1e-3, 0.1));
-        let mut plant = rubbing(shadow, law);
+        let mut plant = with_friction(shadow, law);
         let start = shadow.energy();
         let (mut work, mut sum, mut random) = (0.0, 0.0, bits[0]);
         for _ in 0..100 {

@@ -1,15 +1,15 @@
-//! Whether a run stays where it belongs.
+//! Boundedness of a run.
 
 use lyapunov::Scalar;
 
 use crate::simulate::Criterion;
 use crate::simulate::equilibrium::BAND;
 
-/// How much larger the last quarter's swing may be than the second's: what sampling the peaks of an undamped
-/// swing may come to, and no more.
+/// Largest ratio of the last quarter's swing to the second's in a bounded run: as much as sampling the peaks of an
+/// undamped swing may amount to, and no more.
 const GROWTH: f64 = 1.05;
 
-/// How many times the starting swing is never bounded.
+/// The distance that is never bounded, as a multiple of the starting swing.
 const REACH: f64 = 10.0;
 
 /// Watches `e(n) = |x(n) − x_eq|`, the distance from where the operator's spring and the environment balance: its
@@ -21,10 +21,10 @@ pub(crate) struct Boundedness<T> {
     /// The row with which the next quarter begins, if there is one.
     next: u64,
     quarter: usize,
-    /// The least and the largest position of this quarter: what `e` is largest at, whatever `x_eq` is.
+    /// The lowest and the highest position of this quarter: `e` is largest at one of them, whatever `x_eq` is.
     low: T,
     high: T,
-    /// Those of the quarters before.
+    /// The positions of the quarters before.
     lows: [T; 4],
     highs: [T; 4],
 }
@@ -47,7 +47,7 @@ impl<T: Scalar> Boundedness<T> {
         self.rows += 1;
     }
 
-    /// Begins the quarter that this row is in.
+    /// Begins the quarter of this row.
     #[cold]
     #[inline(never)]
     fn turn(&mut self) {
@@ -60,7 +60,7 @@ impl<T: Scalar> Boundedness<T> {
         }
     }
 
-    /// Whether the run of a lane is seen to be unstable, whatever follows.
+    /// Whether the run of a lane is already unstable, whatever follows.
     pub(crate) fn is_lost(&self, lane: usize, criterion: &Criterion) -> bool {
         let grows = || self.quarter == 3 && self.grows(lane, criterion);
         criterion.equilibrium.is_some() && (self.is_out(lane, criterion) || grows())
@@ -85,7 +85,7 @@ impl<T: Scalar> Boundedness<T> {
         widest > REACH * criterion.start
     }
 
-    /// The largest `e` of a quarter. A difference rounds alike on the way up, so this is the largest of all.
+    /// The largest `e` of a quarter. Rounding of a difference is monotonic, so this is the largest of all.
     fn away(&self, quarter: usize, lane: usize, criterion: &Criterion) -> f64 {
         let rest = criterion.equilibrium.unwrap_or_default();
         let (low, high) = match quarter == self.quarter {
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn growth_within_the_band_is_noise_and_a_far_cycle_is_no_bound() {
+    fn growth_within_the_band_is_noise_and_a_wide_cycle_is_unbounded() {
         let scene = scene("");
         assert_eq!(verdict(&scene, 101, |t| if t > 0.8 { 0.00019 } else { 0.0001 }), Some(true));
         assert_eq!(verdict(&scene, 101, |t| if t > 0.8 { 0.00021 } else { 0.0001 }), Some(false));
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_end_early_are_unstable_and_without_a_spring_nothing_is_said() {
+    fn rows_that_end_early_are_unstable_and_without_a_spring_there_is_no_verdict() {
         assert_eq!(verdict(&scene(""), 100, |_| 0.0), Some(false));
         let loose = scene("operator.stiffness = 0.0\n");
         assert_eq!(verdict(&loose, 101, |t| t), None);

@@ -1,18 +1,18 @@
-//! How much a force shakes.
+//! Chatter of a force.
 
 use std::f64::consts::TAU;
 
 use lyapunov::Scalar;
 
-/// The band, Hz: what the hand feels as buzzing.
+/// The band, Hz: the hand feels it as buzzing.
 const BAND: (f64, f64) = (5.0, 50.0);
 
 /// Watches a force's root mean square between 5 and 50 Hz by Welch's method: the mean over segments of one
 /// second, overlapping by half, of the power in the band under a Hann window.
 ///
-/// The window is there because a force that merely stays or drifts would otherwise leak into the band. The
-/// sums run along with the ticks, one turning phasor for each frequency, and keep no sample: a transform of
-/// the whole run would need as much memory as the run is long.
+/// The window keeps a force that merely stays or drifts from leaking into the band. The sums run along with the ticks,
+/// one turning phasor per frequency, and keep no sample: a transform of the whole run would need memory in proportion
+/// to its length.
 #[derive(Clone, Debug)]
 pub(crate) struct Chatter<T> {
     length: u64,
@@ -29,11 +29,11 @@ pub(crate) struct Chatter<T> {
 struct Line<T> {
     phasor: Phasor,
     sums: [(T, T); 2],
-    /// 2 for a line that stands for its mirror image as well.
+    /// 2 for a line that also stands for its mirror image.
     weight: f64,
 }
 
-/// `e^(−i angle n)`, kept by turning it.
+/// `e^(−i angle n)`, updated by rotation.
 #[derive(Clone, Copy, Debug)]
 struct Phasor {
     turn: (f64, f64),
@@ -45,7 +45,7 @@ impl Phasor {
         Self { turn: (libm::cos(angle), -libm::sin(angle)), now: (1.0, 0.0) }
     }
 
-    /// Its value, or 1 if it starts `anew`; then turns it.
+    /// The phasor's value, or 1 if it starts `anew`; then rotates it.
     #[inline(always)]
     fn next(&mut self, anew: bool) -> (f64, f64) {
         let (cos, sin) = if anew { (1.0, 0.0) } else { self.now };
@@ -56,7 +56,7 @@ impl Phasor {
 }
 
 impl<T: Scalar> Chatter<T> {
-    /// A meter of a force at `rate` samples a second; none below 100, where the band is not in the samples.
+    /// A meter of a force at `rate` samples per second; none below 100, where the samples do not hold the band.
     pub(crate) fn new(rate: f64) -> Option<Self> {
         // Above 1e9 no scene lasts a second.
         if !(2.0 * BAND.1..=1e9).contains(&rate) {
@@ -88,7 +88,7 @@ impl<T: Scalar> Chatter<T> {
     #[inline(always)]
     pub(crate) fn add(&mut self, force: T) {
         let parts = [0, 1].map(|which| self.windowed(which, force));
-        // Every line comes round within a segment; starting anew there keeps rounding from adding up.
+        // Every line comes round within a segment; restarting there keeps rounding from accumulating.
         let anew = self.tick.is_multiple_of(self.length);
         for line in &mut self.lines {
             let (cos, sin) = line.phasor.next(anew);
@@ -105,13 +105,13 @@ impl<T: Scalar> Chatter<T> {
         self.tick += 1;
     }
 
-    /// Where the tick is in the segments of even or odd number, if it is in one.
+    /// The place of the tick in the segments of even or odd number, if it is in one.
     fn place(&self, which: u64) -> Option<u64> {
         let since = self.tick.checked_sub(which * self.hop)? % (2 * self.hop);
         (since < self.length).then_some(since)
     }
 
-    /// The force under the Hann window of the segment of even or odd number that the tick is in.
+    /// The force under the Hann window of the tick's segment of even or odd number.
     #[inline(always)]
     fn windowed(&mut self, which: u64, force: T) -> T {
         let Some(place) = self.place(which) else { return T::zero() };
@@ -127,10 +127,10 @@ impl<T: Scalar> Chatter<T> {
         self.segments += 1;
     }
 
-    /// The root mean square in the band, N; none before a whole second.
+    /// The root mean square in the band, N; none before a whole second has passed.
     pub(crate) fn root_mean_square(&self) -> Option<T> {
         let length = self.length as f64;
-        // The squares of a Hann window of this length add up to 3/8 of it.
+        // The squares of a Hann window of this length sum to 3/8 of it.
         let scale = length * 0.375 * length * self.segments as f64;
         (self.segments > 0).then(|| (self.power / T::of(scale)).sqrt())
     }
@@ -152,7 +152,7 @@ mod tests {
         move |t| 3.0 * (TAU * frequency * t + 0.7).sin()
     }
 
-    /// Welch's method as it is written down, over stored samples.
+    /// Welch's method by its definition, over stored samples.
     fn welch(rate: f64, samples: &[f64]) -> f64 {
         let length = rate.round() as usize;
         let hop = length - length / 2;
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tone_outside_and_a_constant_force_are_none() {
+    fn a_tone_outside_the_band_and_a_constant_force_do_not_count() {
         for frequency in [1.0, 3.0, 60.0, 200.0] {
             assert!(chatter(1000.0, 3000, tone(frequency)).unwrap() < 1e-9, "{frequency}");
         }
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_welch_s_method() {
+    fn the_meter_agrees_with_welch_s_method() {
         let noise = |n: u32| f64::from(n.wrapping_mul(2_654_435_761) >> 8) / 1e7;
         for (rate, count) in [(100.0, 350), (100.4, 350), (101.0, 420), (333.3, 1500)] {
             let samples: Vec<f64> = (0..count).map(noise).collect();

@@ -1,4 +1,4 @@
-//! Who gave energy and who took it.
+//! Energies that environment and controller give and take.
 
 use lyapunov::Scalar;
 
@@ -16,10 +16,10 @@ pub(crate) struct Energies<T> {
 }
 
 impl<T: Scalar> Energies<T> {
-    /// Nothing summed yet.
+    /// Sums that are still 0.
     pub(crate) fn new() -> Self {
         let zero = T::zero();
-        // Before the first tick no force acts, so that wherever the plant starts no work is done.
+        // Before the first tick no force acts, so no work is done wherever the plant starts.
         Self {
             position: zero,
             environment: zero,
@@ -30,7 +30,7 @@ impl<T: Scalar> Energies<T> {
         }
     }
 
-    /// One more tick: where the plant truly is, and the two parts of the force from here on.
+    /// Adds one more tick: the plant's true position, and the two parts of the force from here on.
     #[inline(always)]
     pub(crate) fn add(&mut self, position: T, environment: T, controller: T) {
         let moved = position - self.position;
@@ -40,13 +40,14 @@ impl<T: Scalar> Energies<T> {
         *self = Self { position, environment, controller, ..*self };
     }
 
-    /// `max(0, −min W_e(n))`, J: what the environment gave beyond all it had been given. No passive wall gives
-    /// any, so it comes from sampling, hold, encoder, saturation and delay.
+    /// `max(0, −min W_e(n))`, J: the energy that the environment gave beyond all it had been given. No passive wall
+    /// gives any, so it comes from sampling, hold, encoder, saturation and delay.
     pub(crate) fn injected(&self) -> T {
         -self.least
     }
 
-    /// `W_c` at the end, J: what the controller's force took out of the motion; negative if it fed it.
+    /// `W_c` at the end, J: the energy that the controller's force took out of the motion; negative if it fed the
+    /// motion.
     pub(crate) fn taken(&self) -> T {
         self.taken
     }

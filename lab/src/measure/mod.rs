@@ -1,7 +1,7 @@
-//! What is measured along a run, defined once: [docs/compare.md](../../../docs/compare.md) has the equations.
+//! Measures along a run, each defined once: [docs/compare.md](../../../docs/compare.md) has the equations.
 //!
-//! Each meter is generic over the scalar, so that the runs of a map are measured lane by lane with the bits of a
-//! single run.
+//! Each meter is generic over the scalar, so that the runs of a map are measured lane by lane with the bits of a single
+//! run.
 
 pub(crate) mod balance;
 pub(crate) mod boundedness;

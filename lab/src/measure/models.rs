@@ -1,15 +1,15 @@
-//! What is measured along a run of a model.
+//! Measures along a run of a model.
 
 use serde::Serialize;
 
 use super::trace::Trace;
 use crate::simulate::models::{Entrant, Tick};
 
-/// How many times V may become what it was at the start in a run that counts as bounded: 4, which is twice as far from
-/// rest where V is quadratic.
+/// The largest V of a bounded run, as a multiple of V at the start: 4, which is twice as far from rest where V is
+/// quadratic.
 pub const BOUND: f64 = 4.0;
 
-/// Everything that is measured along a run.
+/// All measures along a run.
 #[derive(Debug)]
 pub(crate) struct Meter {
     expected: u64,
@@ -55,7 +55,7 @@ impl Meter {
         self.last = tick.value;
         self.effort = self.effort.max(tick.effort);
         self.shortfall = self.shortfall.max(tick.shortfall);
-        // The force of the last tick acts beyond the run.
+        // The force of the last tick acts after the run.
         self.taken += if self.ticks < self.expected { tick.taken } else { 0.0 };
     }
 
@@ -76,9 +76,9 @@ impl Meter {
     }
 }
 
-/// What one entrant came to on one model; docs/any-plant.md defines every number.
+/// The result of one entrant on one model; docs/any-plant.md defines every number.
 ///
-/// What is out of the range of the numbers is `None`.
+/// Numbers out of range are `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Score {
     /// The entrant.
@@ -91,7 +91,7 @@ pub struct Score {
     /// V at the last tick.
     #[serde(rename = "v_end")]
     pub end: Option<f64>,
-    /// The largest size of the effort on the plant, of all inputs together.
+    /// The largest size of the effort on the plant, over all inputs together.
     #[serde(rename = "effort_largest")]
     pub effort: Option<f64>,
     /// Share of the ticks on which damping was injected, percent.
@@ -99,7 +99,7 @@ pub struct Score {
     pub active: f64,
     /// Largest debt that a tick could not serve.
     pub shortfall: Option<f64>,
-    /// What the stabilizer's part of the effort took from V.
+    /// The energy that the stabilizer's part of the effort took from V.
     #[serde(rename = "energy_taken")]
     pub taken: Option<f64>,
 }

@@ -2,8 +2,8 @@
 
 use crate::files::Scene;
 
-/// A second at 100 Hz before a wall of 1 kN/m and 2 N·s/m at 1 mm, starting 4 mm off a spring at rest at 0;
-/// with more keys, or other values of these.
+/// A second at 100 Hz before a wall of 1 kN/m and 2 N·s/m at 1 mm, starting 4 mm off a spring at rest at 0; `more` adds
+/// keys or replaces these values.
 pub(crate) fn scene(more: &str) -> Scene {
     let usual = [
         ("duration", "1.0"),

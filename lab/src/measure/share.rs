@@ -1,4 +1,4 @@
-//! Whose share of the acting force is whose.
+//! Shares of environment and controller in the applied force.
 
 use std::collections::VecDeque;
 
@@ -7,18 +7,18 @@ use lyapunov::Scalar;
 use crate::files::Scene;
 use crate::simulate::{Space, Tick};
 
-/// The force that acts on the plant, split by whose it is, along the first axis.
+/// The applied force, split into the environment's and the controller's share, along the first axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Split {
     /// The environment's force that is due now, before saturation, N: `f_env(n − d)`, 0 for `n < d`.
     pub(crate) late: f64,
-    /// The environment's share, N: `f_e(n) = clip(f_env(n − d))`, what would act now were there no controller.
+    /// The environment's share, N: `f_e(n) = clip(f_env(n − d))`, the force that would act now without a controller.
     pub(crate) environment: f64,
-    /// The rest of what acts, N: the controller's share.
+    /// The rest of the applied force, N: the controller's share.
     pub(crate) controller: f64,
 }
 
-/// Splits what acts on the plant tick by tick: saturates and delays the environment's force as the loop does the whole.
+/// Splits the applied force tick by tick: saturates and delays the environment's force as the loop does the whole.
 #[derive(Clone, Debug)]
 pub(crate) struct Share {
     limit: f64,
@@ -26,16 +26,16 @@ pub(crate) struct Share {
 }
 
 impl Share {
-    /// The share in `scene`, whose loop computes in the scalar of `V`.
+    /// The shares in `scene`, whose loop computes in the scalar of `V`.
     pub(crate) fn new<V: Space>(scene: &Scene) -> Self {
         let ticks = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
-        // As the loop rounds it.
+        // Rounded as the loop rounds it.
         let limit = |force: f64| V::Scalar::of(force).lane(0);
         let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| limit(it.force.get()));
         Self { limit, waiting: VecDeque::from(vec![0.0; ticks.into()]) }
     }
 
-    /// Splits what acts from `tick` on.
+    /// Splits the force applied from `tick` on.
     pub(crate) fn split<V: Space>(&mut self, tick: &Tick<V>) -> Split {
         self.of(tick.environment.axis(0), tick.applied.axis(0))
     }
@@ -47,7 +47,7 @@ impl Share {
         Split { late, environment, controller: applied - environment }
     }
 
-    /// Whether a force of the environment has not applied yet.
+    /// Whether a force of the environment does not act yet.
     pub(crate) fn is_waiting(&self) -> bool {
         self.waiting.iter().any(|force| *force != 0.0)
     }

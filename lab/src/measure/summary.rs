@@ -1,14 +1,14 @@
-//! What a run came to.
+//! Summary of a run.
 
 use super::settling::Settling;
 use crate::files::Scene;
 use crate::simulate::equilibrium::{BAND, equilibrium, swing};
 use crate::simulate::{Row, Space, Tick};
 
-/// Lengths and energies are told in thousandths of their units.
+/// Lengths and energies are reported in thousandths of their units.
 pub(crate) const MILLI: f64 = 1e3;
 
-/// What a run came to, summed up tick by tick.
+/// Summary of a run, built tick by tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     pub(crate) scene: Scene,
@@ -16,25 +16,26 @@ pub struct Summary {
     pub rows: u64,
     /// The last tick.
     pub last: Option<Row>,
-    /// Where the operator's spring and the environment balance, m; none where no spring pulls, or only out of range.
+    /// The position where the operator's spring and the environment balance, m; none where no spring pulls, or if it is
+    /// out of range.
     pub equilibrium: Option<f64>,
     /// Half the width of the band about the equilibrium that counts as settled, m.
     pub band: f64,
-    /// Since when the plant has been in the band without a break, s; none if it is outside.
+    /// The time since when the plant has stayed in the band, s; none if it is outside.
     pub settled: Option<f64>,
     settling: Settling<f64>,
     /// Largest magnitude of the environment's force, N.
     pub environment_peak: f64,
-    /// Largest magnitude of the force that applied on the plant, N.
+    /// Largest magnitude of the force applied to the plant, N.
     pub acting_peak: f64,
-    /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J; infinite from where
-    /// it leaves the range of f64.
+    /// Energy that crossed the port into the environment, `Σ f_act Δx` over the true positions, J; infinite once it
+    /// leaves the range of f64.
     pub absorbed: f64,
     /// Least value of the observed energy, J.
     pub observed_energy_least: f64,
     /// Largest value of the observed energy, J.
     pub observed_energy_most: f64,
-    /// Energy that the controller set out to burn, `Σ α v² T`, J; infinite from where it leaves the range of f64.
+    /// Energy that the controller set out to dissipate, `Σ α v² T`, J; infinite once it leaves the range of f64.
     pub injected: f64,
     /// Largest debt that a tick could not serve, J.
     pub shortfall: f64,
@@ -44,7 +45,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The summary of no tick yet.
+    /// A summary without ticks.
     pub fn new(scene: &Scene) -> Self {
         let rest = equilibrium(scene).map(|rest| (rest, BAND * swing(scene, rest)));
         let shown = |metres: f64| (MILLI * metres).is_finite();
@@ -76,7 +77,7 @@ impl Summary {
         summary
     }
 
-    /// Sums up one more tick.
+    /// Adds one more tick.
     pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
         let (row, axes) = (Row::of(tick), Axis::of(tick));
         if self.last.is_some() {
@@ -108,7 +109,7 @@ impl Summary {
     }
 }
 
-/// Never at rest where there is no place to rest at.
+/// The settling about `rest`; never settled without a place to rest at.
 fn rest_of(rest: Option<(f64, f64)>) -> Settling<f64> {
     let (rest, band) = rest.unwrap_or((0.0, -1.0));
     Settling::new(rest, band)
@@ -125,7 +126,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// `tick` along each axis; all 0 along those that the scene does not have.
+    /// `tick` along each axis; all 0 along axes that the scene does not have.
     fn of<V: Space>(tick: &Tick<V>) -> [Self; 3] {
         let control = tick.control();
         let mut axes = [Self::default(); 3];
@@ -144,6 +145,6 @@ impl Axis {
 
 /// A sum of work with one more piece; once infinite it stays so, and it is never NaN.
 fn sum(total: f64, force: f64, way: f64) -> f64 {
-    // Two positions can lie so far apart that the way between them is infinite.
+    // Two positions can lie so far apart that the distance is infinite.
     if total.is_finite() && force != 0.0 { total + force * way } else { total }
 }

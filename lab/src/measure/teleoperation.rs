@@ -1,4 +1,4 @@
-//! What is measured along a run of a teleoperator.
+//! Measures along a run of a teleoperator.
 
 use serde::Serialize;
 
@@ -6,18 +6,18 @@ use super::trace::Trace;
 use crate::files::teleoperation::Teleoperator;
 use crate::simulate::teleoperation::{Entrant, Tick};
 
-/// How many times the energy that the hand began with may be found in the two devices, the hand's spring and the wall, in
-/// a run that counts as bounded: 4, which is twice as far or as fast.
+/// The largest energy of a bounded run in the two devices, the hand's spring and the wall, as a multiple of the hand's
+/// energy at the start: 4, which is twice as far or as fast.
 pub const BOUND: f64 = 4.0;
 
-/// The least that a correction burns on a tick that counts as active, of the energy at the start: at rest, debts of the last
-/// digits come and go.
+/// The least that a correction dissipates on a tick that counts as active, as a share of the energy at the start: at
+/// rest, debts in the last digits come and go.
 const ACTIVE: f64 = 1e-9;
 
-/// Millimetres of a metre, millijoules of a joule.
+/// Millimetres per metre, millijoules per joule.
 const MILLI: f64 = 1e3;
 
-/// Everything that is measured along a run.
+/// All measures along a run.
 #[derive(Debug)]
 pub(crate) struct Meter<'a> {
     file: &'a Teleoperator,
@@ -108,14 +108,14 @@ impl<'a> Meter<'a> {
     }
 }
 
-/// What one entrant came to on one teleoperator; docs/teleoperation.md defines every number.
+/// The result of one entrant on one teleoperator; docs/teleoperation.md defines every number.
 ///
-/// What is out of the range of the numbers is `None`.
+/// Numbers out of range are `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Score {
     /// The entrant.
     pub stabilizer: &'static str,
-    /// Whether the run stayed within the range of the scalar and its energy within [`BOUND`] times the start's.
+    /// Whether the run stayed within the range of the scalar and its energy within [`BOUND`] times that at the start.
     pub bounded: bool,
     /// The largest energy of devices, hand and wall.
     #[serde(rename = "energy_largest_mj")]
@@ -126,10 +126,10 @@ pub struct Score {
     /// The largest distance between master and slave.
     #[serde(rename = "error_largest_mm")]
     pub error: Option<f64>,
-    /// By how much the master is ahead of the slave at the last tick.
+    /// The distance by which the master is ahead of the slave at the last tick.
     #[serde(rename = "error_end_mm")]
     pub error_end: Option<f64>,
-    /// By how much the commanded position is ahead of the master at the last tick.
+    /// The distance by which the commanded position is ahead of the master at the last tick.
     #[serde(rename = "drift_end_mm")]
     pub drift: Option<f64>,
     /// The largest force that the link puts on the master.
@@ -138,21 +138,21 @@ pub struct Score {
     /// The largest force of the wall; `None` without one.
     #[serde(rename = "force_contact_n")]
     pub contact: Option<f64>,
-    /// The least that both ports together have absorbed, with what corrections were about to burn.
+    /// The least energy that both ports together have absorbed, counting what corrections were about to dissipate.
     #[serde(rename = "energy_least_mj")]
     pub kept: Option<f64>,
     /// Largest debt of both ends together that a tick could not serve.
     #[serde(rename = "shortfall_mj")]
     pub shortfall: Option<f64>,
-    /// Share of the ticks on which the correction at the master burns more than rounding, percent.
+    /// Share of the ticks on which the correction at the master dissipates more than rounding, percent.
     #[serde(rename = "active_master_percent")]
     pub active_master: f64,
-    /// Share of the ticks on which the correction at the slave burns more than rounding, percent.
+    /// Share of the ticks on which the correction at the slave dissipates more than rounding, percent.
     #[serde(rename = "active_slave_percent")]
     pub active_slave: f64,
 }
 
-/// Time in s and position in m, at every tick, or of a long run the extremes of each of some thousand stretches.
+/// Time in s and position in m, at every tick, or for a long run the extremes of each of some thousand stretches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curves {
     /// The master's.

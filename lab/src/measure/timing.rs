@@ -1,4 +1,4 @@
-//! Things timed in turns, round by round, and fresh runs of a loop against the clock.
+//! Timing of things in turns, round by round, and of fresh runs of a loop.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -8,16 +8,16 @@ use lyapunov::{ParameterError, Plant};
 use crate::files::Scene;
 use crate::simulate::{Assembly, Space};
 
-/// How long each of several things takes, ns, by rounds.
+/// Durations of several things, ns, by rounds.
 #[derive(Debug)]
 pub(crate) struct Rounds(Vec<Vec<f64>>);
 
 impl Rounds {
-    /// Times `things` in turns, round by round, so that a machine that slows down slows them all alike: `time` is given the
-    /// round and the thing, at least one round.
+    /// Times `things` in turns, round by round, so that a machine that slows down slows them all alike: `time` gets the
+    /// round and the thing; there is at least one round.
     ///
     /// # Errors
-    /// The first that `time` meets.
+    /// The first error of `time`.
     pub(crate) fn of<E>(
         things: usize,
         rounds: usize,
@@ -43,7 +43,7 @@ impl Rounds {
         [times.clone().fold(f64::INFINITY, f64::min), times.fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// The quartiles of two things, compared round by round: what slows one round slows both in it.
+    /// The quartiles of two things, compared round by round: a slow round slows both.
     pub(crate) fn compared(
         &self,
         one: usize,
@@ -61,15 +61,15 @@ pub(crate) fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
     [1, 2, 3].map(|quarter| values[quarter * (values.len() - 1) / 4])
 }
 
-/// Fresh runs made at once at most, for they have room for long delays.
+/// The most fresh runs made at once: each has room for long delays.
 const MOST: u32 = 16;
 
-/// How many runs take at least so `long`, if `one` takes that; no more than are made at once.
+/// The number of runs that take at least `long`, if `one` is the time of one; at most as many as are made at once.
 pub(crate) fn count_for(long: Duration, one: Duration) -> u32 {
     long.div_duration_f64(one).ceil().clamp(1.0, MOST.into()) as u32
 }
 
-/// The time that the loop of `scene` takes for `count` runs of so many `ticks`, which are made before.
+/// The time that the loop of `scene` takes for `count` runs of `ticks` each; making the runs is not timed.
 ///
 /// # Errors
 /// A parameter out of the range of the scalar.

@@ -1,9 +1,9 @@
-//! A curve of any length in little memory.
+//! Curve of any length in little memory.
 
-/// How many stretches a curve is divided into: more than a figure can show.
+/// The number of stretches in a curve: more than a figure can show.
 const STRETCHES: u64 = 8192;
 
-/// A quantity over time, thinned to the extremes of each of some thousand stretches if there are more ticks.
+/// Quantity over time, thinned to the extremes of each of some thousand stretches if there are more ticks.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
     stretch: u64,
@@ -18,7 +18,7 @@ impl Trace {
     pub(crate) fn new(ticks: u64) -> Self {
         let stretch = ticks.div_ceil(STRETCHES).max(1);
         let unset = (0.0, 0.0);
-        // A stretch of two keeps both points, and so does one of one.
+        // Stretches of one or two points keep all of them.
         let stretch = if stretch <= 2 { 1 } else { stretch };
         Self { stretch, count: 0, low: unset, high: unset, points: Vec::new() }
     }

@@ -1,4 +1,4 @@
-//! Comma-separated values: text is quoted where it has to be, and every number reads back exactly.
+//! Comma-separated values: text is quoted where necessary, and every number reads back exactly.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -9,7 +9,7 @@ use crate::simulate::Row;
 pub const COLUMNS: &str =
     "t,x,x_measured,v,f_env,f_ctl,f_out,f_act,observer,alpha,shortfall,accepted";
 
-/// Writes rows as comma-separated values, the names of the columns first.
+/// Writer of rows as comma-separated values, the names of the columns first.
 #[derive(Debug)]
 pub struct Csv<W: Write>(Records<W>);
 
@@ -17,7 +17,7 @@ impl<W: Write> Csv<W> {
     /// Writes the names of the columns, with those of `further` ones at the end.
     ///
     /// # Errors
-    /// What the writer cannot take.
+    /// Errors of the writer.
     pub fn new(writer: W, further: &[String]) -> io::Result<Self> {
         let mut records = Records::new(writer);
         let further = further.iter().map(String::as_str);
@@ -25,10 +25,10 @@ impl<W: Write> Csv<W> {
         Ok(Self(records))
     }
 
-    /// Writes one row with its `further` numbers, each with as many digits as it takes to read it back exactly.
+    /// Writes one row with its `further` numbers, each with as many digits as it needs to read back exactly.
     ///
     /// # Errors
-    /// What the writer cannot take.
+    /// Errors of the writer.
     pub fn write(&mut self, row: &Row, further: impl IntoIterator<Item = f64>) -> io::Result<()> {
         // The sum turns -0.0 into 0.0.
         let number = |number: f64| Field::Number(number + 0.0);
@@ -37,16 +37,16 @@ impl<W: Write> Csv<W> {
         self.0.put(row.numbers().into_iter().map(number).chain([accepted]).chain(further))
     }
 
-    /// Hands back the writer, flushed.
+    /// Flushes the writer and returns it.
     ///
     /// # Errors
-    /// What the writer cannot take.
+    /// Errors of the writer.
     pub fn into_inner(self) -> io::Result<W> {
         self.0.into_inner()
     }
 }
 
-/// A field of a record.
+/// Field of a record.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Field<'a> {
     Text(&'a str),
@@ -61,7 +61,7 @@ impl From<Option<f64>> for Field<'_> {
     }
 }
 
-/// Writes records of equally many fields.
+/// Writer of records with equally many fields.
 #[derive(Debug)]
 pub(crate) struct Records<W: Write> {
     writer: ::csv::Writer<W>,
@@ -91,13 +91,13 @@ impl<W: Write> Records<W> {
         self.writer.write_record(None::<&str>).map_err(plain)
     }
 
-    /// Hands back the writer, flushed.
+    /// Flushes the writer and returns it.
     pub(crate) fn into_inner(self) -> io::Result<W> {
         self.writer.into_inner().map_err(::csv::IntoInnerError::into_error)
     }
 }
 
-/// The error of the writer beneath, with its kind.
+/// The error of the inner writer, with its kind.
 fn plain(error: ::csv::Error) -> io::Error {
     match error.into_kind() {
         ::csv::ErrorKind::Io(error) => error,
@@ -111,7 +111,7 @@ pub(crate) fn text<'a, R: IntoIterator<Item = Field<'a>>>(
     records: impl IntoIterator<Item = R>,
 ) -> String {
     let mut writer = Records::new(Vec::new());
-    // Memory takes everything.
+    // Writing to memory never fails.
     let _ = writer.put(names.into_iter().map(Field::Text));
     let _ = records.into_iter().try_for_each(|record| writer.put(record));
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
@@ -121,7 +121,7 @@ pub(crate) fn text<'a, R: IntoIterator<Item = Field<'a>>>(
 mod tests {
     use super::*;
 
-    /// By its kind a reader that has enough is told from a full disk.
+    /// The kind tells a reader that has enough from a full disk.
     #[test]
     fn an_error_keeps_its_kind() {
         struct Full;
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_reads_back() {
+    fn written_records_read_back() {
         let name = "mine, \"fast\"\r\nand\tthin";
         let numbers = [-0.0, 0.1, 1e-7, 1e16, f64::MIN_POSITIVE, f64::MAX, f64::INFINITY];
         let fields = numbers.map(|number| [Field::Text(name), Field::Number(number)]);

@@ -8,7 +8,7 @@ pub(crate) fn environment(scene: &Scene) -> String {
     scene.environment.kind().words(|number| given(number).to_string())
 }
 
-/// The effects of a scene in words, one each.
+/// The effects of a scene in words, one entry each.
 pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     let Effects {
         encoder,
@@ -57,7 +57,7 @@ pub(crate) fn effects(scene: &Scene) -> Vec<String> {
     .collect()
 }
 
-/// How the plant moves, if not exactly.
+/// The integrator in words, unless motion is exact.
 pub(crate) fn integrator(integrator: Integrator) -> Option<String> {
     let name = integrator.name();
     let in_steps = |steps: u32| format!("{name} in {}", counted(steps as usize, "step"));
@@ -65,7 +65,7 @@ pub(crate) fn integrator(integrator: Integrator) -> Option<String> {
     integrator.steps_per_tick().map(in_steps).or(integrator.tolerance().map(within))
 }
 
-/// What operator and link do beyond the usual, in words, one each.
+/// The operator's and the link's extras in words, one entry each.
 pub(crate) fn operator(scene: &Scene) -> Vec<String> {
     let Operator { motion, grip, .. } = &scene.operator;
     let link = scene.link.map(|Link { stiffness, damping }| {

@@ -1,4 +1,4 @@
-//! Report pages: each one file that needs nothing else.
+//! Report pages, each one self-contained file.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -25,12 +25,12 @@ pub(crate) fn page(title: &str, body: &Markup) -> String {
     page.into_string() + "\n"
 }
 
-/// The command that something was made by, and its version.
+/// The command that made something, and its version.
 pub(crate) fn maker(command: &str) -> Markup {
     html! { code { (command) } ", lyapunov " (env!("CARGO_PKG_VERSION")) }
 }
 
-/// A drawing, an element of SVG, with what it shows.
+/// A drawing, an element of SVG, with a caption.
 pub(crate) fn figure(id: Option<&str>, svg: String, caption: &Markup) -> Markup {
     html! {
         figure id=[id] {

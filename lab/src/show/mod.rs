@@ -1,4 +1,4 @@
-//! How results are shown: tables, pages, lines of text and comma-separated values.
+//! Presentation of results: tables, pages, lines of text and comma-separated values.
 
 pub(crate) mod csv;
 pub(crate) mod described;

@@ -1,10 +1,10 @@
-//! A file that could not be written, and what to do about it.
+//! Error of a file that could not be written, with the remedy.
 
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a file could not be written.
+/// Reason why a file could not be written.
 #[derive(Debug)]
 pub struct OutputError {
     path: PathBuf,
@@ -12,7 +12,7 @@ pub struct OutputError {
 }
 
 impl OutputError {
-    /// The error that `path` met.
+    /// The error of writing to `path`.
     pub fn new(path: &Path, source: io::Error) -> Self {
         Self { path: path.to_owned(), source }
     }

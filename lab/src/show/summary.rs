@@ -1,4 +1,4 @@
-//! A summary in a few lines, and as JSON.
+//! Summary in a few lines, and as JSON.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::text::{found, given, listed};
 use crate::measure::Summary;
 use crate::measure::summary::MILLI;
 
-/// Settled in the last tenth of a run is not yet settled.
+/// A run that settles in the last tenth is not yet settled.
 const LATE: f64 = 0.9;
 
 #[derive(Serialize)]
@@ -30,7 +30,7 @@ struct Document<'a> {
     stabilizer: Option<Observed>,
 }
 
-/// What a stabilizer saw and did.
+/// Observed energies and corrections of a stabilizer.
 #[derive(Serialize)]
 struct Observed {
     observed_energy_least_mj: f64,
@@ -42,7 +42,7 @@ struct Observed {
 }
 
 impl Summary {
-    /// The summary of the scene called `scene`, as JSON; docs/command.md says what is in it.
+    /// The summary of the scene called `scene`, as JSON; docs/command.md lists its keys.
     ///
     /// # Errors
     /// None: every part can be written as JSON, and a number that is not finite becomes null.
@@ -106,7 +106,7 @@ impl fmt::Display for Summary {
 }
 
 impl Summary {
-    /// The scene, as far as it is not the same for every scene.
+    /// Writes the scene, as far as it differs from scene to scene.
     fn write_scene(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let scene = &self.scene;
         write!(
@@ -175,7 +175,7 @@ impl Summary {
         };
         let (band, place) = (millimetres(self.band), millimetres(rest));
         match self.settled {
-            // One last swing through the band is no rest.
+            // One last swing through the band is not rest.
             Some(time) if time > LATE * last.t => {
                 let since = given(time);
                 write!(f, "not yet: within {band} mm of x = {place} mm only since t = {since} s")
@@ -212,7 +212,7 @@ impl Summary {
     }
 }
 
-/// A line of things with their name in front, folded where it grows long; nothing where there is none.
+/// Writes a line of `things` with `name` in front, folded if it grows long; nothing if there are none.
 fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if things.is_empty() {
         return Ok(());
@@ -220,7 +220,7 @@ fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt:
     write!(f, "\n{}", listed(&format!("  {name:<13}"), things))
 }
 
-/// How a stabilizer books work, and how much it may inject.
+/// Work, ledger and damping cap of a stabilizer.
 struct Booking(Work, Ledger, Cap);
 
 impl fmt::Display for Booking {

@@ -11,20 +11,20 @@ use crate::text::{found, printable};
 /// The widest line in the terminal.
 const WIDEST: usize = 100;
 
-/// What is left of the first column at least.
+/// The least width that the first column keeps when it is cut.
 const SHORTEST: usize = 8;
 
 const BETWEEN: &str = "  ";
 
-/// Rows of cells under headings. `Display` gives it for the terminal, in 100 columns at most: the cells of the first column
-/// are cut where that takes it.
+/// Rows of cells under headings. `Display` shows it in the terminal, in 100 columns at most; the cells of the first
+/// column are cut to fit.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     headings: Vec<Heading>,
     rows: Vec<Row>,
 }
 
-/// The heading of a column, in lines, and the side that its cells stand on.
+/// Heading of a column, in lines, and the alignment of its cells.
 #[derive(Clone, Debug)]
 pub(crate) struct Heading {
     text: String,
@@ -32,25 +32,25 @@ pub(crate) struct Heading {
 }
 
 impl Heading {
-    /// That of a column of words, which stand on the left.
+    /// The heading of a column of words, aligned left.
     pub(crate) fn word(text: impl Into<String>) -> Self {
         Self { text: text.into(), is_number: false }
     }
 
-    /// That of a column of numbers, which stand on the right.
+    /// The heading of a column of numbers, aligned right.
     pub(crate) fn number(text: impl Into<String>) -> Self {
         Self { text: text.into(), is_number: true }
     }
 }
 
-/// A row of a table.
+/// Row of a table.
 #[derive(Clone, Debug)]
 enum Row {
     Cells(Vec<Cell>),
     Words(String),
 }
 
-/// What stands in a column of a row: text for the terminal, and markup for a page.
+/// Content of a cell: text for the terminal, and markup for a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Cell {
     text: String,
@@ -96,7 +96,7 @@ impl<T: Into<Self>> From<Option<T>> for Cell {
     }
 }
 
-/// A cell of a table that is for a page only.
+/// A cell that appears on a page only.
 impl From<Markup> for Cell {
     fn from(markup: Markup) -> Self {
         Self::new("", markup)
@@ -109,7 +109,7 @@ impl Table {
         Self { headings: headings.into_iter().collect(), rows: Vec::new() }
     }
 
-    /// With a cell for each heading in each of the `rows`.
+    /// Adds the `rows`, each with a cell for each heading.
     pub(crate) fn with_rows<R: IntoIterator<Item = Cell>>(
         mut self,
         rows: impl IntoIterator<Item = R>,
@@ -161,7 +161,7 @@ impl Table {
         }
     }
 
-    /// The lines of the headings, all the same number: the last lines stand side by side.
+    /// The lines of the headings, equally many for each: the last lines stand side by side.
     fn head(&self) -> Vec<Vec<&str>> {
         let columns: Vec<Vec<&str>> =
             self.headings.iter().map(|heading| heading.text.split('\n').collect()).collect();
@@ -173,7 +173,7 @@ impl Table {
         (0..height).map(line).collect()
     }
 
-    /// How wide each column is.
+    /// The width of each column.
     fn widths(&self, head: &[Vec<&str>]) -> Vec<usize> {
         let mut widths = vec![0; self.headings.len()];
         let mut widen = |cells: &mut dyn Iterator<Item = &str>| {
@@ -205,7 +205,7 @@ impl Table {
     }
 }
 
-/// `text` within `room`.
+/// `text` cut to `room`.
 fn cut(text: &str, room: usize) -> String {
     let mut text = text.to_owned();
     if display_width(&text) > room {
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_markup_is_escaped_on_a_page() {
+    fn plain_text_is_escaped_on_a_page() {
         let mut table = table(HOSTILE);
         table.say(HOSTILE);
         let page = table.to_html(HOSTILE).into_string();

@@ -1,17 +1,17 @@
-//! Where a scene comes to rest.
+//! Equilibrium of a scene.
 
 use lyapunov::environments::{Kinematics, Time};
 
 use crate::files::scene::{Draft, Motion, StaticSpring};
 
-/// Halvings of an interval: more than the digits of f64.
+/// Halvings of an interval: more than f64 has digits.
 const HALVINGS: usize = 200;
 
-/// Settled means within this share of the starting swing about the equilibrium.
+/// Largest distance from the equilibrium that counts as settled, as a share of the starting swing.
 pub(crate) const BAND: f64 = 0.05;
 
-/// Where the operator's spring, the environment and what pushes at the end balance, m; none where no spring pulls, where
-/// something never rests, and in more than one dimension.
+/// Position where the operator's spring, the environment and the forces that push at the end balance, m; none where no
+/// spring pulls, where something never rests, and in more than one dimension.
 pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
     let (pull, rest) = (last_pull(scene), last_rest(scene)?);
     if scene.dimensions() > 1 || pull <= 0.0 {
@@ -24,12 +24,12 @@ pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
     Some(if pushed.abs() > most { free - most.copysign(pushed) / pull } else { balanced })
 }
 
-/// Whether the scene is driven for as long as it lasts.
+/// Whether something drives the scene for as long as it lasts.
 pub(crate) fn never_rests(scene: &Draft) -> bool {
     last_rest(scene).is_none() || scene.environment.kind().swings()
 }
 
-/// Where a spring of `pull` N/m that would rest at `free` and the environment balance.
+/// Position where a spring of `pull` N/m that would rest at `free` balances the environment.
 fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     let kind = scene.environment.kind();
     if kind.swings() {
@@ -57,7 +57,7 @@ fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     Some(0.5 * (low + high))
 }
 
-/// How far the plant would swing about `rest` if nothing else applied.
+/// Distance that the plant would swing about `rest` if nothing else acted.
 pub(crate) fn swing(scene: &Draft, rest: f64) -> f64 {
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let frequency = (last_pull(scene) / mass).sqrt();
@@ -69,7 +69,7 @@ fn swings(amplitude: f64, frequency: f64) -> bool {
     amplitude != 0.0 && frequency != 0.0
 }
 
-/// The stiffness that the device is pulled back with at the end, N/m: the operator's spring, and a link in series.
+/// Stiffness that pulls the device back at the end, N/m: the operator's spring, and a link in series.
 pub(crate) fn last_pull(scene: &Draft) -> f64 {
     let operator = &scene.operator;
     let changes = operator.grip.iter().flat_map(|grip| grip.times.iter().zip(&grip.stiffness));
@@ -81,7 +81,7 @@ pub(crate) fn last_pull(scene: &Draft) -> f64 {
     }
 }
 
-/// The force in +x on the device at the end, N.
+/// Force in +x that pushes the device at the end, N.
 fn last_push(scene: &Draft) -> f64 {
     let load = scene.effects.load.map_or(0.0, |load| load.force.get());
     let pulse = scene.effects.pulse.filter(|pulse| {
@@ -91,7 +91,7 @@ fn last_push(scene: &Draft) -> f64 {
     load + pulse.map_or(0.0, |pulse| pulse.force.get())
 }
 
-/// Where the operator's spring rests at the end, m; none if that still moves.
+/// Rest position of the operator's spring at the end, m; none if it still moves.
 fn last_rest(scene: &Draft) -> Option<f64> {
     let rest = scene.operator.rest.get();
     let end = scene.ticks() as f64 * scene.period();
@@ -114,12 +114,12 @@ fn last_rest(scene: &Draft) -> Option<f64> {
     }
 }
 
-/// What the motion of a scene is judged by.
+/// Equilibrium and swing that the motion of a scene is judged by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Criterion {
     pub(crate) equilibrium: Option<f64>,
     swing: f64,
-    /// The swing that a run is measured by, m.
+    /// The swing that a run is measured against, m.
     pub(crate) start: f64,
 }
 
@@ -127,15 +127,15 @@ impl Criterion {
     pub(crate) fn of(scene: &Draft) -> Self {
         let equilibrium = equilibrium(scene);
         let swing = equilibrium.map_or(0.0, |rest| swing(scene, rest));
-        // The starting swing, or the spring's deflection at the equilibrium if that is more, so that a start in
-        // balance is not measured by nothing.
+        // The starting swing, or the spring's deflection at the equilibrium if that is larger, so that a start in
+        // balance is not measured against zero.
         let deflection = |rest: f64| (scene.operator.rest.get() - rest).abs();
         let start = equilibrium.map_or(0.0, |rest| swing.max(deflection(rest)));
         Self { equilibrium, swing, start }
     }
 
-    /// Where the plant comes to rest and half the width of the band about it that counts as settled, m; a band below 0
-    /// where there is no such place.
+    /// The position where the plant comes to rest and half the width of the band about it that counts as settled, m; a
+    /// band below 0 where there is no such position.
     pub(crate) fn rest(&self) -> (f64, f64) {
         self.equilibrium.map_or((0.0, -1.0), |rest| (rest, BAND * self.swing))
     }

@@ -1,4 +1,4 @@
-//! From files to what is checked: a file whose parts are each right is right if its loop can be built.
+//! Loading of checked files: a file whose parts are each right is right if its loop can be built.
 
 use std::path::Path;
 
@@ -11,14 +11,14 @@ use crate::files::scene::{
 use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
 
 impl Draft {
-    /// The scene that it is, if it keeps the rules between values: the number of ticks, the ratio of the rates, what tables
-    /// ask of each other, the range of f32 where the run computes in it, and what the blocks of the loop take.
+    /// Checks the rules between values and returns the scene: the number of ticks, the ratio of the rates, what tables
+    /// require of each other, the range of f32 where the run computes in it, and what the blocks of the loop accept.
     ///
     /// # Errors
-    /// The first rule that is broken, and its key.
+    /// The first broken rule, and its key.
     pub fn check(self) -> Result<Scene, Conflict> {
         let scene = self.by_rules()?;
-        // Values that are each allowed may join to a loop that is not.
+        // Values that are each allowed may make a loop that is not.
         let built = in_space!(scene, Axes => Assembly::<Axes>::of(&scene).map(drop));
         match built {
             Ok(()) => Ok(scene),
@@ -32,7 +32,7 @@ impl Scene {
     /// the scene names are looked for in the current folder.
     ///
     /// # Errors
-    /// The first rule that is broken, with its place and what would be right.
+    /// The first broken rule, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
         parse(text, name, Path::new(""))
     }
@@ -40,13 +40,13 @@ impl Scene {
     /// Reads a scene from a file of at most 1 MiB.
     ///
     /// # Errors
-    /// As [`Scene::parse`], and a file that cannot be read or is no text.
+    /// Those of [`Scene::parse`], and a file that cannot be read or is no text.
     pub fn load(path: &Path) -> Result<Self, Diagnostic> {
         parse_at(&scene::text_of(&scene::BOOK, path)?, path)
     }
 }
 
-/// See [`Scene::parse`]; files that the scene names are looked for in `folder`.
+/// Reads a scene as [`Scene::parse`] does, with the files that it names in `folder`.
 fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diagnostic> {
     scene::read(&scene::BOOK, text, name, |keys| checked(keys, folder)).map_err(|fault| {
         let Some(kind) = [MODEL, TELEOPERATOR].into_iter().find(|kind| kind.is_in(text)) else {
@@ -63,7 +63,7 @@ fn checked(keys: Keys, folder: &Path) -> Result<Scene, Conflict> {
     draft.check()
 }
 
-/// The scene that is the `text` of the file at `path`.
+/// Reads the scene in `text`, the contents of the file at `path`.
 fn parse_at(text: &str, path: &Path) -> Result<Scene, Diagnostic> {
     parse(text, &path.display().to_string(), path.parent().unwrap_or(Path::new("")))
 }
@@ -72,7 +72,7 @@ impl Model {
     /// Reads a model from TOML text; `name` stands for the text in messages, usually the path of its file.
     ///
     /// # Errors
-    /// The first rule that is broken, with its place and what would be right.
+    /// The first broken rule, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
         scene::read(&model_files::BOOK, text, name, |model: Self| model.check().map(|()| model))
     }
@@ -80,16 +80,16 @@ impl Model {
     /// Reads a model from a file of at most 1 MiB.
     ///
     /// # Errors
-    /// As [`Model::parse`], and a file that cannot be read or is no text.
+    /// Those of [`Model::parse`], and a file that cannot be read or is no text.
     pub fn load(path: &Path) -> Result<Self, Diagnostic> {
         Self::parse(&scene::text_of(&model_files::BOOK, path)?, &path.display().to_string())
     }
 
     /// Checks the rules between values: the number of ticks, a number for each state and each input, the range of f32
-    /// where the run computes in it, what the blocks of the loop take, and a start that is not at rest.
+    /// where the run computes in it, what the blocks of the loop accept, and a start that is not at rest.
     ///
     /// # Errors
-    /// The first rule that is broken, and its key.
+    /// The first broken rule, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_rules()?;
         let began = models::built(self).map_err(|refused| self.refusal(refused))?.began();
@@ -108,7 +108,7 @@ impl Teleoperator {
     /// Reads a teleoperator from TOML text; `name` stands for the text in messages, usually the path of its file.
     ///
     /// # Errors
-    /// The first rule that is broken, with its place and what would be right.
+    /// The first broken rule, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
         scene::read(&teleoperator_files::BOOK, text, name, |it: Self| it.check().map(|()| it))
     }
@@ -116,18 +116,17 @@ impl Teleoperator {
     /// Reads a teleoperator from a file of at most 1 MiB.
     ///
     /// # Errors
-    /// As [`Teleoperator::parse`], and a file that cannot be read or is no text.
+    /// Those of [`Teleoperator::parse`], and a file that cannot be read or is no text.
     pub fn load(path: &Path) -> Result<Self, Diagnostic> {
         Self::parse(&scene::text_of(&teleoperator_files::BOOK, path)?, &path.display().to_string())
     }
 
-    /// Checks the rules between values: the number of ticks, a start that stores energy, a wall that the slave is not in
-    /// and that is not too stiff for the rate, an impedance of the waves, a seed for what
-    /// is random, the range of f32 where the run computes in it,
-    /// and what the blocks of the loop take.
+    /// Checks the rules between values: the number of ticks, a start that stores energy, a wall that the slave does not
+    /// start in and that is not too stiff for the rate, an impedance for the waves, a seed for random effects, the
+    /// range of f32 where the run computes in it, and what the blocks of the loop accept.
     ///
     /// # Errors
-    /// The first rule that is broken, and its key.
+    /// The first broken rule, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_rules()?;
         teleoperation::Entrant::ALL.into_iter().try_for_each(|entrant| {
@@ -136,7 +135,7 @@ impl Teleoperator {
     }
 }
 
-/// What is compared, told apart by tables that only one kind of file has.
+/// Contents of a compared file, told apart by tables that only one kind of file has.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
     /// A scene.
@@ -148,10 +147,10 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// Reads a file, once, as it may be a pipe.
+    /// Reads the file once, since it may be a pipe.
     ///
     /// # Errors
-    /// As [`Scene::load`], [`Model::load`] and [`Teleoperator::load`].
+    /// Those of [`Scene::load`], [`Model::load`] and [`Teleoperator::load`].
     pub fn load(path: &Path) -> Result<Self, Diagnostic> {
         let text = scene::text_of(&scene::BOOK, path)?;
         let name = path.display().to_string();
@@ -165,7 +164,7 @@ impl Subject {
     }
 }
 
-/// The scalar as a message has it.
+/// The scalar's name in messages.
 fn name(scalar: Scalar) -> &'static str {
     match scalar {
         Scalar::F64 => "f64",

@@ -1,4 +1,4 @@
-//! What is simulated: loops built from files, stabilizers by name, and their runs tick by tick.
+//! Simulation: loops built from files, stabilizers by name, and their runs tick by tick.
 
 pub(crate) mod building;
 pub(crate) mod equilibrium;

@@ -1,4 +1,4 @@
-//! The closed loop of a scene, tick by tick.
+//! Closed loop of a scene, tick by tick.
 
 use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Signal, Stabilizer};
 
@@ -8,7 +8,7 @@ use super::row::Row;
 use super::tick::Tick;
 use crate::files::Scene;
 
-/// The ticks of a scene, from tick 0 to the last, computed as they are asked for.
+/// The ticks of a scene, from tick 0 to the last, computed on demand.
 ///
 /// Ends early, after the last tick on which everything is finite, if the motion leaves the range of the scalar.
 #[derive(Debug)]
@@ -22,18 +22,18 @@ pub struct Rollout<V: Signal = f64> {
 }
 
 impl<V: Space> Rollout<V> {
-    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever the scene says of it.
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V`, whatever scalar `scene` names.
     ///
     /// # Errors
-    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
         Self::assemble(scene, AnyStabilizer::of(scene)?)
     }
 
-    /// The loop of `scene` with `stabilizer` in the place of the scene's own.
+    /// The loop of `scene` with `stabilizer` instead of the scene's own.
     ///
     /// # Errors
-    /// As [`Rollout::of`].
+    /// Those of [`Rollout::of`].
     pub fn stabilized_by(
         scene: &Scene,
         stabilizer: impl Stabilizer<V> + 'static,
@@ -41,10 +41,10 @@ impl<V: Space> Rollout<V> {
         Self::assemble(scene, AnyStabilizer::new(stabilizer))
     }
 
-    /// The loop of `scene` under `member` of the family, whatever the scene names.
+    /// The loop of `scene` under `member` of the family, whatever `scene` names.
     ///
     /// # Errors
-    /// As [`Rollout::of`].
+    /// Those of [`Rollout::of`].
     pub fn under(scene: &Scene, member: StabilizerName) -> Result<Self, ParameterError>
     where
         V: Scalar,
@@ -52,12 +52,12 @@ impl<V: Space> Rollout<V> {
         Self::assemble(scene, member.on(scene)?)
     }
 
-    /// The ticks as rows: the first axis of each.
+    /// The ticks as rows along the first axis.
     pub fn rows(self) -> impl Iterator<Item = Row> {
         self.map(|tick| Row::of(&tick))
     }
 
-    /// The loop of `scene` with `stabilizer`, which has a box already.
+    /// The loop of `scene` with `stabilizer`, which is already boxed.
     pub(crate) fn assemble(
         scene: &Scene,
         stabilizer: AnyStabilizer<V>,
@@ -68,7 +68,7 @@ impl<V: Space> Rollout<V> {
         Ok(Self { rate, number: 0, last, assembly, seen, truth })
     }
 
-    /// The next tick, whether or not it is in range, and whether or not the scene is over.
+    /// The next tick, in range or not, even after the end of the scene.
     pub(crate) fn tick(&mut self) -> Tick<V> {
         let truth = self.truth;
         let applied = self.assembly.port.respond(&truth);
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_at_the_end_has_no_equilibrium() {
+    fn a_scene_that_still_moves_at_the_end_has_no_equilibrium() {
         let motion = "motion = { kind = \"ramp\", to = 1.0, rate = 0.01 } }\n";
         let ramp = scene(&HAND.replace(" }\n", &format!(", {motion}")), WALL);
         assert!(never_rests(&ramp) && equilibrium(&ramp).is_none());

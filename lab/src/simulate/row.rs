@@ -1,4 +1,4 @@
-//! One tick as a line of a table.
+//! One tick as a row of a table.
 
 use lyapunov::{Mask, Scalar};
 
@@ -13,21 +13,21 @@ pub struct Row {
     pub t: f64,
     /// The plant's true position, m.
     pub x: f64,
-    /// The position as measured, m.
+    /// The measured position, m.
     pub x_measured: f64,
-    /// The velocity as estimated, m/s.
+    /// The estimated velocity, m/s.
     pub v: f64,
     /// The environment's force, N.
     pub f_env: f64,
     /// The controller's force, N.
     pub f_ctl: f64,
-    /// The force commanded, after saturation, N.
+    /// The commanded force, after saturation, N.
     pub f_out: f64,
-    /// The force on the plant until the next tick, after delay, N.
+    /// The force applied to the plant until the next tick, after delay, N.
     pub f_act: f64,
     /// The observed energy before this tick's correction, J.
     pub observed_energy: f64,
-    /// The damping injected, N·s/m.
+    /// The injected damping, N·s/m.
     pub alpha: f64,
     /// The debt that this tick's correction cannot serve, J.
     pub shortfall: f64,
@@ -36,7 +36,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The first axis and the first lane of `tick`.
+    /// The row of `tick` along the first axis, in the first lane.
     pub fn of<V: Space>(tick: &Tick<V>) -> Self {
         let [x, x_measured, v, f_env, f_ctl, f_out, f_act] = along(tick, 0);
         Self {
@@ -55,7 +55,7 @@ impl Row {
         }
     }
 
-    /// The numbers of the row, in the order of the columns, without the last.
+    /// The numbers of the row in the order of the columns, without the last.
     pub(crate) fn numbers(&self) -> [f64; 11] {
         [
             self.t,
@@ -73,10 +73,10 @@ impl Row {
     }
 }
 
-/// What is told of each axis, as [`along`] tells it.
+/// Column suffixes of each axis, in the order of [`along`].
 const AXIS: [&str; 7] = ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_f_act"];
 
-/// The names of the columns that a scene has beside those of [`Row`]: the further axes of a space, and the operator's
+/// Names of the columns that a scene has beside those of [`Row`]: the further axes of a space, and the operator's
 /// motion where a link sets it apart from the device's.
 pub fn further_columns(scene: &Scene) -> Vec<String> {
     let axes = ["x", "y", "z"];

@@ -1,32 +1,32 @@
-//! One servo tick of a rollout.
+//! Servo tick of a rollout.
 
 use lyapunov::{Correction, Mask, PortSample, Scalar, Signal};
 
 /// One servo tick of a [`Rollout`](crate::Rollout), along all axes and in all lanes of its signal.
 ///
-/// Whatever is told of a run is derived from these: [`Row`](crate::Row)s, a [`Summary`](crate::Summary), comparisons and
-/// energies by cause.
+/// All reports of a run are derived from these ticks: [`Row`](crate::Row)s, a [`Summary`](crate::Summary), comparisons
+/// and energies by cause.
 #[derive(Clone, Copy, Debug)]
 pub struct Tick<V: Signal> {
     /// Time, s.
     pub time: f64,
-    /// The plant's own sample, before anything measures it.
+    /// The plant's own sample, before any measurement.
     pub truth: PortSample<V>,
-    /// The sample as the stabilizer is told it.
+    /// The sample that the stabilizer gets.
     pub measured: PortSample<V>,
     /// The environment's effort, N.
     pub environment: V,
-    /// What the stabilizer did.
+    /// The stabilizer's correction.
     pub correction: Correction<V>,
-    /// The effort commanded, after saturation, N.
+    /// The commanded effort, after saturation, N.
     pub command: V,
-    /// The effort that acts on the plant until the next tick, after delay, N.
+    /// The effort applied to the plant until the next tick, after delay, N.
     pub applied: V,
     /// The operator's motion, where a link sets it apart from the device's.
     pub operator: Option<OperatorMotion<V>>,
 }
 
-/// The motion of an operator that a link sets apart from the device.
+/// Motion of an operator that a link sets apart from the device.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OperatorMotion<V> {
     /// Position, m.
@@ -41,7 +41,7 @@ impl<V: Signal> Tick<V> {
         self.measured.velocity.scale(self.correction.alpha)
     }
 
-    /// Whether the sample was accepted and everything that is told of the tick is finite, in the first lane.
+    /// Whether the sample was accepted and every value of the tick is finite, in the first lane.
     pub(crate) fn in_range(&self) -> bool {
         let Correction { observed_energy: sum, alpha, shortfall, accepted, .. } = self.correction;
         let signals = [

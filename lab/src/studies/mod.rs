@@ -1,4 +1,4 @@
-//! A room for each command, named after it.
+//! The studies: a module for each command, named after it.
 
 pub mod accuracy;
 pub mod bound;

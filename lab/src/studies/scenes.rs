@@ -10,7 +10,7 @@ struct Entry {
     comment: [&'static str; 2],
 }
 
-/// The list of scenes as JSON.
+/// List of the scenes that ship, as JSON.
 ///
 /// # Errors
 /// None that is known.

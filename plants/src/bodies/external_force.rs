@@ -11,13 +11,13 @@ use crate::{OperatedBody, Trajectory};
 #[derive(Clone, Copy, Debug)]
 pub struct ExternalForce<B, C> {
     body: B,
-    course: C,
+    trajectory: C,
     tick: u64,
 }
 
 impl<B, C> ExternalForce<B, C> {
-    pub(crate) fn new(body: B, course: C) -> Self {
-        Self { body, course, tick: 0 }
+    pub(crate) fn new(body: B, trajectory: C) -> Self {
+        Self { body, trajectory, tick: 0 }
     }
 }
 
@@ -27,7 +27,7 @@ impl<B, C> ExternalForce<B, C> {
     where
         C: Trajectory<V>,
     {
-        let push = self.course.at(self.tick);
+        let push = self.trajectory.at(self.tick);
         self.tick = self.tick.wrapping_add(1);
         push
     }

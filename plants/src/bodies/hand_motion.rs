@@ -11,13 +11,13 @@ use crate::{OperatedBody, Trajectory};
 #[derive(Clone, Copy, Debug)]
 pub struct HandMotion<B, C> {
     body: B,
-    course: C,
+    trajectory: C,
     tick: u64,
 }
 
 impl<B, C> HandMotion<B, C> {
-    pub(crate) fn new(body: B, course: C) -> Self {
-        Self { body, course, tick: 0 }
+    pub(crate) fn new(body: B, trajectory: C) -> Self {
+        Self { body, trajectory, tick: 0 }
     }
 }
 
@@ -28,7 +28,7 @@ impl<B, C> HandMotion<B, C> {
         B: OperatedBody<V>,
         C: Trajectory<V>,
     {
-        self.body.rest_at(self.course.at(self.tick));
+        self.body.rest_at(self.trajectory.at(self.tick));
         self.tick = self.tick.wrapping_add(1);
     }
 }

@@ -24,17 +24,17 @@ use crate::{ExternalForce, Grip, HandMotion, Jitter, OperatedBody, Trajectory};
 /// # Ok::<(), ParameterError>(())
 /// ```
 pub trait PlantExt<V: Signal>: Plant<V> + Sized {
-    /// Adds the external force `course`, N, in +x: a load, a pulse.
-    fn pushed<C: Trajectory<V>>(self, course: C) -> ExternalForce<Self, C> {
-        ExternalForce::new(self, course)
+    /// Adds the external force `trajectory`, N, in +x: a load, a pulse.
+    fn pushed<C: Trajectory<V>>(self, trajectory: C) -> ExternalForce<Self, C> {
+        ExternalForce::new(self, trajectory)
     }
 
-    /// Moves the rest of the operator's spring along `course`, m.
-    fn led_by<C: Trajectory<V>>(self, course: C) -> HandMotion<Self, C>
+    /// Moves the rest of the operator's spring along `trajectory`, m.
+    fn led_by<C: Trajectory<V>>(self, trajectory: C) -> HandMotion<Self, C>
     where
         Self: OperatedBody<V>,
     {
-        HandMotion::new(self, course)
+        HandMotion::new(self, trajectory)
     }
 
     /// Gives the body its `own` parts, and others from the ticks of `table` on.

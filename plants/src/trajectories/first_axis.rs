@@ -16,21 +16,21 @@ use crate::Trajectory;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstAxis<C, V> {
-    course: C,
+    trajectory: C,
     others: V,
 }
 
 impl<C, V> FirstAxis<C, V> {
-    /// `course` on the first axis and `others` on all others.
-    pub fn of(course: C, others: V) -> Self {
-        Self { course, others }
+    /// `trajectory` on the first axis and `others` on all others.
+    pub fn of(trajectory: C, others: V) -> Self {
+        Self { trajectory, others }
     }
 }
 
 impl<V: Signal, C: Trajectory<V::Scalar>> Trajectory<V> for FirstAxis<C, V> {
     #[inline]
     fn at(&self, tick: u64) -> V {
-        let mut first = Some(self.course.at(tick));
+        let mut first = Some(self.trajectory.at(tick));
         self.others.map(|other| first.take().unwrap_or(other))
     }
 }

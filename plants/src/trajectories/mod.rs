@@ -2,20 +2,20 @@
 
 mod clock;
 mod constant;
-mod course;
 mod first_axis;
 mod pulse;
 mod ramp;
 mod samples;
 mod sine;
 mod step;
+mod trajectory;
 
 pub use clock::tick_of;
 pub use constant::Constant;
-pub use course::Trajectory;
 pub use first_axis::FirstAxis;
 pub use pulse::Pulse;
 pub use ramp::Ramp;
 pub use samples::Samples;
 pub use sine::Sine;
 pub use step::Step;
+pub use trajectory::Trajectory;

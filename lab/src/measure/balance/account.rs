@@ -1,4 +1,4 @@
-//! Where the energy of a run came from and where it went.
+//! Energies of a run by cause.
 
 use serde::Serialize;
 
@@ -16,44 +16,44 @@ use crate::simulate::{Space, Tick};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Balance {
-    /// When it begins, s.
+    /// The time at which the stretch begins, s.
     pub from_s: f64,
-    /// When it ends, s.
+    /// The time at which the stretch ends, s.
     pub to_s: f64,
-    /// What kinetic energy and the springs of operator and link gained.
+    /// Gained by kinetic energy and by the springs of operator and link.
     pub gained: f64,
-    /// What the hand gave by moving its rest or changing its grip.
+    /// Given by the hand, which moves its rest or changes its grip.
     pub hand: f64,
-    /// What load and pulse gave.
+    /// Given by load and pulse.
     pub push: f64,
-    /// What came in because forces are sampled and held, and the velocity is a difference.
+    /// Injected because forces are sampled and held, and the velocity is a difference.
     pub hold: f64,
-    /// What came in because the force acts late.
+    /// Injected because the force acts late.
     pub delay: f64,
-    /// What came in because the velocity is filtered.
+    /// Injected because the velocity is filtered.
     pub filter: f64,
-    /// What came in because positions are counted, or noisy.
+    /// Injected because positions are counted, or noisy.
     pub encoder: f64,
-    /// What came in because the force is clipped.
+    /// Injected because the force is clipped.
     pub saturation: f64,
-    /// What the device's damper burnt.
+    /// Dissipated by the device's damper.
     pub device: f64,
-    /// What the operator's damper burnt.
+    /// Dissipated by the operator's damper.
     pub operator: f64,
-    /// What the link's damper burnt.
+    /// Dissipated by the link's damper.
     pub link: f64,
-    /// What the environment took by its own law, in continuous time: burnt, and stored at the end.
+    /// Taken by the environment by its own law, in continuous time: dissipated, and stored at the end.
     pub wall: f64,
-    /// What the stabilizer took.
+    /// Taken by the stabilizer.
     pub controller: f64,
-    /// What friction took, and what jitter moves between the dampers: the rest of the balance, where a scene has them.
+    /// Taken by friction, and moved between the dampers by jitter: the rest of the balance, where a scene has them.
     pub friction: f64,
-    /// What is left over: rounding.
+    /// Left over: rounding.
     pub closing: f64,
 }
 
 impl Balance {
-    /// What the parts are called, each with what it gave; what was taken is below 0.
+    /// The names of the parts, each with the energy that it gave; energy taken is below 0.
     pub fn parts(&self) -> [(&'static str, f64); 14] {
         [
             ("store", -self.gained),
@@ -73,7 +73,7 @@ impl Balance {
         ]
     }
 
-    /// What came in through the sampled loop, all causes together, J.
+    /// The energy that the sampled loop injected, all causes together, J.
     pub fn leaked(&self) -> f64 {
         self.hold + self.delay + self.filter + self.encoder + self.saturation
     }
@@ -100,7 +100,7 @@ impl Balance {
     }
 }
 
-/// One tick as a balance needs it.
+/// One tick, as a balance needs it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Moment {
     masses: Masses,
@@ -111,7 +111,7 @@ struct Moment {
     split: Split,
 }
 
-/// A balance in the making.
+/// Balance that grows tick by tick.
 pub(super) struct Account {
     scene: Scene,
     law: Law,
@@ -125,7 +125,7 @@ pub(super) struct Account {
     left: bool,
 }
 
-/// The motions that the law is asked with, from the measured to the true one.
+/// Motions that the law is evaluated on, from the measured to the true one.
 #[derive(Clone, Copy, Debug, Default)]
 struct Samples {
     filtered: Motion,
@@ -149,7 +149,7 @@ impl Account {
         }
     }
 
-    /// Books one tick more; false once the numbers are out of range.
+    /// Books one more tick; false once the numbers are out of range.
     pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) -> bool {
         let tick = Moment {
             masses: Masses::at(tick),
@@ -164,7 +164,7 @@ impl Account {
         if let Some((last, before)) = self.last {
             let moved = self.moved(&last, &before, &tick, &samples);
             if touches && self.first.is_none() {
-                // The surface was met on the way here.
+                // The plant met the surface on the way here.
                 let from_s = before.truly.time;
                 self.first = Some(Balance { from_s, ..Balance::default() });
             }
@@ -181,7 +181,7 @@ impl Account {
         if touches && self.last.is_none() {
             self.first = Some(Balance::default());
         }
-        // What is still on its way belongs to the contact.
+        // A force still on its way belongs to the contact.
         let acts = tick.acting != 0.0 || tick.split.late != 0.0 || self.share.is_waiting();
         self.left |= self.touching && !touches && !acts;
         self.touching |= touches;

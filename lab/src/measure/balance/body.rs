@@ -1,4 +1,4 @@
-//! What the body of a scene stores, is given and burns.
+//! Energies that the body of a scene stores, receives and dissipates.
 
 use lyapunov::{
     ParameterError,
@@ -9,12 +9,12 @@ use nalgebra::{DMatrix, DVector};
 use crate::files::scene::{Motion, Scene};
 use crate::simulate::{Space, Tick};
 
-/// Terms of a series in a matrix whose rows sum to no more than a half.
+/// Terms of a series in a matrix whose rows sum to at most a half.
 const TERMS: u32 = 24;
 
 type Value = Box<dyn Fn(u64) -> f64>;
 
-/// The body of a scene, with what is done to it from outside of the port.
+/// The body of a scene, with all that acts on it from outside the port.
 pub(super) struct Body {
     scene: Scene,
     rest: Value,
@@ -28,11 +28,12 @@ struct Shape {
     /// The operator's stiffness and damping, N/m and N·s/m.
     stiffness: f64,
     damping: f64,
-    /// `∫ v² dt` of the device, of the operator and of the one against the other, by the state at the start of a tick.
+    /// `∫ v² dt` of the device, of the operator and of one relative to the other, from the state at the start of a
+    /// tick.
     burnt: [DMatrix<f64>; 3],
 }
 
-/// Where the masses are at a tick: operator and device, which are one without a link.
+/// Position and velocity of operator and device at a tick; both are the same without a link.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Masses {
     pub(super) operator: [f64; 2],
@@ -40,7 +41,7 @@ pub(super) struct Masses {
 }
 
 impl Masses {
-    /// Those of `tick`.
+    /// The masses at `tick`.
     pub(super) fn at<V: Space>(tick: &Tick<V>) -> Self {
         let along = |position: V, velocity: V| [position.axis(0), velocity.axis(0)];
         let device = along(tick.truth.position, tick.truth.velocity);
@@ -49,16 +50,16 @@ impl Masses {
     }
 }
 
-/// What a tick came to beside the port, J.
+/// Energies of a tick beside the port, J.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Passed {
-    /// What the hand gave by moving its rest or its grip, before the tick.
+    /// Given by the hand, which moves its rest or its grip, before the tick.
     pub(super) hand: f64,
-    /// What load and pulse gave.
+    /// Given by load and pulse.
     pub(super) push: f64,
-    /// What burnt in device, operator and link.
+    /// Dissipated in device, operator and link.
     pub(super) burnt: [f64; 3],
-    /// What kinetic and spring energy gained.
+    /// Gained by kinetic and spring energy.
     pub(super) gained: f64,
 }
 
@@ -81,7 +82,7 @@ impl Body {
         Ok(Self { scene, rest, push: Box::new(push), shape, next: 0 })
     }
 
-    /// What happened from `tick` to the next, the body moving `from` to `to` under `effort` at the port.
+    /// The energies from `tick` to the next, while the body moves `from` to `to` under `effort` at the port.
     pub(super) fn pass(&mut self, tick: u64, from: Masses, to: Masses, effort: f64) -> Passed {
         let own = self.scene.operator.rest.get();
         let before = self.stored(from, tick.checked_sub(1).map_or(own, &self.rest));
@@ -103,7 +104,7 @@ impl Body {
         }
     }
 
-    /// Takes the grip of a tick.
+    /// Applies the grip of a tick.
     fn grip(&mut self, tick: u64) {
         let Some(grip) = &self.scene.operator.grip else { return };
         let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
@@ -174,8 +175,8 @@ impl Shape {
     }
 }
 
-/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`: by its series over a short part, which is then doubled,
-/// `G(2 t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
+/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`: by its series over a short part, which is then doubled, `G(2
+/// t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
 fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<f64> {
     let size = rates.row_iter().map(|row| row.iter().map(|it| it.abs()).sum::<f64>());
     let size = period * size.fold(0.0, f64::max);
@@ -198,26 +199,26 @@ fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<
     sum
 }
 
-/// Where the operator's spring rests, tick by tick.
+/// The rest position of the operator's spring, tick by tick.
 fn rest(scene: &Scene) -> Result<Value, ParameterError> {
     let (rest, rate) = (scene.operator.rest.get(), scene.servo_rate.get());
     Ok(match &scene.operator.motion {
         None => Box::new(move |_| rest),
         Some(Motion::Step { at, to }) => {
-            let course = Step::new(rest, to.get(), at.get(), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Step::new(rest, to.get(), at.get(), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::Ramp { at, to, rate: speed }) => {
-            let course = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::Sine { amplitude, frequency }) => {
-            let course = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::File { samples, .. }) => {
-            let course = Samples::new(std::sync::Arc::clone(samples), rate)?;
-            Box::new(move |tick| course.at(tick))
+            let trajectory = Samples::new(std::sync::Arc::clone(samples), rate)?;
+            Box::new(move |tick| trajectory.at(tick))
         }
     })
 }

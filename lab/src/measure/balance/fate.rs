@@ -1,17 +1,17 @@
-//! What becomes of a run.
+//! Verdict on a run: bounded or not.
 
 use crate::files::Scene;
 use crate::measure::boundedness::Boundedness;
 use crate::simulate::{Criterion, Space, Tick};
 
-/// How much faster the last quarter may be than the second: as the swings of a [`Boundedness`].
+/// Largest ratio of the last quarter's speed to the second's in a bounded run: that of the swings in [`Boundedness`].
 const GROWTH: f64 = 1.05;
 
-/// What is slower than this share of the first quarter is at rest.
+/// A quarter slower than this share of the first is at rest.
 const REST: f64 = 0.05;
 
-/// Watches whether a run is bounded: as `lyapunov compare` judges it, and by its velocities where no spring pulls the plant
-/// anywhere and that has no answer.
+/// Watches whether a run is bounded: as `lyapunov compare` judges it, and by its velocities where that gives no verdict
+/// because no spring pulls the plant anywhere.
 #[derive(Clone, Debug)]
 pub(crate) struct Fate {
     criterion: Criterion,
@@ -34,7 +34,7 @@ impl Fate {
         self.ticks += 1;
     }
 
-    /// Whether the run stayed where it belongs.
+    /// Whether the run is bounded.
     pub(crate) fn is_bounded(&self) -> bool {
         let [first, second, _, end] = self.quarters;
         let complete = self.ticks == self.last + 1;

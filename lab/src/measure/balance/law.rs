@@ -4,7 +4,7 @@ use lyapunov::environments::{ForceLaw, Kinematics, Time};
 
 use crate::files::Scene;
 
-/// Where the plant is and how it moves, at one time.
+/// Position, velocity and acceleration of the plant at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Motion {
     /// s.
@@ -23,10 +23,10 @@ impl From<Motion> for Kinematics<f64> {
     }
 }
 
-/// The law of a scene's environment; none of one that is not on a line.
+/// The law of a scene's environment; none for an environment that is not on a line.
 pub(super) struct Law(Option<Box<dyn ForceLaw<f64>>>);
 
-/// Parts of a tick, for a surface that is met within it.
+/// Parts of a tick, for a surface met within it.
 const PARTS: u32 = 8;
 
 /// Gauss's three points: exact where force and motion are those of a spring and a cubic.
@@ -62,7 +62,7 @@ impl Law {
     }
 }
 
-/// Hermite's cubic at a share of the way.
+/// The motion on Hermite's cubic at a share of the way.
 fn between(from: Motion, to: Motion, share: f64) -> Motion {
     let span = to.time - from.time;
     let (moved, s) = (to.position - from.position, share);

@@ -1,4 +1,4 @@
-//! Where the energy of a run came from, where it went, and what became of the run.
+//! Energies of a run by cause, and the verdict on the run.
 
 mod account;
 mod body;

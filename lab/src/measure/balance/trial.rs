@@ -1,4 +1,4 @@
-//! One run, with what it is judged by.
+//! Run with the quantities that it is judged by.
 
 use std::ops::ControlFlow;
 
@@ -12,13 +12,13 @@ use crate::files::Scene;
 use crate::measure::linear::LinearPart;
 use crate::simulate::{Rollout, Space};
 
-/// Beyond this, m and m/s, squares leave the range of the numbers before long.
+/// Past this, m and m/s, squares soon leave the range of the numbers.
 const FAR: f64 = 1e100;
 
 /// Ticks between two reports of progress.
 const BREATH: u64 = 1 << 14;
 
-/// What a run came to.
+/// The outcome of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trial {
     pub(crate) is_bounded: bool,
@@ -27,12 +27,12 @@ pub(crate) struct Trial {
     pub(crate) feel: Feel,
 }
 
-/// What is felt in a run.
+/// The forces felt in a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Feel {
     /// Largest force on the plant, N.
     pub(crate) peak: f64,
-    /// Root mean square of the force on the plant less the law's on the true motion, in contact, N.
+    /// Root mean square of the force on the plant minus the law's on the true motion, in contact, N.
     pub(crate) error: f64,
 }
 
@@ -42,7 +42,8 @@ impl Trial {
         Self::along(scene, Rollout::<V>::of(scene)?, &|_| ControlFlow::Continue(()))
     }
 
-    /// Runs a loop of `scene`, telling `watch` now and then how many more ticks are done; where it says so, no further.
+    /// Runs a loop of `scene`, reporting to `watch` from time to time how many more ticks are done; it stops where
+    /// `watch` breaks.
     pub(crate) fn along<V: Space>(
         scene: &Scene,
         rollout: Rollout<V>,
@@ -75,7 +76,7 @@ impl Trial {
         Ok(Self { is_bounded: fate.is_bounded(), whole, first, feel: Feel { peak, error } })
     }
 
-    /// The same, where the loop is bounded and, if it is linear and has no stabilizer, decays in contact.
+    /// Runs `scene`; none unless the loop is bounded and, if it is linear and has no stabilizer, decays in contact.
     pub(crate) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
         let decays = scene.stabilizer.is_some()
             || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
@@ -88,8 +89,9 @@ impl Trial {
 }
 
 impl Balance {
-    /// That of a whole run of `scene`, under whichever stabilizer, or of as much of it as is in the range of the numbers.
-    /// `watch` is told now and then how many more ticks are done; where it says so, the run ends there.
+    /// The balance of a whole run of `scene`, under whichever stabilizer, or of as much of it as stays in the range of
+    /// the numbers. It reports to `watch` from time to time how many more ticks are done; the run ends where `watch`
+    /// breaks.
     ///
     /// # Errors
     /// A scene whose body cannot be made.

@@ -1,4 +1,4 @@
-//! The exact limit: where the loop's own map begins to grow.
+//! Exact stiffness limit: the stiffness at which the loop's own map begins to grow.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -13,30 +13,32 @@ use lyapunov::accumulators::DoubleDouble;
 /// A crossing below this share of `m / T²` is one at 0, off by rounding.
 const NOTHING: f64 = 1e-24;
 
-/// A root whose imaginary part is below this share of it may be a real one: where two meet, half of the digits are lost.
+/// A root whose imaginary part is below this share of it may be real: where two roots meet, half of the digits are
+/// lost.
 const NEARLY_REAL: f64 = 1e-4;
 
-/// Steps in which a crossing gets the rest of its digits.
+/// Steps that give a crossing the rest of its digits.
 const STEPS: usize = 8;
 
 impl LinearPart {
     /// The spectral radius of the closed loop's map over one period of the environment, at its own stiffness.
     ///
-    /// Below 1 every motion decays, above 1 nearly every one grows. A part that nothing pulls back stands anywhere: with no
-    /// stiffness at all the radius is 1. NaN where the loop is out of the range of the numbers.
+    /// Below 1 every motion decays, above 1 nearly every one grows. A part that nothing pulls back can rest anywhere:
+    /// with no stiffness at all the radius is 1. NaN where the loop is out of the range of the numbers.
     pub fn spectral_radius(&self) -> f64 {
         let map = LoopMap::of(self);
         let growth = map.growth(self.environment.stiffness / map.unit);
         1.0 + growth / (1.0 + (1.0 + growth).sqrt())
     }
 
-    /// The stiffnesses, N/m, between which the loop is stable, the lowest such range: every stiffness inside of it has a
-    /// spectral radius below 1, and the ends do not belong to it. None where no stiffness from 0 on has.
+    /// The stiffnesses, N/m, between which the loop is stable, the lowest such range: every stiffness inside has a
+    /// spectral radius below 1, and the ends do not belong to it. None if no stiffness from 0 on has.
     ///
     /// The characteristic polynomial is affine in the stiffness, `P(z) = p(z) + K q(z)`, so that a root is on the unit
     /// circle only where `−p / q` is real there. With `Y = tan²(θ / 2)`, `z = e^(jθ)`, this is a polynomial equation in
-    /// `Y`: all its roots are found, and each gives the one stiffness of its crossing, to all digits. Between neighbours
-    /// nothing crosses, and the radius at one stiffness tells that of all. Crossings below 10⁻²⁴ m/T² count as 0.
+    /// `Y`: all its roots are found, and each gives the one stiffness of its crossing, to all digits. Between
+    /// neighbours nothing crosses, so the radius at one stiffness decides for all. A crossing below 10⁻²⁴ m/T² counts
+    /// as 0.
     pub fn stable_stiffness(&self) -> Option<[f64; 2]> {
         let map = LoopMap::of(self);
         let mut edges = Crossings::of(&map).stiffnesses();
@@ -51,18 +53,18 @@ impl LinearPart {
             map.growth(inside) < 0.0
         };
         let first = (0..edges.len()).find(|index| stable(*index))?;
-        // Where two roots only touch the circle the range goes on.
+        // Where two roots only touch the circle the range continues.
         let last = (first + 1..edges.len()).find(|index| !stable(*index));
         let end = last.map_or(f64::INFINITY, |index| edges[index]);
         Some([edges[first] * map.unit, end * map.unit])
     }
 }
 
-/// Where roots of `(1 + w)^D a + r + κ k` are on the unit circle.
+/// Stiffnesses at which roots of `(1 + w)^D a + r + κ k` are on the unit circle.
 ///
-/// With `z = (1 + s) / (1 − s)` the circle is `s = j tan(θ / 2)`. Where `U(s) = a(s) k(−s)`, `V(s) = r(s) k(−s)` and
-/// `Q(s) = k(s) k(−s)`, `z^D U + V + κ Q = 0`, and its parts that are even and odd in `s`, of which `e` and `o` stand for
-/// those of `U` and `V`, are real equations in `Y = −s²`:
+/// With `z = (1 + s) / (1 − s)` the circle is `s = j tan(θ / 2)`. With `U(s) = a(s) k(−s)`, `V(s) = r(s) k(−s)` and
+/// `Q(s) = k(s) k(−s)`, `z^D U + V + κ Q = 0`. Its even and odd parts in `s`, with `e` and `o` for those of `U` and
+/// `V`, are real equations in `Y = −s²`:
 ///
 /// ```text
 /// κ Q + C e_U − Y S o_U + e_V = 0,        C o_U + S e_U + o_V = 0,
@@ -93,7 +95,7 @@ impl<'a> Crossings<'a> {
         let real = places.into_iter().filter(|it| it.im.abs() <= NEARLY_REAL * it.re);
         let inside = real.map(|it| self.stiffness(self.polished(it.re)));
         let ends = [0.0, -2.0].map(|w| {
-            // At z = 1 and z = −1 all is real.
+            // At z = 1 and z = −1 everything is real.
             let turn = if self.map.delay % 2 == 1 && w != 0.0 { -1.0 } else { 1.0 };
             let value = |it: &Polynomial| it.value(DoubleDouble::from(w));
             let others = value(&self.map.plant) * DoubleDouble::from(turn) + value(&self.map.rest);
@@ -103,7 +105,7 @@ impl<'a> Crossings<'a> {
         all.filter(|kappa| *kappa > NOTHING && kappa.is_finite()).collect()
     }
 
-    /// As many places as there are roots, near the axis that they are looked for on.
+    /// One start for each root, near the axis on which the roots are sought.
     fn starts(&self) -> Vec<Complex<f64>> {
         let [even, odd] = self.plant.each_ref().map(Polynomial::degree);
         let degree = odd.max(even.saturating_sub(1)).max(self.rest[1].degree());
@@ -117,7 +119,7 @@ impl<'a> Crossings<'a> {
         (0..count).map(place).collect()
     }
 
-    /// Value by derivative of `(1 + Y)^D (C o_U + S e_U + o_V)`.
+    /// The value divided by the derivative of `(1 + Y)^D (C o_U + S e_U + o_V)`.
     fn step(&self, place: Complex<f64>) -> Complex<f64> {
         let [value, slope] = self.balance(place);
         let late = Complex::from(f64::from(self.map.delay));
@@ -139,14 +141,14 @@ impl<'a> Crossings<'a> {
         [cosine * odd + sine * even + rest, slope + rest_slope]
     }
 
-    /// The same, to all digits.
+    /// `C o_U + S e_U + o_V`, to all digits.
     fn long_balance(&self, place: DoubleDouble) -> DoubleDouble {
         let [cosine, sine] = turns(self.map.delay, place);
         let [even, odd] = self.plant.each_ref().map(|it| it.value(place));
         cosine * odd + sine * even + self.rest[1].value(place)
     }
 
-    /// A real root near `start`, by Newton's steps as long as they become shorter.
+    /// A real root near `start`, by Newton's steps for as long as they shrink.
     fn polished(&self, start: f64) -> DoubleDouble {
         let mut place = DoubleDouble::from(start);
         let mut least = f64::INFINITY;

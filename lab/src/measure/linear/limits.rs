@@ -1,29 +1,29 @@
-//! All limits of a scene.
+//! Stiffness limits of a scene.
 
 use super::{LinearPart, NotLinear, rules};
 use crate::files::scene::{Filter, Scene, Velocity};
 
-/// How stiff the environment of a scene may be, by each formula, N/m; shown, it is the table of `lyapunov bound`.
+/// The largest stiffness of a scene's environment by each formula, N/m; its `Display` is the table of `lyapunov bound`.
 ///
-/// A limit is 0 where no stiffness from 0 on passes, and none where the formula does not apply. All are about the scene's own
-/// [linear part](LinearPart), everything but the stiffness as the scene has it.
+/// A limit is 0 where no stiffness from 0 on passes, and none where the formula does not apply. All are about the
+/// scene's own [linear part](LinearPart), with everything but the stiffness as in the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
     /// The scene's own stiffness, if its environment has one.
     pub stiffness: Option<f64>,
     /// For any passive operator: [`LinearPart::passive_max_stiffness`].
     pub passive: Option<f64>,
-    /// By Gil's rule, `(b + B) / (T / 2 + t_d)`, `b` of device and operator.
+    /// By Gil's rule, `(b + B) / (T / 2 + t_d)`, with `b` of device and operator.
     pub gil: Option<f64>,
     /// By Abbott and Okamura, `min(2 b / T, 2 f_c / Δ)`, where the scene has friction and an encoder.
     pub friction_quantization: Option<f64>,
-    /// The loop itself: the upper end of [`LinearPart::stable_stiffness`].
+    /// Of the loop itself: the upper end of [`LinearPart::stable_stiffness`].
     pub exact: Option<f64>,
-    /// The stiffness from which on the loop itself is stable, 0 but for a loop that needs one.
+    /// The stiffness from which the loop itself is stable, 0 except for a loop that needs one.
     pub exact_from: Option<f64>,
     /// [`LinearPart::spectral_radius`] at the scene's own stiffness.
     pub spectral_radius: Option<f64>,
-    /// What a number does not say by itself.
+    /// Remarks that the numbers need.
     pub notes: Vec<String>,
 }
 
@@ -113,7 +113,7 @@ fn notes(
     notes
 }
 
-/// What the limit of friction and encoder takes for granted and the scene does not have.
+/// Assumptions of the limit of friction and encoder that the scene does not meet.
 fn friction_notes(scene: &Scene) -> Vec<&'static str> {
     let effects = &scene.effects;
     if effects.friction.is_none() || effects.encoder.is_none() {

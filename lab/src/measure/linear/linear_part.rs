@@ -1,4 +1,4 @@
-//! What of a scene is linear.
+//! Linear part of a scene.
 
 use std::f64::consts::TAU;
 use std::fmt;
@@ -7,22 +7,22 @@ use lyapunov::bodies::{DampedMass, ElasticJoint, Impedance};
 
 use crate::files::scene::{Filter, Scene, Velocity};
 
-/// The linear part of a scene, contact assumed: what the boundaries are about.
+/// The linear part of a scene, contact assumed: the stiffness limits are about it.
 ///
-/// Rows count servo ticks of `T`. The environment is asked at every `ratio`-th of them, and what it answers,
+/// Rows count servo ticks of `T`. The environment is evaluated at every `ratio`-th of them, and its answer,
 ///
 /// ```text
 /// f = K x + B v̂ + M (v̂(m) − v̂(m−1)) / (ratio T),
 /// ```
 ///
-/// acts from `delay` ticks later on until the next answer does. `v̂` is the backward difference of the servo's samples
+/// acts from `delay` ticks later until the next answer does. `v̂` is the backward difference of the servo's samples
 /// behind its low pass, or the plant's own velocity.
 ///
 /// Left out are rests, loads and pulses, which move the point that the loop swings about; the encoder, noise, friction
 /// and saturation; a stabilizer; jitter (the period is the nominal one) and changes of grip (it is the one at the
-/// start). A one-sided wall pulls as well. Of a layered wall it is the first layer, of a varying spring the mean, of a
-/// cubic spring the rest, of a plane, a sphere or a box the motion along the normal, of a wall after Hunt and Crossley
-/// with exponent 1 the surface, where its damper does not act yet. All is in `f64`, also where a scene says `f32`.
+/// start). A one-sided wall pulls as well. A layered wall counts by its first layer, a varying spring by its mean, a
+/// cubic spring at rest, a plane, a sphere or a box by the motion along the normal, a wall after Hunt and Crossley with
+/// exponent 1 at the surface, where its damper does not act yet. Everything is in `f64`, even where a scene says `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearPart {
     /// Servo period `T`, s.
@@ -31,38 +31,38 @@ pub struct LinearPart {
     pub ratio: u64,
     /// Servo ticks from an answer to its correction.
     pub delay: u64,
-    /// Where the velocity comes from.
+    /// The source of the velocity.
     pub velocity: VelocitySource,
-    /// What the effort acts on.
+    /// The mass that the effort acts on.
     pub device: DampedMass<f64>,
     /// The hand.
     pub operator: Impedance<f64>,
-    /// What joins the two; none where they move as one.
+    /// The joint between the two; none where they move as one.
     pub link: Option<ElasticJoint<f64>>,
     /// `M`, `B` and `K`.
     pub environment: Impedance<f64>,
 }
 
-/// Where a velocity comes from.
+/// Source of a velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VelocitySource {
-    /// The plant's own.
+    /// The plant's own velocity.
     Exact,
     /// `v̂(n) = v̂(n−1) + share (Δx(n) / T − v̂(n−1))`; a share of 1 is the backward difference.
     Difference {
-        /// From 0, excluded, to 1.
+        /// The share, from 0, excluded, to 1.
         share: f64,
     },
 }
 
-/// Why a scene has no linear part.
+/// Reason why a scene has no linear part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotLinear {
-    /// The environment's force grows with another power of the depth than the first.
+    /// The environment's force grows with a power of the depth other than the first.
     Exponent,
-    /// The velocity is taken over a window whose length depends on the motion.
+    /// The velocity is estimated over a window whose length depends on the motion.
     Window,
-    /// Answers are lost by chance.
+    /// Answers are lost at random.
     Dropout,
 }
 
@@ -127,7 +127,7 @@ impl LinearPart {
         })
     }
 
-    /// Whether the environment asks for the velocity.
+    /// Whether the environment needs the velocity.
     pub(super) fn needs_velocity(&self) -> bool {
         self.environment.damping != 0.0 || self.environment.mass != 0.0
     }
@@ -138,7 +138,7 @@ impl LinearPart {
     }
 }
 
-/// Servo ticks by which the force of `scene` is late.
+/// Delay of the force of `scene`, servo ticks.
 pub(super) fn delay(scene: &Scene) -> u64 {
     scene.effects.delay.map_or(0, |delay| delay.ticks.get().into())
 }

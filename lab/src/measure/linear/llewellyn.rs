@@ -2,15 +2,16 @@
 
 use nalgebra::Complex;
 
-/// A linear two-port at one frequency, by its impedance, admittance or hybrid parameters: the condition is the same for all.
+/// Linear two-port at one frequency, by its impedance, admittance or hybrid parameters: the condition is the same for
+/// all.
 ///
 /// For a teleoperator or a haptic display by hybrid parameters, `[f₁, −v₂] = [[h₁₁, h₁₂], [h₂₁, h₂₂]] [v₁, f₂]`: the
-/// operator is at port 1 and the environment at port 2, power counted into both.
+/// operator is at port 1 and the environment at port 2, and power counts as positive into both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPort {
     /// First row, first column.
     pub p11: Complex<f64>,
-    /// First row, second column: what port 2 does to port 1.
+    /// First row, second column: the effect of port 2 on port 1.
     pub p12: Complex<f64>,
     /// Second row, first column.
     pub p21: Complex<f64>,
@@ -19,8 +20,8 @@ pub struct TwoPort {
 }
 
 impl TwoPort {
-    /// `2 Re p₁₁ Re p₂₂ − |p₁₂ p₂₁| − Re(p₁₂ p₂₁)`, in the unit of `p₁₂ p₂₁`: how far the third of Llewellyn's conditions is
-    /// kept.
+    /// `2 Re p₁₁ Re p₂₂ − |p₁₂ p₂₁| − Re(p₁₂ p₂₁)`, in the unit of `p₁₂ p₂₁`: the margin of the third of Llewellyn's
+    /// conditions.
     pub fn margin(&self) -> f64 {
         let loops = self.p12 * self.p21;
         2.0 * self.p11.re * self.p22.re - loops.norm_sqr().sqrt() - loops.re
@@ -29,17 +30,17 @@ impl TwoPort {
     /// Whether the two-port is absolutely stable at this frequency: `Re p₁₁ ≥ 0`, `Re p₂₂ ≥ 0` and a
     /// [`margin`](Self::margin) that is not negative (Llewellyn, Proceedings of the IRE 40, 1952).
     ///
-    /// Where it is at all frequencies and has no pole in the right half plane, or outside of the unit circle if it is sampled,
-    /// it is stable between any two passive ends that are not coupled. Necessary as well: otherwise two such ends make it
-    /// oscillate.
+    /// If it is so at all frequencies and has no pole in the right half plane, or outside the unit circle if it is
+    /// sampled, it is stable between any two passive ends that are not coupled. The condition is necessary as well:
+    /// otherwise two such ends make it oscillate.
     pub fn is_absolutely_stable(&self) -> bool {
         self.p11.re >= 0.0 && self.p22.re >= 0.0 && self.margin() >= 0.0
     }
 
-    /// The same two-port with a zero-order hold of `period` s in the way from port 2 to port 1, at `frequency` rad/s.
+    /// The two-port with a zero-order hold of `period` s in the way from port 2 to port 1, at `frequency` rad/s.
     ///
     /// With the other parameters those of the sampled parts, this is the sampled two-port (Adams and Hannaford, IEEE
-    /// Transactions on Robotics and Automation 15, 1999); up to `π / period` all frequencies are told apart.
+    /// Transactions on Robotics and Automation 15, 1999); frequencies are distinct up to `π / period`.
     #[must_use]
     pub fn held(self, frequency: f64, period: f64) -> Self {
         Self { p12: self.p12 * hold(frequency, period), ..self }
@@ -55,8 +56,7 @@ pub fn hold(frequency: f64, period: f64) -> Complex<f64> {
 
 /// The first of `frequencies`, rad/s, at which a two-port is not absolutely stable; none if it is at all of them.
 ///
-/// The two-port is a function of the frequency. Poles are not looked at: see
-/// [`TwoPort::is_absolutely_stable`].
+/// The two-port is a function of the frequency. Poles are not examined: see [`TwoPort::is_absolutely_stable`].
 pub fn first_violation(
     frequencies: impl IntoIterator<Item = f64>,
     two_port: impl Fn(f64) -> TwoPort,

@@ -1,4 +1,4 @@
-//! A loop over one environment period, as a polynomial.
+//! Characteristic polynomial of a loop over one environment period.
 
 use nalgebra::{Complex, DMatrix, DVector, RowDVector};
 use num_traits::Zero;
@@ -13,30 +13,30 @@ use lyapunov::accumulators::DoubleDouble;
 /// Terms of the exponential's series: `0.5²⁸ / 28!` is far below a rounding.
 const DEGREE: u32 = 28;
 
-/// A root moves by less than this share of it, squared, while its last digits are filled in.
+/// A root moves by less than this share of itself, squared, while its last digits are computed.
 const POLISH: f64 = 1e-8;
 
-/// The characteristic polynomial of the map that takes a loop from one tick of the environment to the next,
+/// Characteristic polynomial of the map that takes a loop from one tick of the environment to the next,
 ///
 /// ```text
 /// P(w) = (1 + w)^D a(w) + r(w) + κ k(w),    w = z − 1,    κ = K T² / m,
 /// ```
 ///
-/// with `m` the device's mass, `r` of the environment's damper and mass, and `D` the periods by which its answer is late.
+/// with `m` the device's mass, `r` of the environment's damper and mass, and `D` the delay of its answer in periods.
 ///
-/// The plant is moved exactly over every servo tick by the increments `exp(A T) − I` (as
-/// [`held_input`](lyapunov::bodies::held_input) has them, in twice the digits), and the ticks of a period are put together in the
-/// same form, `(I + E)(I + F) − I = E + F + E F`. Nothing is ever added to the identity, and the polynomials are in `w`, so
-/// that a damping of `b T / m = 10⁻⁸` is there to all its digits.
+/// The plant moves exactly over every servo tick by the increments `exp(A T) − I` (those of
+/// [`held_input`](lyapunov::bodies::held_input), in twice the digits), and the ticks of a period are combined in the
+/// same form, `(I + E)(I + F) − I = E + F + E F`. Nothing is ever added to the identity, and the polynomials are in
+/// `w`, so that a damping of `b T / m = 10⁻⁸` keeps all its digits.
 #[derive(Clone, Debug)]
 pub(super) struct LoopMap {
     /// `D`, environment periods.
     pub(super) delay: u32,
-    /// `a`: what moves.
+    /// `a`: the plant.
     pub(super) plant: Polynomial,
-    /// `r`: what damper and mass of the environment add.
+    /// `r`: the part of the environment's damper and mass.
     pub(super) rest: Polynomial,
-    /// `k`: what each unit of its stiffness adds.
+    /// `k`: the part of each unit of its stiffness.
     pub(super) stiffness: Polynomial,
     /// `m / T²`, N/m.
     pub(super) unit: f64,
@@ -91,7 +91,7 @@ impl LoopMap {
             let (rest, stiffness) = (v.scaled(damping * minus), x.scaled(minus));
             return Self { delay, plant, rest, stiffness, unit };
         }
-        // The velocity before the last is one state more, which is a factor z.
+        // The velocity before the last is one more state, which is a factor z.
         let difference = Polynomial::new(vec![DoubleDouble::from(0.0), inertia]);
         let rest = v.times(&z().scaled(damping).plus(&difference)).scaled(minus);
         let stiffness = x.times(&z()).scaled(minus);
@@ -110,7 +110,7 @@ impl LoopMap {
             let [a, slope] = self.plant.at(w);
             let [r, slant] = answer.at(w);
             let late = Complex::from(f64::from(delay));
-            // What is large is divided out.
+            // Large values are divided out.
             let (value, derivative) = if z.norm_sqr() > 1.0 {
                 let back = z.inv().powu(delay);
                 (a + r * back, slope + late * a / z + slant * back)
@@ -148,8 +148,8 @@ impl LoopMap {
         late.times(self.plant.long_at(w)).plus(answer.long_at(w)).into()
     }
 
-    /// How far the largest root is beyond the unit circle: `|z|² − 1 = 2 Re w + |w|²` of all roots, the largest; NaN where
-    /// the loop is out of the range of the numbers.
+    /// The largest distance of a root beyond the unit circle: `|z|² − 1 = 2 Re w + |w|²`, the largest of all roots; NaN
+    /// where the loop is out of the range of the numbers.
     pub(super) fn growth(&self, kappa: f64) -> f64 {
         let roots = self.roots(kappa).into_iter();
         let growths = roots.map(|w| 2.0 * w.re + w.norm_sqr());
@@ -166,8 +166,8 @@ fn column(map: &DMatrix<DoubleDouble>, n: usize) -> DVector<DoubleDouble> {
     map.view((0, n), (n, 1)).column(0).into_owned()
 }
 
-/// `det(w I − E)`, and the terms of its adjoint from the highest power down (Faddeev and Le Verrier; Gantmacher, The Theory
-/// of Matrices, 1959, chapter IV).
+/// `det(w I − E)`, and the terms of its adjoint from the highest power down (Faddeev and Le Verrier; Gantmacher, The
+/// Theory of Matrices, 1959, chapter IV).
 fn resolvent(map: &DMatrix<DoubleDouble>) -> (Polynomial, Vec<DMatrix<DoubleDouble>>) {
     let n = map.nrows();
     let identity = DMatrix::<DoubleDouble>::identity(n, n);
@@ -184,7 +184,7 @@ fn resolvent(map: &DMatrix<DoubleDouble>) -> (Polynomial, Vec<DMatrix<DoubleDoub
     (Polynomial::new(coefficients), adjoint)
 }
 
-/// What `count` ticks gain, from what one gains.
+/// Increment over `count` ticks, from the increment over one.
 fn ticks(tick: &DMatrix<DoubleDouble>, mut count: u64) -> DMatrix<DoubleDouble> {
     let mut all = DMatrix::zeros(tick.nrows(), tick.ncols());
     let mut base = tick.clone();
@@ -198,7 +198,7 @@ fn ticks(tick: &DMatrix<DoubleDouble>, mut count: u64) -> DMatrix<DoubleDouble> 
     all
 }
 
-/// What stands in the state of a tick: the masses, and the estimated velocity where it is one.
+/// Entries of a tick's state: the masses, and the estimated velocity where it is a state.
 #[derive(Clone, Copy, Debug)]
 struct States {
     masses: usize,
@@ -219,7 +219,7 @@ impl States {
         2 * self.masses + usize::from(self.share.is_some())
     }
 
-    /// Where the device's position is; its velocity follows.
+    /// The index of the device's position; its velocity follows.
     fn position(self) -> usize {
         2 * (self.masses - 1)
     }
@@ -228,7 +228,7 @@ impl States {
         if self.share.is_some() { 2 * self.masses } else { self.position() + 1 }
     }
 
-    /// What the state gains over one servo tick, the effort held being its last entry.
+    /// Increment of the state over one servo tick, with the held effort as its last entry.
     fn tick(self, part: &LinearPart) -> DMatrix<DoubleDouble> {
         let (moving, n) = (2 * self.masses, self.count());
         let gained = increments(&rates(part));
@@ -248,8 +248,8 @@ impl States {
     }
 }
 
-/// Time derivatives of the masses' positions and velocities and of the held effort, by the same, in units of `T`, of the
-/// device's mass and of any length.
+/// Time derivatives of the masses' positions and velocities and of the held effort, with respect to these, in units of
+/// `T`, of the device's mass and of any length.
 fn rates(part: &LinearPart) -> DMatrix<DoubleDouble> {
     let of = |value: f64| DoubleDouble::from(value);
     let (period, device) = (of(part.period), of(part.device.mass));
@@ -282,7 +282,7 @@ fn rates(part: &LinearPart) -> DMatrix<DoubleDouble> {
     DMatrix::from_row_slice(5, 5, &rows.concat())
 }
 
-/// `exp(A) − I` by scaling and squaring, as [`held_input`](lyapunov::bodies::held_input).
+/// `exp(A) − I` by scaling and squaring, as in [`held_input`](lyapunov::bodies::held_input).
 fn increments(rates: &DMatrix<DoubleDouble>) -> DMatrix<DoubleDouble> {
     let n = rates.nrows();
     let identity = DMatrix::<DoubleDouble>::identity(n, n);

@@ -1,4 +1,4 @@
-//! How stiff a scene may be, by formulas about the linear part of its loop.
+//! Stiffness limits of a scene, by formulas about the linear part of its loop.
 
 mod exact;
 mod limits;

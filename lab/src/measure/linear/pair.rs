@@ -4,7 +4,7 @@ use lyapunov::accumulators::DoubleDouble;
 use nalgebra::Complex;
 use num_traits::{One, Zero};
 
-/// A complex number of two [`DoubleDouble`]s.
+/// Complex number of two [`DoubleDouble`]s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Pair {
     pub(super) re: DoubleDouble,

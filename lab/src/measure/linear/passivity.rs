@@ -1,4 +1,4 @@
-//! Colgate and Schenkel's condition: what the world may be for any passive operator.
+//! Colgate and Schenkel's condition: the worlds that are passive for any passive operator.
 
 use std::f64::consts::PI;
 
@@ -7,68 +7,68 @@ use nalgebra::Complex;
 use super::LinearPart;
 use super::linear_part::VelocitySource;
 
-/// Angles between two neighbouring waves of the fastest term.
+/// Angles per wave of the fastest term.
 const FINE: u64 = 16;
 
 /// Ratio of neighbouring angles near 0, where a slow filter has its corner.
 const RATIO: f64 = 1.15;
 
-/// The angle that stands for the limit at 0, of the fastest wave.
+/// The angle that stands for the limit at 0, as a share of the fastest wave.
 const LEAST: f64 = 1e-9;
 
 /// Steps of the golden section: the place to ten digits, the value to all.
 const SECTIONS: usize = 48;
 
-/// What rises by no more than this share of itself is level: the rest is rounding.
+/// A function that rises by no more than this share of itself is level: the rest is rounding.
 const FLAT: f64 = 1e-13;
 
-/// Newton's steps, of which a few are enough.
+/// Newton's steps at most; a few are enough.
 const STEPS: usize = 32;
 
-/// How far from a stiffness its slope is taken, of it.
+/// Distance from a stiffness at which its slope is taken, as a share of it.
 const NEARBY: f64 = 1e-5;
 
-/// What is left of an interval by one step of the golden section.
+/// Share of an interval that one step of the golden section leaves.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 impl LinearPart {
-    /// The damping that the device must have, N·s/m, for the port to be passive: then no passive operator, linear or not,
-    /// can make the loop unstable. Infinite where no damping is enough.
+    /// The damping that the device must have, N·s/m, for the port to be passive: then no passive operator, linear or
+    /// not, can make the loop unstable. Infinite where no damping is enough.
     ///
     /// # One rate
-    /// The world answers samples `T` apart by `H(z) = z^(−d) (K + (B + M (1 − z⁻¹) / T) F(z) (1 − z⁻¹) / T)`, `F` the low
-    /// pass, and its force is held. The loop is passive if and only if
+    /// The world answers samples `T` apart by `H(z) = z^(−d) (K + (B + M (1 − z⁻¹) / T) F(z) (1 − z⁻¹) / T)`, `F` the
+    /// low pass, and its force is held. The loop is passive if and only if
     ///
     /// ```text
     /// b > (T / 2) max over θ in (0, π] of Re[(1 − e^(−jθ)) H(e^(jθ))] / (1 − cos θ)
     /// ```
     ///
-    /// (Colgate and Schenkel, Journal of Robotic Systems 14, 1997: linear damping `b`, exact samples, no quantization; a
-    /// mass at the port adds nothing that is sure to brake.)
+    /// (Colgate and Schenkel, Journal of Robotic Systems 14, 1997: linear damping `b`, exact samples, no quantization;
+    /// a mass at the port adds nothing that is sure to brake.)
     ///
     /// # Two rates
-    /// Where the environment is slower, by `r`, than the servo that takes its velocities, samples at either rate do not tell
-    /// its force, and the theorem does not apply as it is printed. Its argument does. Between two samples of the servo the
-    /// damper burns least where the motion is straight, `b Δx² / T`. So the port is passive if and only if, for all
-    /// sequences of displacements `u(n)`, `Σ b u² / T + Σ f u ≥ 0`. Over a period of the environment all `f` are one answer,
-    /// or, with delay, two: `f = e cᵀ u` with vectors of `r` entries that depend on `θ`, the phase of a period, alone. The
-    /// Hermitian part of `e cᵀ` has two eigenvalues other than 0, and the lower one gives
+    /// Where the environment is slower, by `r`, than the servo that estimates its velocities, samples at neither rate
+    /// determine its force, and the theorem does not apply as printed. Its argument does. Between two samples of the
+    /// servo the damper dissipates least where the motion is straight, `b Δx² / T`. So the port is passive if and only
+    /// if, for all sequences of displacements `u(n)`, `Σ b u² / T + Σ f u ≥ 0`. Over a period of the environment all
+    /// `f` are one answer, or, with delay, two: `f = e cᵀ u` with vectors of `r` entries that depend only on `θ`, the
+    /// phase of a period. The Hermitian part of `e cᵀ` has two eigenvalues other than 0, and the lower one gives
     ///
     /// ```text
     /// b > T max over θ in (0, π] of (√(r ‖c‖² − Im²(cᵀe)) − Re(cᵀe)) / 2.
     /// ```
     ///
-    /// With one rate the matrix is one number and the condition the one above. With no damper and no mass in the world it is
-    /// the one above with the environment's period for `T`.
+    /// With one rate the matrix is one number and the condition is the one above. With no damper and no mass in the
+    /// world it is the one above with the environment's period for `T`.
     ///
     /// # The maximum
-    /// The function is sampled at angles that are 16 to each half wave of its fastest term, and in proportion towards 0,
-    /// where a filter's corner may be; every maximum among the samples is then narrowed down by the golden section. The
-    /// limit at 0 is one of the angles, in a form in which nothing cancels.
+    /// The function is sampled at 16 angles per half wave of its fastest term, and at angles in proportion towards 0,
+    /// where a filter's corner may be; the golden section then narrows down every maximum among the samples. The limit
+    /// at 0 is one of the angles, in a form in which nothing cancels.
     ///
     /// # Exact velocity
-    /// A sample of the plant's own velocity may take any value at no cost of energy, because it lasts no time: a world that
-    /// uses it is passive with no device.
+    /// A sample of the plant's own velocity may take any value at no cost of energy, because it lasts no time: a world
+    /// that uses it is passive with no device.
     pub fn passive_damping(&self) -> f64 {
         if self.needs_velocity() && self.velocity == VelocitySource::Exact {
             return f64::INFINITY;
@@ -79,7 +79,7 @@ impl LinearPart {
     /// The largest stiffness, N/m, at which the device's own damping is no less than
     /// [`passive_damping`](Self::passive_damping); 0 where no stiffness passes, NaN out of the range of the numbers.
     ///
-    /// What is needed is a convex function of the stiffness, so that what passes is one range.
+    /// The needed damping is a convex function of the stiffness, so the stiffnesses that pass form one range.
     pub fn passive_max_stiffness(&self) -> f64 {
         if self.needs_velocity() && self.velocity == VelocitySource::Exact {
             return 0.0;
@@ -90,8 +90,8 @@ impl LinearPart {
         while stiffness > 0.0 && stiffness.is_finite() && self.needed(stiffness) <= damping {
             stiffness *= 2.0;
         }
-        // A convex function from the side where it is too large: Newton's steps never pass the place, and where there
-        // is none they leave what is looked at.
+        // A convex function from the side where it is too large: Newton's steps never overshoot the place, and if there
+        // is none they leave the searched range.
         for _ in 0..STEPS {
             if stiffness <= 0.0 {
                 return 0.0;
@@ -112,12 +112,12 @@ impl LinearPart {
         stiffness.max(0.0)
     }
 
-    /// The damping that is needed at `stiffness`.
+    /// The damping needed at `stiffness`.
     fn needed(&self, stiffness: f64) -> f64 {
         self.worst(stiffness).1.max(0.0)
     }
 
-    /// The angle at which the most damping is needed, and how much.
+    /// The angle at which the most damping is needed, and that damping.
     fn worst(&self, stiffness: f64) -> (f64, f64) {
         let world = World::of(self, stiffness);
         let angles = angles(world.late);
@@ -129,7 +129,7 @@ impl LinearPart {
         if most.1 - least <= FLAT * most.1.abs() {
             return most;
         }
-        // Between two samples a maximum rises by less than this share of all there is.
+        // Between two samples a maximum rises by less than this share of the whole range.
         let near = most.1 - 0.05 * (most.1 - least);
         let last = values.len() - 1;
         let is_top = |index: &usize| {
@@ -146,7 +146,7 @@ impl LinearPart {
     }
 }
 
-/// The angles to look at, rising, for a world that is late by `late` periods.
+/// The angles to sample, rising, for a world whose answers are `late` periods late.
 fn angles(late: u64) -> Vec<f64> {
     let count = FINE * (late + 4);
     let even = (1..=count).map(|index| PI * index as f64 / count as f64);
@@ -216,10 +216,11 @@ impl World {
         }
     }
 
-    /// The damping that is needed against a motion of this phase per period.
+    /// The damping needed against a motion of this phase per period.
     ///
-    /// `cᵀ = κ 1ᵀ + gᵀ`, `κ = K / (z − 1)` and `g` what the velocity adds; `cᵀ e = r κ + σ`. `κ` grows without bound
-    /// towards 0 and is taken apart: its real part is `−K / 2`, its imaginary one meets only what is as small.
+    /// `cᵀ = κ 1ᵀ + gᵀ`, with `κ = K / (z − 1)` and `g` the part of the velocity; `cᵀ e = r κ + σ`. `κ` grows without
+    /// bound towards 0 and is split: its real part is `−K / 2`, its imaginary part multiplies only terms that are as
+    /// small.
     fn needed(&self, angle: f64) -> f64 {
         let Self { stiffness, ratio, late, ticks, share, period, .. } = *self;
         let back = Complex::new(libm::cos(angle), -libm::sin(angle));

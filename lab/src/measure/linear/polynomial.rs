@@ -5,7 +5,7 @@ use nalgebra::Complex;
 use super::pair::Pair;
 use lyapunov::accumulators::DoubleDouble;
 
-/// A polynomial, by its coefficients from the constant one on.
+/// Polynomial, by its coefficients from the constant one up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Polynomial(Vec<DoubleDouble>);
 
@@ -18,7 +18,7 @@ impl Polynomial {
         &self.0
     }
 
-    /// The degree of its room: the last coefficient may be 0.
+    /// The degree that its coefficients allow: the last one may be 0.
     pub(super) fn degree(&self) -> usize {
         self.0.len().saturating_sub(1)
     }
@@ -68,7 +68,7 @@ impl Polynomial {
         })
     }
 
-    /// Value and derivative.
+    /// Value and derivative at `place`.
     pub(super) fn at(&self, place: Complex<f64>) -> [Complex<f64>; 2] {
         let zero = Complex::from(0.0);
         self.0.iter().rev().fold([zero, zero], |[value, slope], it| {
@@ -76,7 +76,7 @@ impl Polynomial {
         })
     }
 
-    /// The value, to all digits.
+    /// The value at `place`, to all digits.
     pub(super) fn long_at(&self, place: Pair) -> Pair {
         self.0.iter().rev().fold(Pair::default(), |value, it| {
             value.times(place).plus(Pair { re: *it, im: DoubleDouble::default() })

@@ -2,17 +2,17 @@
 
 use nalgebra::Complex;
 
-/// Steps after which what has not settled is left where it is: a root of high multiplicity, or none at all.
+/// Steps after which the iteration leaves what has not settled: a root of high multiplicity, or none at all.
 const STEPS: usize = 200;
 
 /// Steps smaller than this share of a root change nothing that matters.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
 
-/// Moves `places` to as many roots of a polynomial that is known by `step`, the ratio of its value to its derivative.
+/// Moves `places` to as many roots of a polynomial given by `step`, the ratio of its value to its derivative.
 ///
-/// Aberth's iteration (Mathematics of Computation 27, 1973), Newton's with every place repelled by the others:
-/// `x ← x − n / (1 − n Σ 1 / (x − x_j))`, `n = p / p′`. A polynomial that is evaluated in the form it is known in has roots
-/// to the digits of that form, where one of a companion matrix has them to those of its largest entry.
+/// Aberth's iteration (Mathematics of Computation 27, 1973), Newton's with every place repelled by the others: `x ← x −
+/// n / (1 − n Σ 1 / (x − x_j))`, `n = p / p′`. Evaluating a polynomial in its given form yields roots to the digits of
+/// that form, while a companion matrix yields them to the digits of its largest entry.
 pub(super) fn settle(places: &mut [Complex<f64>], step: impl Fn(Complex<f64>) -> Complex<f64>) {
     let mut settled = vec![false; places.len()];
     for _ in 0..STEPS {
@@ -27,7 +27,7 @@ pub(super) fn settle(places: &mut [Complex<f64>], step: impl Fn(Complex<f64>) ->
                 others.map(|(_, other)| (place - other).inv()).filter(is_finite).sum();
             let change = newton / (Complex::from(1.0) - newton * repelled);
             if !is_finite(&change) {
-                // On a pole, or where a root of high order is known no better.
+                // On a pole, or at a root of high order that is known no better.
                 settled[at] = newton.norm_sqr() == 0.0 || !is_finite(&newton);
                 continue;
             }

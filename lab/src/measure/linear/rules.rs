@@ -1,18 +1,19 @@
-//! The rules of a line: Gil's, and Abbott and Okamura's for a device that rubs and counts.
+//! Stiffness rules of one line: Gil's, and Abbott and Okamura's for a device with friction and an encoder.
 
 use super::linear_part::delay;
 use crate::files::Scene;
 
-/// The largest stiffness by the linear rule `K < (b + B) / (T / 2 + t_d)`, N/m; none where the environment has no stiffness.
+/// The largest stiffness by the linear rule `K < (b + B) / (T / 2 + t_d)`, N/m; none where the environment has no
+/// stiffness.
 ///
-/// `b` is the damping of device and operator, `B` the virtual wall's, `t_d` the delay. `T / 2` is how late a held force is on
-/// average, so that `T` is the period at which the environment answers (Gil, Sánchez, Hulin, Preusche and Hirzinger, Journal
-/// of Computing and Information Science in Engineering 9, 2009, after the discrete case of Gil, Avello, Rubio and Flórez, IEEE
-/// Transactions on Control Systems Technology 12, 2004).
+/// `b` is the damping of device and operator, `B` the virtual wall's, `t_d` the delay. A held force is late by `T / 2`
+/// on average, so `T` is the period at which the environment answers (Gil, Sánchez, Hulin, Preusche and Hirzinger,
+/// Journal of Computing and Information Science in Engineering 9, 2009, after the discrete case of Gil, Avello, Rubio
+/// and Flórez, IEEE Transactions on Control Systems Technology 12, 2004).
 ///
-/// It is the first order in the period of the exact limit: one rigid mass, backward-difference velocity, `(b + B) T` small
-/// against the mass, and neither a spring of the operator nor a filter that matters. It is a rule and no bound: outside of
-/// that it may promise too much. A damping below 0 in all leaves 0.
+/// It is the first order in the period of the exact limit: one rigid mass, backward-difference velocity, `(b + B) T`
+/// small against the mass, and neither a spring of the operator nor a filter that matters. It is a rule and not a
+/// bound: outside these conditions it may promise too much. A total damping below 0 gives 0.
 pub(super) fn gil(scene: &Scene) -> Option<f64> {
     let environment = scene.environment.kind().impedance()?;
     let damping = scene.device.damping.get() + scene.operator.damping.get() + environment.damping;
@@ -25,9 +26,9 @@ pub(super) fn gil(scene: &Scene) -> Option<f64> {
 /// friction, or without a stiffness.
 ///
 /// `b` is the device's damping and `f_c` its Coulomb friction, `Δ` the encoder's step, `T` the period at which the
-/// environment answers. Sufficient for the port to be passive (Abbott and Okamura, IEEE Transactions on Robotics 21, 2005):
-/// the first part pays for the hold, the second for the half step that a count may be off. It is about a spring alone, without
-/// a damper, without delay and without a static friction beyond the Coulomb one.
+/// environment answers. Sufficient for the port to be passive (Abbott and Okamura, IEEE Transactions on Robotics 21,
+/// 2005): the first part pays for the hold, the second for the half step that a count may be off. It is about a spring
+/// alone, without a damper, without delay and without static friction beyond the Coulomb friction.
 pub(super) fn friction_quantization(scene: &Scene) -> Option<f64> {
     scene.environment.kind().impedance()?;
     let (friction, encoder) = (scene.effects.friction?, scene.effects.encoder?);

@@ -1,4 +1,4 @@
-//! A whole loop, put together from a scene.
+//! The whole loop of a scene.
 
 use lyapunov::{
     LyapunovCandidate, OnePort, ParameterError, Plant, PortSample, Signal,
@@ -13,31 +13,31 @@ use super::{AnyPlant, AnyStabilizer, Port};
 use crate::files::scene::{Filter, Policy, Positive, Render, Scene, Velocity, of};
 use crate::simulate::building::Space;
 
-/// Room for the delay of a scene, in ticks.
+/// Room for a scene's delay, ticks.
 const DELAY: usize = 1024;
 
-/// Room for the window of a scene, in ticks.
+/// Room for a scene's window, ticks.
 const WINDOW: usize = 256;
 
-/// The two halves of a loop: what moves, and what answers.
+/// The two halves of a loop: the plant, and the port that answers its motion.
 #[derive(Debug)]
 pub struct Assembly<V: Signal> {
-    /// What moves.
+    /// The moving plant.
     pub plant: AnyPlant<V>,
-    /// What answers its motion, stabilizer and effects included.
+    /// The port that answers the motion, stabilizer and effects included.
     pub port: Port<V>,
 }
 
 impl<V: Space> Assembly<V> {
-    /// The loop of `scene` with the stabilizer it names, in the scalar of `V` whatever the scene says of it.
+    /// The loop of `scene` with the stabilizer it names, in the scalar of `V`, whatever scalar `scene` names.
     ///
     /// # Errors
-    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
         Self::put_together(scene, None, AnyStabilizer::of(scene)?)
     }
 
-    /// The same, telling `seen` what passes on the way.
+    /// The same loop, with `seen` recording what the stabilizer and the port do.
     pub(crate) fn watched(
         scene: &Scene,
         seen: &Seen<V>,
@@ -46,7 +46,7 @@ impl<V: Space> Assembly<V> {
         Self::put_together(scene, Some(seen), stabilizer)
     }
 
-    /// The loop of `scene` with `stabilizer` in the place of the scene's own.
+    /// The loop of `scene` with `stabilizer` instead of the scene's own.
     ///
     /// # Errors
     /// As [`Assembly::of`].
@@ -57,7 +57,7 @@ impl<V: Space> Assembly<V> {
         Self::put_together(scene, None, stabilizer)
     }
 
-    /// One tick: the effort that acts until the next.
+    /// One tick; returns the effort that acts until the next.
     #[inline]
     pub fn tick(&mut self, sample: &mut PortSample<V>) -> V {
         let effort = self.port.respond(sample);
@@ -76,7 +76,7 @@ impl<V: Space> Assembly<V> {
         Ok(Self { plant, port })
     }
 
-    /// The loop of `scene`, which has no friction, moved by `integrator` in the place of its own.
+    /// The loop of a frictionless `scene`, moved by `integrator` instead of its own.
     pub(crate) fn moved_by<I>(scene: &Scene, integrator: I) -> Result<Self, ParameterError>
     where
         I: Integrator<V, Oscillator<V::Scalar>>
@@ -90,7 +90,7 @@ impl<V: Space> Assembly<V> {
     }
 }
 
-/// What answers the motion, stabilizer and effects included.
+/// The port that answers the motion, stabilizer and effects included.
 fn answering<V: Space>(
     scene: &Scene,
     seen: Option<&Seen<V>>,
@@ -104,7 +104,7 @@ fn answering<V: Space>(
     commanded(scene, seen, port)
 }
 
-/// What the device touches, as it answers at the servo's rate: in one box with its hold.
+/// Rendering of the environment at the servo's rate, in one box with its hold.
 struct AtServoRate<'a>(&'a Scene);
 
 impl<V: Space> Render<V> for AtServoRate<'_> {
@@ -133,15 +133,15 @@ fn held<V: Space>(
     scene: &Scene,
     port: impl OnePort<V> + 'static,
 ) -> Result<Port<V>, ParameterError> {
-    // A scene has fewer ticks than this, so a longer hold is the same hold.
+    // A scene has fewer ticks than this, so longer holds act alike.
     let ticks = u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX);
     Ok(if ticks > 1 { Port::new(port.held(ticks)?) } else { Port::new(port) })
 }
 
-/// The port as its efforts reach the plant: clipped, and late.
+/// The port whose efforts reach the plant clipped and delayed.
 ///
-/// Neighbours are put into one box where nobody looks in between: every box costs a call through a table and a sample that
-/// passes through memory.
+/// Neighbours share a box unless a recorder stands between them: every box costs a call through a table and a sample
+/// that passes through memory.
 fn commanded<V: Space>(
     scene: &Scene,
     seen: Option<&Seen<V>>,
@@ -164,11 +164,11 @@ fn commanded<V: Space>(
     })
 }
 
-/// The port as it is told of the motion: the velocity from positions, these from an encoder, and these with noise.
+/// The port that measures the motion: velocity from positions, positions from an encoder, noise on top.
 ///
-/// It stands around the stabilizer itself: saturation and delay hand drives on as they are, so it is no matter that they
-/// are farther in by the contract. What most scenes have, a plain difference with or without an encoder, is in one box
-/// with the stabilizer; every further combination would be compiled for every stabilizer.
+/// It wraps the stabilizer itself: saturation and delay pass samples on unchanged, so it does not matter that the
+/// contract puts them farther in. Most scenes have a plain difference with or without an encoder: it shares a box with
+/// the stabilizer. Every further combination would be compiled for every stabilizer.
 pub(super) fn measured<V: Space>(
     scene: &Scene,
     port: impl OnePort<V> + 'static,
@@ -194,14 +194,14 @@ fn filtered<V: Space>(
     match filter {
         Filter::Cutoff(cutoff) => counted(port.low_passed(of(cutoff))?, resolution),
         Filter::Window(ticks) => {
-            // What an encoder says is off a straight motion by less than a step.
+            // A straight motion and its encoder counts differ by less than a step.
             let band = resolution.map_or(0.0, Positive::get);
             counted(port.windowed::<WINDOW>(ticks.get().into(), of(band))?, resolution)
         }
     }
 }
 
-/// The port as it is told of counts, if there is an encoder; both in one box.
+/// The port behind an encoder, if there is one; both in one box.
 fn counted<V: Space>(
     port: impl OnePort<V> + 'static,
     resolution: Option<Positive>,

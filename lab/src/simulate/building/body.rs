@@ -1,4 +1,4 @@
-//! A body on an operator's spring, chosen at run time.
+//! Body on an operator's spring, chosen at run time.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use super::AnyPlant;
 use super::seen::Operator;
 use crate::simulate::tick::OperatorMotion;
 
-/// Any tethered body made of parts `P`, boxed.
+/// Tethered body of any kind made of parts `P`, boxed.
 pub(super) struct AnyBody<V: Signal, P>(Box<dyn OperatedBody<V, Parts = P>>);
 
 impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
@@ -20,7 +20,7 @@ impl<V: Signal, P: Copy + 'static> AnyBody<V, P> {
         Self(Box::new(body))
     }
 
-    /// The same without its parts.
+    /// The body as a plant, without its parts.
     pub(super) fn into_plant(self) -> AnyPlant<V> {
         AnyPlant::boxed(self.0)
     }
@@ -60,7 +60,7 @@ impl<V: Signal, P: Copy + 'static> OperatedBody<V> for AnyBody<V, P> {
     }
 }
 
-/// A body whose operator moves apart from its device.
+/// Body whose operator moves apart from its device.
 pub(super) trait Operated<V> {
     /// The motion of the operator.
     fn operator(&self) -> OperatorMotion<V>;
@@ -93,7 +93,7 @@ impl<T: Scalar> Operated<T> for Friction<TwoMassBody<T>, T, 4> {
     }
 }
 
-/// A body that writes down where its operator is.
+/// Body that records its operator's motion.
 #[derive(Clone, Debug)]
 pub(super) struct Watched<B, V: Signal> {
     body: B,

@@ -1,4 +1,4 @@
-//! An integrator that is chosen at run time.
+//! Integrator chosen at run time.
 
 use lyapunov::{
     ParameterError, Scalar, Signal,
@@ -10,9 +10,9 @@ use lyapunov::{
 
 use crate::files::scene::{self, of};
 
-/// Any integrator but the exact one, which plants are without an integrator.
+/// Any integrator except the exact one: plants that move exactly have none.
 ///
-/// A choice and no box: a plant of it is copied as one of any of them is, and each kind of plant is compiled once.
+/// An enum instead of a box: a plant that holds it stays `Copy`, and each kind of plant is compiled once.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum AnyIntegrator<T> {
     SemiImplicitEuler,
@@ -23,7 +23,7 @@ pub(super) enum AnyIntegrator<T> {
 }
 
 impl<T: Scalar> AnyIntegrator<T> {
-    /// The integrator that a scene names and its steps to a period; none where the scene asks for exact motion.
+    /// The integrator that a scene names, with its steps per period; none where the scene asks for exact motion.
     ///
     /// # Errors
     /// A tolerance below what the scalar can keep.

@@ -1,4 +1,4 @@
-//! From a scene to its loop: parts chosen at run time, out of the adaptors that a program chains by type.
+//! The way from a scene to its loop: parts chosen at run time, out of the adaptors that a program chains by type.
 
 mod assembly;
 mod body;

@@ -1,4 +1,4 @@
-//! What moves in a scene.
+//! The plant of a scene.
 
 use std::fmt;
 use std::sync::Arc;
@@ -59,7 +59,7 @@ impl<V: Signal> Plant<V> for AnyPlant<V> {
     }
 }
 
-/// What a kind of body is made of, and how it is made, in a scene.
+/// A kind of body: its parts, and how a scene makes it.
 trait Kind<V: Space> {
     type Parts: Copy + 'static;
     type Body: OperatedBody<V, Parts = Self::Parts> + Copy + 'static;
@@ -79,7 +79,7 @@ impl<V: Space> Kind<V> for Joined {
     type Body = Body<V>;
 
     fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts {
-        // Added up in f64, so that a sum of two values of a scene is rounded once.
+        // Added in f64, so that the sum of two values of a scene is rounded once.
         Impedance {
             mass: of(scene.operator.mass.get() + scene.device.mass.get()),
             damping: of(damping.get() + scene.device.damping.get()),
@@ -94,15 +94,15 @@ impl<V: Space> Kind<V> for Joined {
     }
 }
 
-/// Operator and device as two masses with a link between them.
-struct OperatorMotion;
+/// Operator and device as two masses joined by a link.
+struct Apart;
 
-impl<V: Space> Kind<V> for OperatorMotion {
+impl<V: Space> Kind<V> for Apart {
     type Parts = TwoMassParts<V::Scalar>;
     type Body = TwoMassBody<V>;
 
     fn parts(scene: &Scene, stiffness: NonNegative, damping: NonNegative) -> Self::Parts {
-        // A scene without a link has no linked body; then the link is not asked for.
+        // A scene without a link has no two-mass body; the link's zeros are then never used.
         let link = scene.link.map_or((0.0, 0.0), |it| (it.stiffness.get(), it.damping.get()));
         TwoMassParts {
             operator: Impedance {
@@ -133,11 +133,11 @@ pub(super) fn on_a_line<T: Scalar + Space>(
     let law = Stribeck {
         coulomb: of(friction.coulomb),
         breakaway: of(friction.breakaway()),
-        // Where the two forces are one, any velocity will do.
+        // Where both friction forces are equal, any velocity will do.
         stribeck_velocity: friction.stribeck_velocity.map_or(T::one(), of),
     };
     if let Some((integrator, steps)) = AnyIntegrator::of(scene.integrator)? {
-        // Behind a link friction moves exactly only: a scene that asks for both is not built.
+        // Behind a link only exact motion takes friction: a scene that asks for both is not built.
         let parts =
             <Joined as Kind<T>>::parts(scene, scene.operator.stiffness, scene.operator.damping);
         let dynamics = StickSlipOscillator::new(parts, law)?;
@@ -145,9 +145,9 @@ pub(super) fn on_a_line<T: Scalar + Space>(
         return disturbed::<T, Joined>(scene, AnyBody::new(body));
     }
     if scene.link.is_some() {
-        let (body, parts) = start::<T, OperatorMotion>(scene)?;
+        let (body, parts) = start::<T, Apart>(scene)?;
         let body = Watched::new(Friction::new(body, parts, law)?, seen);
-        disturbed::<T, OperatorMotion>(scene, AnyBody::new(body))
+        disturbed::<T, Apart>(scene, AnyBody::new(body))
     } else {
         let (body, parts) = start::<T, Joined>(scene)?;
         disturbed::<T, Joined>(scene, AnyBody::new(Friction::new(body, parts, law)?))
@@ -163,14 +163,14 @@ pub(super) fn frictionless<V: Space>(
         return stepped(scene, seen, integrator, steps);
     }
     if scene.link.is_some() {
-        let body = Watched::new(start::<V, OperatorMotion>(scene)?.0, seen);
-        disturbed::<V, OperatorMotion>(scene, AnyBody::new(body))
+        let body = Watched::new(start::<V, Apart>(scene)?.0, seen);
+        disturbed::<V, Apart>(scene, AnyBody::new(body))
     } else {
         disturbed::<V, Joined>(scene, AnyBody::new(start::<V, Joined>(scene)?.0))
     }
 }
 
-/// The same, moved by `integrator` in `steps` steps to a period.
+/// The same plant, moved by `integrator` in `steps` steps per period.
 pub(super) fn stepped<V, I>(
     scene: &Scene,
     seen: &Operator<V>,
@@ -186,9 +186,9 @@ where
 {
     let (stiffness, damping) = (scene.operator.stiffness, scene.operator.damping);
     if scene.link.is_some() {
-        let parts = <OperatorMotion as Kind<V>>::parts(scene, stiffness, damping);
+        let parts = <Apart as Kind<V>>::parts(scene, stiffness, damping);
         let body = moved(scene, CoupledOscillators::new(parts)?, integrator, steps)?;
-        disturbed::<V, OperatorMotion>(scene, AnyBody::new(Watched::new(body, seen)))
+        disturbed::<V, Apart>(scene, AnyBody::new(Watched::new(body, seen)))
     } else {
         let parts = <Joined as Kind<V>>::parts(scene, stiffness, damping);
         let body = moved(scene, Oscillator::new(parts)?, integrator, steps)?;
@@ -196,7 +196,7 @@ where
     }
 }
 
-/// Something that moves along `dynamics`, where `scene` starts it.
+/// A plant that moves along `dynamics` from where `scene` starts it.
 fn moved<V, D, I>(
     scene: &Scene,
     dynamics: D,
@@ -218,7 +218,7 @@ fn start<V: Space, K: Kind<V>>(scene: &Scene) -> Result<(K::Body, K::Parts), Par
     Ok((K::body(scene, parts)?, parts))
 }
 
-/// The body with what changes its course, innermost first: jitter, motion, grip, load and pulse.
+/// The body with everything that disturbs it, innermost first: jitter, motion, grip, load and pulse.
 fn disturbed<V: Space, K: Kind<V>>(
     scene: &Scene,
     mut body: AnyBody<V, K::Parts>,
@@ -250,7 +250,7 @@ fn disturbed<V: Space, K: Kind<V>>(
     Ok(pushed(body, load, pulse.transpose()?))
 }
 
-/// The body with what pushes it, all in one box.
+/// The body with the forces that push it, all in one box.
 fn pushed<V: Space, P: Copy + 'static>(
     body: AnyBody<V, P>,
     load: Option<Constant>,
@@ -266,7 +266,7 @@ fn pushed<V: Space, P: Copy + 'static>(
     }
 }
 
-/// The body with its operator's spring led by `motion` along the first axis.
+/// The body with `motion` leading its operator's spring along the first axis.
 fn led<V: Space, P: Copy + 'static>(
     scene: &Scene,
     motion: &Motion,
@@ -276,20 +276,20 @@ fn led<V: Space, P: Copy + 'static>(
     let others = V::at(&scene.operator.rest);
     Ok(match motion {
         Motion::Step { at, to } => {
-            let course = Step::new(rest, to.get(), at.get(), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Step::new(rest, to.get(), at.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::Ramp { at, to, rate: speed } => {
-            let course = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::Sine { amplitude, frequency } => {
-            let course = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Sine::new(rest, amplitude.get(), frequency.get(), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::File { samples, .. } => {
-            let course = Samples::new(Arc::clone(samples), rate)?;
-            AnyBody::new(body.led_by(FirstAxis::of(course, others)))
+            let trajectory = Samples::new(Arc::clone(samples), rate)?;
+            AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
     })
 }

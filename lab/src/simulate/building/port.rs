@@ -1,10 +1,10 @@
-//! A port whose parts are chosen at run time.
+//! Port whose parts are chosen at run time.
 
 use std::fmt;
 
 use lyapunov::{Correction, OnePort, PortSample, Signal};
 
-/// Any one-port, boxed: what a scene file builds, out of the adaptors that a program chains by type.
+/// Any one-port, boxed: a scene file builds it out of the adaptors that a program chains by type.
 pub struct Port<V: Signal>(Box<dyn OnePort<V>>);
 
 impl<V: Signal> Port<V> {

@@ -1,4 +1,4 @@
-//! What is written down on the way round a loop, where it stands.
+//! Recorders inside a loop.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -7,7 +7,7 @@ use lyapunov::{Correction, OnePort, PortSample, Scalar, Signal, Stabilizer};
 
 use crate::simulate::tick::{OperatorMotion, Tick};
 
-/// Where the parts of a loop write down what the tick of a rollout cannot tell from outside.
+/// Records of what the parts of a loop do and a rollout's tick cannot see from outside.
 #[derive(Debug)]
 pub(crate) struct Seen<V: Signal> {
     stabilizer: Rc<Cell<Sight<V>>>,
@@ -15,10 +15,10 @@ pub(crate) struct Seen<V: Signal> {
     pub(super) operator: Operator<V>,
 }
 
-/// Where a body writes down the motion of its operator.
+/// Record of the operator's motion, written by the body.
 pub(crate) type Operator<V> = Rc<Cell<Option<OperatorMotion<V>>>>;
 
-/// What a stabilizer was told, and what it did.
+/// The sample and effort that a stabilizer got, and its correction.
 #[derive(Clone, Copy, Debug)]
 struct Sight<V: Signal> {
     measured: PortSample<V>,
@@ -40,25 +40,25 @@ impl<V: Signal> Default for Seen<V> {
 }
 
 impl<V: Signal> Seen<V> {
-    /// The tick whose sample the port was just asked for, before the plant moves on.
+    /// The tick whose sample the port just answered, before the plant moves on.
     pub(crate) fn tick(&self, time: f64, truth: PortSample<V>, applied: V) -> Tick<V> {
         let Sight { measured, environment, correction } = self.stabilizer.get();
         let (command, operator) = (self.command.get(), self.operator.get());
         Tick { time, truth, measured, environment, correction, command, applied, operator }
     }
 
-    /// `stabilizer`, which writes down what it is told and what it does.
+    /// `stabilizer`, recording its sample and its correction.
     pub(super) fn stabilizer<S>(&self, stabilizer: S) -> Recorded<S, V> {
         Recorded { stabilizer, seen: Rc::clone(&self.stabilizer) }
     }
 
-    /// `port`, which writes down its efforts.
+    /// `port`, recording its efforts.
     pub(super) fn command<P>(&self, port: P) -> Commanding<P, V> {
         Commanding { port, seen: Rc::clone(&self.command) }
     }
 }
 
-/// A stabilizer that is looked at where it stands.
+/// Stabilizer that is recorded where it stands.
 pub(super) struct Recorded<S, V: Signal> {
     stabilizer: S,
     seen: Rc<Cell<Sight<V>>>,
@@ -73,7 +73,7 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Recorded<S, V> {
     }
 }
 
-/// A port whose efforts are looked at.
+/// Port whose efforts are recorded.
 pub(super) struct Commanding<P, V> {
     port: P,
     seen: Rc<Cell<V>>,
@@ -101,7 +101,7 @@ mod tests {
     use crate::simulate::building::Port;
 
     #[test]
-    fn the_lab_s_adaptors_hand_on_the_action() {
+    fn the_lab_s_adaptors_pass_the_correction_on() {
         let samples = Samples::<f64>::new(1e-3);
         laws::adaptor(Port::new, samples).unwrap();
         laws::adaptor(|port| Seen::default().command(port), samples).unwrap();

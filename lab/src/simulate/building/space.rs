@@ -1,4 +1,4 @@
-//! What stands at the port of a scene: one axis, or several.
+//! Signal at the port of a scene: one axis, or several.
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
@@ -11,30 +11,31 @@ use super::plant::{self, AnyPlant};
 use super::seen::Operator;
 use crate::files::scene::{Coordinates, Rates, Render, Scene};
 
-/// A signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an `SVector` of two or three.
+/// Signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an
+/// `SVector` of two or three.
 pub trait Space: Signal<Scalar: Send> + Send {
-    /// What a ledger sums in that is to be wider than the port.
+    /// The type that a ledger sums in where it is wider than the port.
     type Wide: Accumulator<Self::Scalar> + 'static;
 
-    /// How many axes there are.
+    /// The number of axes.
     const DIMENSIONS: usize;
 
     /// The point, velocity or direction `coordinates`.
     fn at(coordinates: &Coordinates) -> Self;
 
-    /// Along axis `index`, in the first lane; NaN past the last axis.
+    /// The value along axis `index`, in the first lane; NaN past the last axis.
     fn axis(self, index: usize) -> f64;
 
-    /// Makes something `of` what the device of `scene` touches.
+    /// Makes something `of` the environment of `scene`.
     ///
     /// # Errors
-    /// A parameter out of the range of the scalar, an environment of another space, and what the making meets.
+    /// A parameter out of the range of the scalar, an environment of another space, and any error of the making.
     fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError>;
 
-    /// What moves in `scene`; an operator that a link sets apart from the device tells `operator` where it is.
+    /// The plant of `scene`; where a link sets the operator apart from the device, `operator` records its motion.
     ///
     /// # Errors
-    /// A parameter out of the range of the scalar, alone or together with others.
+    /// A parameter out of the range of the scalar, alone or with others.
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError>;
 }
 
@@ -70,7 +71,7 @@ macro_rules! line {
 line! {
     f32, wide Wide<f32>;
     f64, wide Wide<f64>;
-    // There are no lanes that are wider; two numbers have as many digits.
+    // No lanes are wider; two numbers have as many digits.
     AutoF64x8, wide Compensated<AutoF64x8>;
     // For references: nothing is wider, and nothing needs to be.
     DoubleDouble, wide Plain<DoubleDouble>;
@@ -98,7 +99,7 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
     }
 }
 
-/// Evaluates an expression with the type `$signal` for what stands at the port of a scene.
+/// Evaluates an expression with the type `$signal` set to the signal at the port of a scene.
 #[macro_export]
 macro_rules! in_space {
     ($scene:expr, $signal:ident => $expression:expr) => {{

@@ -1,4 +1,4 @@
-//! A stabilizer that is chosen at run time.
+//! Stabilizer chosen at run time.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ use super::assembly::measured;
 use crate::files::scene::{self, Candidate, Ledger, Popc, Render, Scene, Work, of};
 use crate::simulate::building::Space;
 
-/// Any stabilizer, boxed: what a scene file names, or one of one's own.
+/// Any stabilizer, boxed: one that a scene file names, or your own.
 pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
 
 impl<V: Signal> AnyStabilizer<V> {
@@ -24,13 +24,13 @@ impl<V: Signal> AnyStabilizer<V> {
         size_of_val(self.0.as_ref())
     }
 
-    /// `port` watched and corrected by this stabilizer, and told of the motion as `scene` measures it: one part, compiled
-    /// for its type, instead of a box in a box.
+    /// `port` watched and corrected by this stabilizer, its motion measured as `scene` says: one part, compiled for its
+    /// type, instead of a box in a box.
     pub(super) fn on(self, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
         self.0.on(port, scene)
     }
 
-    /// Takes the stabilizer through `samples`, one after the other, without a call through a table for each.
+    /// Runs the stabilizer over `samples` in order, without a call through a table for each.
     pub(crate) fn replay(
         &mut self,
         samples: &[(PortSample<V>, V)],
@@ -51,10 +51,10 @@ impl<V: Space> AnyStabilizer<V> {
         Self(Box::new(Called(stabilizer)))
     }
 
-    /// The stabilizer that `scene` names: [`NoStabilizer`] where it names none.
+    /// The stabilizer that `scene` names; [`NoStabilizer`] if it names none.
     ///
     /// # Errors
-    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
         match scene.stabilizer {
             None => Ok(Self::new(NoStabilizer)),
@@ -62,7 +62,7 @@ impl<V: Space> AnyStabilizer<V> {
         }
     }
 
-    /// The stabilizer `named` on the loop of `scene`, whatever the scene itself names.
+    /// The stabilizer `named` on the loop of `scene`, whatever `scene` names.
     ///
     /// # Errors
     /// As [`AnyStabilizer::of`].
@@ -90,7 +90,7 @@ impl<V: Space> AnyStabilizer<V> {
         Booking { work, ledger, cap }: Booking,
     ) -> Result<Self, ParameterError> {
         let limit = scene.damping(cap).limit()?;
-        // Only the default ledger of held work is compiled for each candidate; a box costs the others a call.
+        // Only the default ledger of held work is compiled for each candidate; the others pay for a box with a call.
         let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
         Ok(match (work, ledger) {
             (Work::Held, Ledger::Plain) => Self::new(Lolc::new(candidate, limit)),
@@ -113,7 +113,7 @@ impl<V: Space> AnyStabilizer<V> {
     }
 }
 
-/// How a stabilizer of a scene books, and how much it may damp.
+/// Work, ledger and damping cap of a scene's stabilizer.
 #[derive(Clone, Copy)]
 struct Booking {
     work: Work,
@@ -172,14 +172,14 @@ impl<V: Space> Render<V> for Crediting<'_> {
     }
 }
 
-/// A stabilizer that can be had with a loop or a port around it.
+/// Stabilizer that can wrap a port or run over samples.
 trait Replay<V: Signal>: Stabilizer<V> {
     fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]);
 }
 
-/// A stabilizer that a loop calls through a table.
+/// Stabilizer that a loop calls through a table.
 struct Called<S>(S);
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
@@ -198,7 +198,7 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
     }
 }
 
-/// A stabilizer with a loop compiled for its type.
+/// Stabilizer with a loop compiled for its type.
 struct Fused<S>(S);
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {

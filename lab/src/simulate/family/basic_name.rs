@@ -1,4 +1,4 @@
-//! What a scene file can name.
+//! Stabilizer names that a scene file can use.
 
 use lyapunov::{ParameterError, stabilizers::NoStabilizer};
 
@@ -6,16 +6,16 @@ use super::Settings;
 use crate::files::scene::{Candidate, Draft, Lolc, Popc, Scene, Stabilizer};
 use crate::simulate::building::{AnyStabilizer, Space};
 
-/// A stabilizer that a scene file can name, or none; work, ledger and damping cap are the scene's.
+/// Stabilizer that a scene file can name, or none; the scene sets work, ledger and damping cap.
 ///
-/// These are the ones that maps run on lanes.
+/// Maps run these on lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BasicName {
     /// No stabilizer: `none`.
     NoStabilizer,
     /// The passivity observer/controller: `popc`.
     Popc,
-    /// LOLC with the scene's own candidate, or the paper's if the scene names no LOLC: `lolc`.
+    /// LOLC with the scene's own candidate, or with the paper's if the scene names no LOLC: `lolc`.
     Lolc,
     /// LOLC with the spring candidate: `lolc-spring`.
     LolcSpring,
@@ -26,7 +26,7 @@ pub enum BasicName {
 }
 
 impl BasicName {
-    /// All of them.
+    /// All names.
     pub const ALL: [Self; 6] = [
         Self::NoStabilizer,
         Self::Popc,
@@ -36,7 +36,7 @@ impl BasicName {
         Self::LolcMassSpringDamper,
     ];
 
-    /// Its name.
+    /// The name as text.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoStabilizer => "none",
@@ -48,7 +48,7 @@ impl BasicName {
         }
     }
 
-    /// What it is in `scene`.
+    /// The stabilizer setting under this name in `scene`.
     pub(crate) fn on(self, scene: &Draft) -> Option<Stabilizer> {
         let Settings { work, ledger, damping_cap, .. } = Settings::of(scene);
         let lolc =
@@ -66,7 +66,7 @@ impl BasicName {
         }
     }
 
-    /// The same, made.
+    /// The stabilizer itself on `scene`.
     pub(super) fn made<V: Space>(self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
         match self.on(scene) {
             None => Ok(AnyStabilizer::new(NoStabilizer)),

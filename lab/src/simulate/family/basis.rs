@@ -1,4 +1,4 @@
-//! What the parameters of the family come from.
+//! Quantities of a loop that set the family's parameters.
 
 use std::f64::consts::TAU;
 
@@ -8,31 +8,31 @@ use super::{Reference, Settings};
 use crate::files::scene::{Damping, Scene};
 use crate::simulate::equilibrium::{Criterion, last_pull};
 
-/// Slots of a window of credit.
+/// Slots of a credit window.
 pub(super) const SLOTS: usize = 8;
 
-/// A loop, as the family is set for it.
+/// A loop's quantities that set the family's parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Basis {
-    /// What the damping limit is made of.
+    /// The quantities that make the damping limit.
     pub(crate) limit: Damping,
-    /// Of the device, N·s/m.
+    /// The device's damping, N·s/m.
     pub(crate) damping: f64,
-    /// What the motion starts with, J: the scale of all energies.
+    /// The energy that the motion starts with, J: the scale of all energies.
     pub(crate) energy: f64,
-    /// How fast that energy moves the mass, m/s.
+    /// The speed at which the mass has that energy, m/s.
     pub(crate) speed: f64,
-    /// How long a swing of the hand takes, s.
+    /// The duration of a swing of the hand, s.
     pub(crate) swing: f64,
     /// One count of the encoder, m.
     pub(crate) count: Option<f64>,
-    /// Ticks that a force takes to act.
+    /// Ticks by which a force acts late.
     pub(crate) delay: u32,
-    /// Servo ticks to a tick of the environment.
+    /// Servo ticks per tick of the environment.
     pub(crate) ratio: u32,
-    /// Where contact begins, m.
+    /// The position where contact begins, m.
     pub(crate) surface: Option<f64>,
-    /// What the environment stores; none where that is no function of position and velocity.
+    /// The energy that the environment stores; none where it is no function of position and velocity.
     pub(crate) reference: Option<Reference>,
     /// The damper of the ideal wall, N·s/m, and where it begins, m; none without a wall.
     pub(crate) damper: Option<[f64; 2]>,
@@ -64,7 +64,7 @@ impl Basis {
         }
     }
 
-    /// A hand of `mass` kg that moves with `speed` m/s, of which no scene tells; `period` in s.
+    /// The basis of a hand of `mass` kg that moves at `speed` m/s, without a scene; `period` in s.
     pub(crate) fn of_hand(mass: f64, period: f64, speed: f64) -> Self {
         Self {
             limit: Damping { cap: 0.5, port_mass: mass, period },
@@ -82,24 +82,24 @@ impl Basis {
         }
     }
 
-    /// What the environment stores at the start, J; not below 0.
+    /// The energy that the environment stores at the start, J; not below 0.
     pub(crate) fn stored(&self) -> f64 {
         let [x, v] = self.start;
         self.reference.as_ref().map_or(0.0, |it| it.stored(x, v)).max(0.0)
     }
 
-    /// From where on a velocity is more than noise, m/s.
+    /// The speed above which a velocity is more than noise, m/s.
     pub(super) fn threshold(&self) -> f64 {
         self.count.map_or(0.01 * self.speed, |count| count / self.limit.period)
     }
 
-    /// Over how many ticks a correction is spread, or rises.
+    /// The number of ticks over which a correction is spread, or rises.
     pub(super) fn ticks(&self) -> u32 {
         self.ratio.max(2)
     }
 
-    /// How fast a correction may grow, N/s: to the largest at the hand's speed within those ticks; no limit where nothing
-    /// tells a speed.
+    /// The fastest that a correction may grow, N/s: to the largest correction at the hand's speed within those ticks;
+    /// no limit where the speed is unknown.
     pub(super) fn rate(&self) -> f64 {
         let Damping { cap, port_mass, period } = self.limit;
         let most = cap * port_mass / period * self.speed;
@@ -107,9 +107,9 @@ impl Basis {
         if rate > 0.0 { rate } else { f64::INFINITY }
     }
 
-    /// Ticks to a slot of the window, which is a swing of the hand long.
+    /// Ticks per slot of the window; the window is as long as a swing of the hand.
     pub(super) fn slot(&self) -> u32 {
-        // The conversion saturates: a longer slot is never left either.
+        // The conversion saturates: no run leaves a longer slot either.
         (self.swing / (SLOTS as f64 * self.limit.period)).ceil().max(1.0) as u32
     }
 }

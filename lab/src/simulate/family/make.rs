@@ -1,4 +1,4 @@
-//! How each is made.
+//! Construction of each stabilizer of the family.
 
 use lyapunov::{
     DampingLimit, Dissipation, Lolc, LyapunovCandidate, ParameterError, Popc, PortEnergy, Scalar,
@@ -17,15 +17,15 @@ use super::{BasicName, Basis, StabilizerName};
 use crate::files::scene::{Render, Scene};
 use crate::simulate::building::{AnyStabilizer, Space};
 
-/// How much of what the motion starts with a tank holds at most.
+/// Most that a tank holds, as a multiple of the energy that the motion starts with.
 const CEILING: f64 = 2.0;
 
 impl StabilizerName {
-    /// The stabilizer on the loop of `scene`, whatever the scene itself names.
+    /// The stabilizer on the loop of `scene`, whatever `scene` names.
     ///
     /// # Errors
-    /// A parameter that is right by itself but out of the range of the scalar, alone or together with others; a scene that
-    /// has not what it [is set by](Self::fits).
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others; a scene without
+    /// what the stabilizer [needs](Self::fits).
     pub fn on<T: Scalar + Space>(self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
         match self {
             Self::Basic(basic_name) => basic_name.made(scene),
@@ -33,8 +33,7 @@ impl StabilizerName {
         }
     }
 
-    /// The stabilizer set by `basis`, of which no scene tells: LOLC credits the device's damping, whichever candidate it
-    /// would have.
+    /// The stabilizer set by `basis`, without a scene: LOLC credits the device's damping, whatever its candidate.
     pub(crate) fn set_by<T: Scalar + Space>(
         self,
         basis: &Basis,
@@ -57,7 +56,7 @@ impl StabilizerName {
                 AnyStabilizer::called(popc.summed_by(sum))
             }
             Self::ContactReset => {
-                // What has no surface is touched throughout.
+                // An environment without a surface is in contact throughout.
                 let position = of(basis.surface.unwrap_or(f64::NEG_INFINITY));
                 AnyStabilizer::called(popc.reset_at(InContact { position }))
             }
@@ -90,7 +89,7 @@ impl StabilizerName {
     }
 }
 
-/// What follows a store of energy from a position and a velocity on.
+/// Builder of the stabilizer whose energy follows a store, starting from a position and a velocity.
 struct Following<T: Scalar> {
     limit: DampingLimit<T>,
     start: [T; 2],

@@ -1,7 +1,7 @@
-//! The family of stabilizers by name, each with parameters that come from the scene.
+//! The family of stabilizers by name, each with parameters from the scene.
 //!
-//! A [`StabilizerName`] is one of them; docs/family.md says what each is set to. `compare`, `map` and `hard` take the same
-//! names. What has two ends, or only means something on several axes, is not here.
+//! A [`StabilizerName`] names one; docs/family.md lists the parameters of each. `compare`, `map` and `hard` take the
+//! same names. Stabilizers with two ends, or for several axes only, are not here.
 //!
 //! ```
 //! use lyapunov_lab::{Rollout, Summary, family::StabilizerName, paper};

@@ -1,4 +1,4 @@
-//! What an environment stores.
+//! Energy that an environment stores.
 
 use lyapunov::{
     LyapunovCandidate, ParameterError, Signal,
@@ -15,7 +15,7 @@ pub(crate) struct Reference {
 }
 
 impl Reference {
-    /// That of `scene`; none where it swings by itself, and in more than one dimension.
+    /// The store of `scene`; none where the environment swings by itself, and in more than one dimension.
     pub(super) fn of(scene: &Scene) -> Option<Self> {
         let environment = &scene.environment;
         let stores = scene.dimensions() == 1 && !environment.kind().swings();
@@ -36,7 +36,7 @@ impl Reference {
     }
 }
 
-/// The energy at one position and velocity.
+/// Reading of the energy at one position and velocity.
 struct Stored<V> {
     x: V,
     v: V,

@@ -1,24 +1,24 @@
-//! What POPC and LOLC are set to.
+//! Settings of POPC and LOLC.
 
 use std::fmt;
 
 use crate::files::scene::{self, Cap, Draft, Ledger, Work};
 
-/// What POPC and LOLC are set to on a scene.
+/// The settings of POPC and LOLC on a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// The work they book.
+    /// The work that they book.
     pub work: Work,
-    /// What they sum energies in.
+    /// The ledger that they sum energies in.
     pub ledger: Ledger,
-    /// The limit of their damping, of m / T.
+    /// The limit of their damping, as a multiple of m / T.
     pub damping_cap: Cap,
-    /// Whether the scene says so; else these are the defaults.
+    /// Whether the scene sets them; else they are the defaults.
     pub from_scene: bool,
 }
 
 impl Settings {
-    /// Those of the stabilizer that `scene` names, whichever it is, or the defaults.
+    /// The settings of the stabilizer that `scene` names, whichever it is, or the defaults.
     pub fn of(scene: &Draft) -> Self {
         let (work, ledger, damping_cap) = match scene.stabilizer {
             None => (Work::default(), Ledger::default(), Cap::default()),

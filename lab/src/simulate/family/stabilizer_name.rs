@@ -1,4 +1,4 @@
-//! The names.
+//! Names of the stabilizers of the family.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,34 +7,34 @@ use super::BasicName;
 use crate::files::scene::Scene;
 use crate::text::{nearest, shorten};
 
-/// A stabilizer by its name.
+/// Name of a stabilizer.
 ///
-/// All but those of [`BasicName`] book held work in a plain sum, under the damping cap of the scene.
+/// All except those of [`BasicName`] book held work in a plain ledger, under the damping cap of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StabilizerName {
-    /// One that a scene file can name, or none.
+    /// A stabilizer that a scene file can name, or none.
     Basic(BasicName),
-    /// POPC with what the environment stores at the start on its account: `popc-budgeted`.
+    /// POPC credited with the energy that the environment stores at the start: `popc-budgeted`.
     Budgeted,
-    /// POPC that keeps a bounded credit: `popc-bounded`.
+    /// POPC whose credit is bounded: `popc-bounded`.
     Bounded,
-    /// POPC whose credit runs out: `popc-windowed`.
+    /// POPC whose credit expires: `popc-windowed`.
     Windowed,
     /// POPC that enters each contact without credit: `popc-contact-reset`.
     ContactReset,
-    /// POPC that corrects from a velocity on: `popc-threshold`.
+    /// POPC that corrects above a velocity threshold: `popc-threshold`.
     Threshold,
-    /// POPC that pays a debt over several ticks: `popc-spread`.
+    /// POPC that spreads a debt over several ticks: `popc-spread`.
     Spread,
     /// POPC whose correction grows slowly: `popc-rate-limited`.
     RateLimited,
     /// POPC whose correction rises when it engages: `popc-rising`.
     Rising,
-    /// POPC whose energy follows what the environment stores: `popc-reference`.
+    /// POPC whose observed energy follows the energy that the environment stores: `popc-reference`.
     Reference,
-    /// Forces that the device's damping can pay for: `force-bound`.
+    /// Bound on forces to what the device's damping can dissipate: `force-bound`.
     ForceBound,
-    /// An energy tank: `tank`.
+    /// Energy tank: `tank`.
     Tank,
     /// Forces that hand back no more than the device's damping dissipates: `energy-bounding`.
     EnergyBounding,
@@ -49,7 +49,7 @@ pub enum StabilizerName {
 }
 
 impl StabilizerName {
-    /// All of them.
+    /// All names.
     pub const ALL: [Self; 22] = [
         Self::Basic(BasicName::NoStabilizer),
         Self::Basic(BasicName::Popc),
@@ -75,7 +75,7 @@ impl StabilizerName {
         Self::LeastNorm,
     ];
 
-    /// Its name, on the command line and in every table and file.
+    /// The name on the command line and in every table and file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Basic(basic_name) => basic_name.name(),
@@ -98,12 +98,12 @@ impl StabilizerName {
         }
     }
 
-    /// Whether `scene` has what it is set by: energy bounding needs a damping of the device.
+    /// Whether `scene` has the parameters of this stabilizer: energy bounding needs a damping of the device.
     pub fn fits(self, scene: &Scene) -> bool {
         self != Self::EnergyBounding || scene.device.damping.get() > 0.0
     }
 
-    /// One of those that a scene file can name, if it is one.
+    /// The basic name, if a scene file can name this stabilizer.
     pub fn basic_name(self) -> Option<BasicName> {
         match self {
             Self::Basic(basic_name) => Some(basic_name),
@@ -124,7 +124,7 @@ impl fmt::Display for StabilizerName {
     }
 }
 
-/// A name that no stabilizer has.
+/// Name that no stabilizer has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownStabilizer {
     given: String,

@@ -1,4 +1,4 @@
-//! Several names.
+//! List of stabilizer names.
 
 use std::fmt;
 use std::ops::Deref;
@@ -7,7 +7,7 @@ use std::str::FromStr;
 use super::{BasicName, StabilizerName, UnknownStabilizer};
 use crate::files::scene::Scene;
 
-/// StabilizerNames in the order in which they are named, each once: `popc,tank`, or `all`.
+/// Stabilizer names in the order given, each once: `popc,tank`, or `all`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StabilizerNames(Vec<StabilizerName>);
 
@@ -24,10 +24,10 @@ impl StabilizerNames {
         Self(named.map(StabilizerName::from).to_vec())
     }
 
-    /// These.
+    /// The list of these names.
     ///
     /// # Errors
-    /// One that is there twice, or nobody at all.
+    /// A name that appears twice, or an empty list.
     pub fn of(
         members: impl IntoIterator<Item = impl Into<StabilizerName>>,
     ) -> Result<Self, StabilizerNamesError> {
@@ -73,16 +73,16 @@ impl fmt::Display for StabilizerNames {
     }
 }
 
-/// Why a text is no list of members.
+/// Reason why a text is no list of stabilizer names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StabilizerNamesError {
-    /// A name that nobody has.
+    /// A name that no stabilizer has.
     Unknown(UnknownStabilizer),
     /// `all` beside a name.
     AllAndMore,
-    /// A name that is there before.
+    /// A name that appears twice.
     Twice(StabilizerName),
-    /// Nobody.
+    /// No name at all.
     Empty,
 }
 

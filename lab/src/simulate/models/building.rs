@@ -1,4 +1,4 @@
-//! From a model to its loop.
+//! The way from a model to its loop.
 
 use lyapunov::{
     ParameterError, Scalar,
@@ -87,7 +87,7 @@ fn leg<T: Scalar>(leg: &plant::ProstheticLeg) -> Result<ProstheticLeg<T>, Parame
     ProstheticLeg::new(leg.thigh.limb(), leg.shank.limb(), posture, ground)
 }
 
-/// The controller's springs, which V has as well.
+/// The controller's springs, which are also terms of V.
 fn springs<T: Scalar>(model: &Model) -> [T; 2] {
     let gains: &Coordinates = &model.controller.proportional;
     [0, 1].map(|input| T::of(gains.axis(input)))

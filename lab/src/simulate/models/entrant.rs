@@ -1,23 +1,23 @@
-//! Who takes part.
+//! Entrants of a model's comparison.
 
-/// What stabilizes the port of a model.
+/// Stabilizer at the port of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entrant {
-    /// Nothing.
+    /// No stabilizer.
     None,
     /// The passivity observer/controller, which sums what the input takes from V.
     Popc,
-    /// The Lyapunov observer/controller over all that V loses.
+    /// The Lyapunov observer/controller, which sums all that V loses.
     Decrease,
-    /// The same with V asked to decay.
+    /// The same, with V required to decay.
     Decay,
 }
 
 impl Entrant {
-    /// All, in the order of the rows.
+    /// All entrants, in the order of the rows.
     pub const ALL: [Self; 4] = [Self::None, Self::Popc, Self::Decrease, Self::Decay];
 
-    /// What it is called.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",

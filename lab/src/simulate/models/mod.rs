@@ -1,4 +1,4 @@
-//! Models of plants, closed to loops: the stabilizers that their ports are given, and the run of each.
+//! Models of plants, closed to loops: the stabilizers at their ports, and the run of each.
 
 mod building;
 mod entrant;

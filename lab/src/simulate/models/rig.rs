@@ -1,4 +1,4 @@
-//! A plant behind its port, ready to run.
+//! Plant behind its port, ready to run.
 
 use std::ops::ControlFlow;
 
@@ -17,15 +17,15 @@ use nalgebra::SVector;
 use super::entrant::Entrant;
 use crate::files::models::{Controller, Model, Stabilizer};
 
-/// The longest delay of a controller in ticks.
+/// Longest delay of a controller, ticks.
 const MOST_DELAY: usize = 1024;
 
-/// A loop that any entrant can run, whatever the plant and the scalar.
+/// Loop that any entrant can run, whatever the plant and the scalar.
 pub(crate) trait Loop {
     /// V at the start.
     fn began(&self) -> f64;
 
-    /// Runs under `entrant` until the end, the end of the range, or until `each` of the ticks says so.
+    /// Runs under `entrant` until the end, until the range is left, or until `each` of the ticks breaks off.
     fn run(&self, entrant: Entrant, each: &mut dyn FnMut(Tick) -> ControlFlow<()>);
 }
 
@@ -36,18 +36,18 @@ pub(crate) struct Tick {
     pub(crate) value: f64,
     /// The size of the effort that acts from this tick on.
     pub(crate) effort: f64,
-    /// The damping injected.
+    /// The injected damping.
     pub(crate) alpha: f64,
-    /// The debt that could not be served.
+    /// The debt that this tick cannot serve.
     pub(crate) shortfall: f64,
-    /// What the stabilizer's part of the effort takes from V until the next tick.
+    /// What the correction takes from V until the next tick.
     pub(crate) taken: f64,
 }
 
-/// A part of a model that cannot be built: the key that is to be changed, and why.
+/// Model part that cannot be built: the key to change, and why.
 pub(crate) type Refused = (&'static str, ParameterError);
 
-/// What differs from plant to plant.
+/// Parts that differ from plant to plant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parts<P, F, T, const M: usize> {
     pub(super) plant: P,
@@ -59,7 +59,7 @@ pub(super) struct Parts<P, F, T, const M: usize> {
     pub(super) holding: SVector<T, M>,
 }
 
-/// A plant, the controller at its port and what its stabilizers are made of.
+/// A plant, the controller at its port and the parts of its stabilizers.
 struct Rig<P, F, C, T, const N: usize, const M: usize> {
     plant: AffinePlant<P, F, RungeKutta4, T, N, M>,
     controller: C,

@@ -1,4 +1,4 @@
-//! From a teleoperator to its loop.
+//! The way from a teleoperator to its loop.
 
 use lyapunov::{
     self as library, DampingLimit, ParameterError, Popc, PortEnergy, Scalar,
@@ -14,16 +14,16 @@ use crate::files::scene::Seed;
 use crate::files::teleoperation::{Channel, Teleoperator, Wall};
 use crate::simulate::building::AnyPlant;
 
-/// Room for the messages under way: delay and spread at their most.
+/// Room for the messages under way: the longest delay and the widest spread.
 const ROOM: usize = 2049;
 
-/// A part that cannot be built: the key that is to be changed, and why.
+/// Teleoperator part that cannot be built: the key to change, and why.
 pub(crate) type Refused = (&'static str, ParameterError);
 
-/// A channel, boxed.
+/// Any channel, boxed.
 pub(super) type AnyChannel<T> = Box<dyn library::channels::Channel<Message<T>>>;
 
-/// The master in its hand.
+/// The master in the hand.
 pub(super) fn master<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refused> {
     let it = file.master;
     let (mass, damping) = (T::of(it.mass.get()), T::of(it.damping.get()));
@@ -32,7 +32,7 @@ pub(super) fn master<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refu
     Ok(AnyPlant::new(body.starting(T::of(it.start.get()), T::of(0.0))))
 }
 
-/// The slave, and before a wall the two as one motion in pieces.
+/// The slave, with the wall in front of it as one piecewise motion.
 pub(super) fn slave<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refused> {
     let it = file.slave;
     let refused = in_table("slave.mass");
@@ -50,9 +50,9 @@ pub(super) fn slave<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refus
     Ok(AnyPlant::new(walled.map_err(refused)?.starting(start, rest)))
 }
 
-/// The channel there and the channel back.
+/// The channels there and back.
 pub(super) fn channels<T: Scalar>(file: &Teleoperator) -> Result<[AnyChannel<T>; 2], Refused> {
-    // Without chance nothing is drawn.
+    // Without randomness nothing is drawn.
     let seed = file.channel.seed.map_or(0, Seed::get);
     Ok([channel(file.channel, seed)?, channel(file.channel, !seed)?])
 }
@@ -81,7 +81,7 @@ fn losing<T: Scalar>(
     Ok(Box::new(LossyChannel::new(channel, loss, seed, silence).map_err(in_table("channel.loss"))?))
 }
 
-/// What `entrant` joins the two by.
+/// The link by which `entrant` joins master and slave.
 pub(super) fn link<T: Scalar>(
     file: &Teleoperator,
     entrant: Entrant,

@@ -1,13 +1,13 @@
-//! Who takes part.
+//! Entrants of a teleoperator's comparison.
 
-/// What stabilizes the link of a teleoperator.
+/// Stabilizer of a teleoperator's link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entrant {
-    /// Nothing.
+    /// No stabilizer.
     None,
     /// A passivity observer/controller at each port, which knows nothing of the other.
     Popc,
-    /// The two-port passivity controller: each end may spend what it was told that the other absorbed.
+    /// The two-port passivity controller: each end may spend what the other reports as absorbed.
     TwoPort,
     /// The same, taking back the drift of the slave.
     Compensated,
@@ -16,11 +16,11 @@ pub enum Entrant {
 }
 
 impl Entrant {
-    /// All, in the order of the rows.
+    /// All entrants, in the order of the rows.
     pub const ALL: [Self; 5] =
         [Self::None, Self::Popc, Self::TwoPort, Self::Compensated, Self::Waves];
 
-    /// What it is called.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",

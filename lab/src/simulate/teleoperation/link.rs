@@ -1,24 +1,24 @@
-//! What the two ends of a channel make of their messages.
+//! Links between the two ends of a channel.
 
 use lyapunov::{
     Correction, Popc, PortSample, Scalar, Stabilizer,
     stabilizers::{DriftCompensated, NoStabilizer, TwoPortSide, WaveTransform},
 };
 
-/// A signal, and what its sender tells that it has absorbed, J.
+/// A signal, and the energy that its sender reports as absorbed, J.
 pub(super) type Message<T> = (T, T);
 
-/// How two devices are joined by messages.
+/// Link that joins two devices by messages.
 pub(super) trait Link<T: Scalar> {
-    /// The force on the master, and the message to the slave.
+    /// Returns the force on the master, and the message to the slave.
     fn at_master(
         &mut self,
         sample: &PortSample<T>,
         arrived: Message<T>,
     ) -> (Correction<T>, Message<T>);
 
-    /// The velocity that the slave is commanded, the force on the slave, and the message to the master; `load` tells of
-    /// the slave's port as an admittance.
+    /// Returns the velocity commanded to the slave, the force on the slave, and the message to the master; `load` is
+    /// the sample of the slave's port as an admittance.
     fn at_slave(
         &mut self,
         load: &PortSample<T>,
@@ -27,7 +27,7 @@ pub(super) trait Link<T: Scalar> {
     ) -> (Correction<T>, T, Message<T>);
 }
 
-/// The master's velocity travels there and the force on the slave back, each past a stabilizer.
+/// Link that sends the master's velocity there and the force on the slave back, each past a stabilizer.
 pub(super) struct Velocities<T> {
     pub(super) master: Box<dyn End<T>>,
     pub(super) slave: Box<dyn End<T>>,
@@ -57,7 +57,7 @@ impl<T: Scalar> Link<T> for Velocities<T> {
     }
 }
 
-/// Waves travel both ways. They tell of no energies: they carry them.
+/// Link that sends waves both ways. They report no energies: they carry them.
 pub(super) struct Waves<T> {
     pub(super) transform: WaveTransform<T>,
     /// The impedance `b` of the transform, N·s/m.
@@ -80,7 +80,7 @@ impl<T: Scalar> Link<T> for Waves<T> {
         (there, _): Message<T>,
         coordination: &Coordination<T>,
     ) -> (Correction<T>, T, Message<T>) {
-        // The flow is v = v₀ − F / b with v₀ that of no force, and F has B v in it: solved for F.
+        // The flow is v = v₀ − F / b with v₀ the flow at zero force, and F contains B v: solved for F.
         let (free, _) = self.transform.flow(T::of(0.0), there);
         let share = self.impedance / (self.impedance + coordination.damping());
         let pull = coordination.pull(free) * share;
@@ -89,12 +89,12 @@ impl<T: Scalar> Link<T> for Waves<T> {
     }
 }
 
-/// A stabilizer at one end of a link, which may be told of energies and tell of its own; one that does neither is alone.
+/// Stabilizer at one end of a link, which may receive energies and report its own; one that does neither works alone.
 pub(super) trait End<T: Scalar>: Stabilizer<T> {
-    /// Takes what the other end tells that it has absorbed, J.
+    /// Receives the energy that the other end reports as absorbed, J.
     fn receive(&mut self, _energy: T) {}
 
-    /// What this end has absorbed, J.
+    /// The energy that this end has absorbed, J.
     fn absorbed(&self) -> T {
         T::of(0.0)
     }
@@ -124,11 +124,11 @@ impl<T: Scalar> End<T> for DriftCompensated<TwoPortSide<T>, T> {
     }
 }
 
-/// The coordinating controller on one tick: a spring from the commanded position, and a damper from the velocity that is
-/// commanded for the tick.
+/// Coordinating controller on one tick: a spring from the commanded position, and a damper from the velocity commanded
+/// for the tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coordination<T> {
-    /// What the spring pulls, N.
+    /// The pull of the spring, N.
     spring: T,
     damping: T,
     /// The slave's velocity, m/s.
@@ -136,7 +136,7 @@ pub(super) struct Coordination<T> {
 }
 
 impl<T: Scalar> Coordination<T> {
-    /// A spring of `stiffness` N/m and a damper of `damping` N·s/m that pull the slave, of which `sample` tells, to `command` m.
+    /// A spring of `stiffness` N/m and a damper of `damping` N·s/m that pull the slave at `sample` to `command` m.
     pub(super) fn new(stiffness: T, damping: T, command: T, sample: &PortSample<T>) -> Self {
         let spring = stiffness * (command - sample.position);
         Self { spring, damping, velocity: sample.velocity }

@@ -1,4 +1,4 @@
-//! Teleoperators, closed to loops: what joins their two ends, and the run of each.
+//! Teleoperators, closed to loops: the links between their two ends, and the run of each.
 
 mod building;
 mod entrant;

@@ -1,4 +1,4 @@
-//! The loop of a teleoperator, run.
+//! Run of a teleoperator's loop.
 
 use std::ops::ControlFlow;
 
@@ -11,7 +11,7 @@ use crate::files::scene;
 use crate::files::teleoperation::Teleoperator;
 use crate::simulate::building::AnyPlant;
 
-/// Two devices, a channel each way and what makes messages of motion and force.
+/// Two devices, a channel each way, and the link that turns motion and force into messages.
 struct Rig<T: Scalar> {
     master: AnyPlant<T>,
     slave: AnyPlant<T>,
@@ -28,19 +28,19 @@ struct Rig<T: Scalar> {
 pub(crate) struct Tick {
     pub(crate) master: [f64; 2],
     pub(crate) slave: [f64; 2],
-    /// Where the slave is wanted.
+    /// The position commanded to the slave.
     pub(crate) command: f64,
     pub(crate) felt: f64,
-    /// What has crossed both ports, J.
+    /// The energy that has crossed both ports, J.
     pub(crate) crossed: f64,
-    /// What the corrections at master and slave are about to burn, J.
+    /// The energies that the corrections at master and slave are about to dissipate, J.
     pub(crate) burnt: [f64; 2],
-    /// The debt of both ends that could not be served, J.
+    /// The debt of both ends that this tick cannot serve, J.
     pub(crate) shortfall: f64,
 }
 
 impl Tick {
-    /// What both ports have absorbed once the corrections are made, J.
+    /// The energy that both ports have absorbed once the corrections are made, J.
     pub(crate) fn kept(&self) -> f64 {
         self.crossed + self.burnt[0] + self.burnt[1]
     }
@@ -54,19 +54,19 @@ impl Tick {
     }
 }
 
-/// What both ports tell on a tick, and what is known from the tick before.
+/// The samples of both ports on a tick, and what is known from the tick before.
 struct State<T: Scalar> {
     master: PortSample<T>,
     slave: PortSample<T>,
     load: PortSample<T>,
-    /// Where the slave is wanted, m.
+    /// The position commanded to the slave, m.
     command: T,
     arrived: Message<T>,
-    /// What has crossed both ports, J.
+    /// The energy that has crossed both ports, J.
     crossed: f64,
 }
 
-/// Builds the loop of `file` under `entrant` and lets it go.
+/// Builds the loop of `file` under `entrant` and drops it.
 pub(crate) fn build(file: &Teleoperator, entrant: Entrant) -> Result<(), Refused> {
     match file.scalar {
         scene::Scalar::F64 => Rig::<f64>::of(file, entrant).map(drop),
@@ -74,7 +74,7 @@ pub(crate) fn build(file: &Teleoperator, entrant: Entrant) -> Result<(), Refused
     }
 }
 
-/// Runs `file` under `entrant` until the end, the end of the range, or until `each` of the ticks says so.
+/// Runs `file` under `entrant` until the end, until the range is left, or until `each` of the ticks breaks off.
 ///
 /// # Errors
 /// A file that was never checked.
@@ -156,7 +156,7 @@ impl<T: Scalar> Rig<T> {
     }
 }
 
-/// What a correction is about to burn, J.
+/// The energy that a correction is about to dissipate, J.
 fn burnt<T: Scalar>(sample: &PortSample<T>, correction: &Correction<T>) -> f64 {
     (correction.alpha * (sample.velocity * sample.velocity * sample.period)).lane(0)
 }

@@ -1,4 +1,4 @@
-//! The study as JSON.
+//! Accuracy study as JSON.
 
 use serde::Serialize;
 
@@ -8,15 +8,15 @@ use super::study::Row;
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// The keys that a clock was asked for.
+    /// The keys that come from a clock.
     not_deterministic: [&'static str; 6],
     scene: &'a str,
     reference: Reference,
     lyapunov_exponent_per_s: Option<f64>,
     chaotic: bool,
-    /// The errors are taken up to here.
+    /// The errors count up to this time.
     errors_until_s: f64,
-    /// A trace is believed while it is off by no more.
+    /// A trace is believed while its error is no larger.
     believed_within_m: f64,
     rows: Vec<Line>,
     ledger: Vec<LedgerLine>,
@@ -59,9 +59,9 @@ struct LedgerLine {
 #[derive(Serialize)]
 struct Target {
     metres: f64,
-    /// The fastest setting that meets it.
+    /// The fastest setting that meets the target.
     cheapest: Option<Line>,
-    /// The most accurate one, if none does.
+    /// The most accurate setting, if none meets the target.
     nearest: Option<Line>,
 }
 
@@ -84,7 +84,7 @@ impl Line {
 }
 
 impl Study {
-    /// The study as JSON, and with a `target` in m the setting that meets it; docs/accuracy.md says what is in it.
+    /// The study as JSON, and with a `target` in m the setting that meets it; docs/accuracy.md lists the keys.
     ///
     /// # Errors
     /// None: every part can be written as JSON.
@@ -133,7 +133,7 @@ impl Study {
 }
 
 impl Second {
-    /// What it is.
+    /// The name in JSON.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Extrapolation => "extrapolation in double-double",

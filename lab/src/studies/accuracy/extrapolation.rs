@@ -1,24 +1,24 @@
-//! A second way to follow a smooth motion to as many digits as its scalar has.
+//! Extrapolated midpoint rule: a second method that follows a smooth motion to all digits of its scalar.
 
 use lyapunov::{
     Mask, Scalar, Signal,
     integrators::{Dynamics, Integrator},
 };
 
-/// Columns at most: the error of the last is of order `2 COLUMNS` in the step.
+/// The most columns: the error of the last is of order `2 COLUMNS` in the step.
 const COLUMNS: usize = 14;
 
-/// How often a step may be halved.
+/// The most halvings of a step.
 const HALVINGS: u32 = 10;
 
-/// Rounding errors that are allowed, in units of epsilon: extrapolation adds up large terms of both signs.
+/// Allowed rounding errors, in units of epsilon: extrapolation adds large terms of both signs.
 const ROUNDINGS: f64 = 64.0;
 
-/// The midpoint rule in 2, 4, 6, … steps, extrapolated to none (Gragg 1965; Bulirsch and Stoer 1966; Hairer, Nørsett and
-/// Wanner, Solving Ordinary Differential Equations I, 1993, II.9).
+/// The midpoint rule in 2, 4, 6, … steps, extrapolated to a step of zero (Gragg 1965; Bulirsch and Stoer 1966; Hairer,
+/// Nørsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.9).
 ///
-/// It asks the dynamics for rates only and every coefficient is a ratio of whole numbers, so nothing in it is
-/// shared with the matrix exponential.
+/// It evaluates only the rates of the dynamics, and every coefficient is a ratio of whole numbers, so it shares nothing
+/// with the matrix exponential.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extrapolation;
 
@@ -28,7 +28,7 @@ impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for Extrapolation {
     }
 }
 
-/// What `from` gains over `interval`, in halves where one step does not settle.
+/// The gain of `from` over `interval`, in halves where one step does not settle.
 fn gain<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar, halvings: u32) -> Q {
     let (gained, settled) = extrapolated(rates, from, interval);
     if settled || halvings == 0 {
@@ -39,7 +39,7 @@ fn gain<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar, halvin
     first + gain(rates, from + first, half, halvings - 1)
 }
 
-/// What `from` gains by the first column that no longer differs from the one before, and whether one did so.
+/// The gain of `from` by the first column that no longer differs from the one before, and whether one did so.
 fn extrapolated<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar) -> (Q, bool) {
     let mut row: Vec<Q> = Vec::with_capacity(COLUMNS);
     for index in 0..COLUMNS {
@@ -65,7 +65,7 @@ fn extrapolated<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar
     (row.pop().unwrap_or_else(Q::zero), false)
 }
 
-/// What `from` gains by the midpoint rule in `steps` steps, an even number, begun and ended by Euler's.
+/// The gain of `from` by the midpoint rule in `steps` steps, an even number, begun and ended by Euler's.
 fn midpoint<Q: Signal>(rates: &impl Fn(Q) -> Q, from: Q, interval: Q::Scalar, steps: u32) -> Q {
     let step = interval / Q::Scalar::of(f64::from(steps));
     let mut before = Q::zero();
@@ -86,7 +86,8 @@ fn combined<Q: Signal>(base: Q, change: Q, share: Q::Scalar) -> Q {
     base + change.scale(share)
 }
 
-/// Whether `change` is no more than rounding on every axis; NaN changes nothing any more.
+/// Whether `change` is no more than rounding on every axis; a NaN counts as rounding, since no column changes it any
+/// more.
 fn is_small<Q: Signal>(change: Q, from: Q, gained: Q) -> bool {
     let allowed = Q::Scalar::epsilon() * Q::Scalar::of(ROUNDINGS);
     let magnitude = |axis: Q::Scalar| axis.magnitude();

@@ -1,4 +1,4 @@
-//! For how long a trace can be believed.
+//! Horizon: the time up to which a trace can be believed.
 
 use lyapunov::{Correction, OnePort, PortSample, Scalar, accumulators::DoubleDouble};
 
@@ -8,34 +8,35 @@ use super::trace::{Progress, trace};
 use crate::files::Scene;
 use crate::simulate::{Assembly, Port};
 
-/// A deviation that has grown so many times is no longer the method's but the scene's.
+/// The growth factor from which a deviation belongs to the scene and no longer to the method.
 pub(super) const GROWN: f64 = 1e5;
 
-/// How many times a deviation must outgrow the motion over the scene for the scene to be chaotic.
+/// The factor by which a deviation must outgrow the motion over the scene for the scene to be chaotic.
 const CHAOTIC: f64 = 1e6;
 
-/// The share of a scene from the middle of its first quarter to that of its last.
+/// Share of a scene from the middle of its first quarter to that of its last.
 const WIDENED: f64 = 0.75;
 
-/// How often a deviation is brought back to its first size, at most.
+/// The most times that a deviation is brought back to its first size.
 const SEGMENTS: usize = 8;
 
-/// How far a trace may be off and is still believed, of the reach of the motion.
+/// The largest error of a trace that is still believed, as a share of the motion's reach.
 pub(super) const BELIEVED: f64 = 0.01;
 
-/// How deviations grow on a scene.
+/// Growth of deviations on a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Growth {
     /// The largest Lyapunov exponent, 1/s; none where the motion is too short or too still to tell.
     pub(super) exponent: Option<f64>,
     /// Whether the scene is chaotic.
     pub(super) chaotic: bool,
-    /// The first tick at which a deviation of the start has grown so much that errors say nothing of the method any more.
+    /// The first tick at which a deviation of the start has grown so much that errors no longer say anything about the
+    /// method.
     pub(super) grown_at: usize,
 }
 
-/// Sizes of a deviation, of the reach of the motion: as it is made, where it is lost in rounding, and where it is no longer
-/// small.
+/// Sizes of a deviation, as shares of the motion's reach: when it is made, when rounding hides it, and when it is no
+/// longer small.
 struct Sizes {
     made: f64,
     lost: f64,
@@ -43,7 +44,8 @@ struct Sizes {
 }
 
 impl Growth {
-    /// Follows a reference and the same with a small push, made anew where it has grown large or has died away.
+    /// Follows a reference and the same motion with a small push, renewed wherever the deviation has grown large or
+    /// died away.
     pub(super) fn of(
         scene: &Scene,
         references: &References,
@@ -89,7 +91,7 @@ impl Growth {
     }
 }
 
-/// How many times as wide the motion is in the last quarter as in the first.
+/// The width of the motion in the last quarter, as a multiple of that in the first.
 fn widening(states: &[[DoubleDouble; 2]]) -> f64 {
     let width = |states: &[[DoubleDouble; 2]]| {
         let places = states.iter().map(|state| state[0].high());
@@ -110,7 +112,7 @@ fn pushed(scene: &Scene, at: usize, force: f64) -> Result<Assembly<DoubleDouble>
     Ok(Assembly { plant, port })
 }
 
-/// A port with one small push.
+/// Port with one small push.
 struct Pushed {
     port: Port<DoubleDouble>,
     at: usize,
@@ -121,7 +123,7 @@ impl OnePort<DoubleDouble> for Pushed {
     fn respond(&mut self, sample: &PortSample<DoubleDouble>) -> DoubleDouble {
         let effort = self.port.respond(sample);
         let now = self.at == 0;
-        // Past the push the count stands at its largest and never comes to zero again.
+        // After the push the count stays at its largest and never reaches zero again.
         self.at = self.at.checked_sub(1).unwrap_or(usize::MAX);
         if now { effort + self.force } else { effort }
     }

@@ -1,4 +1,4 @@
-//! What the precision of a ledger is worth, and what it costs.
+//! Precision of ledgers, and its cost.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -13,10 +13,10 @@ use super::timing::Time;
 use super::trace::Progress;
 use crate::measure::timing::Rounds;
 
-/// Ticks of 1 ms in all.
+/// Ticks of 1 ms in total.
 pub(super) const TICKS: u32 = 10_000_000;
 
-/// Ticks after which the motion comes again: thirteen swings of about 3 Hz.
+/// Ticks after which the motion repeats: thirteen swings of about 3 Hz.
 const BLOCK: u32 = 4000;
 
 const SWINGS: f64 = 13.0;
@@ -27,20 +27,20 @@ const ROUNDS: usize = 31;
 /// Ticks of a lap.
 const LAP: usize = 5 * BLOCK as usize;
 
-/// What one ledger came to.
+/// The result of one ledger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LedgerRow {
     /// The scalar of the port.
     pub scalar: &'static str,
-    /// What it sums in, as a scene names it.
+    /// The type it sums in, as a scene names it.
     pub ledger: &'static str,
-    /// How far the sum is off after all ticks, J.
+    /// The error of the sum after all ticks, J.
     pub error: f64,
-    /// Of a step of POPC with it.
+    /// The time of a step of POPC with this ledger.
     pub time: Time,
 }
 
-/// A hand that a damper of 0.5 N·s/m brakes, swinging at 0.1 m/s at most.
+/// Hand that a damper of 0.5 N·s/m brakes, swinging at 0.1 m/s at most.
 struct Motion {
     /// Forces and displacements of one block.
     samples: Vec<(f64, f64)>,
@@ -50,7 +50,7 @@ impl Motion {
     fn new() -> Self {
         let sample_at = |tick: u32| {
             let turn = f64::from(tick) * SWINGS / f64::from(BLOCK);
-            // A parabola for each half swing, signs alternating: a sine would be another one on every machine.
+            // A parabola for each half swing, signs alternating: a sine would differ from machine to machine.
             let (half, part) = ((2.0 * turn).floor(), (2.0 * turn).fract());
             let sign = if half % 2.0 == 0.0 { 0.1 } else { -0.1 };
             let velocity = sign * 4.0 * part * (1.0 - part);
@@ -59,7 +59,7 @@ impl Motion {
         Self { samples: (0..BLOCK).map(sample_at).collect() }
     }
 
-    /// What the damper takes in all ticks, J.
+    /// The energy that the damper takes in all ticks, J.
     fn energy(&self) -> DoubleDouble {
         let block =
             self.samples.iter().fold(DoubleDouble::of(0.0), |sum, &(force, displacement)| {
@@ -77,15 +77,15 @@ impl Motion {
     }
 }
 
-/// A stabilizer with one kind of ledger, and what it is led through.
+/// Stabilizer with one kind of ledger, and the samples that it runs over.
 struct Bench<T: Scalar, A> {
     drives: Vec<PortSample<T>>,
     popc: Lolc<T, PortEnergy, lyapunov::Held, A>,
 }
 
-/// A bench whose types are forgotten.
+/// Bench with its types erased.
 trait Lap {
-    /// The sum after all ticks less `energy`, J.
+    /// The sum after all ticks minus `energy`, J.
     fn error(&self, energy: DoubleDouble) -> f64;
 
     /// The time of a step, ns.
@@ -124,7 +124,7 @@ impl<T: Scalar, A: Accumulator<T> + 'static> Lap for Bench<T, A> {
     }
 }
 
-/// Leads every ledger through the same ticks, and times them in turns.
+/// Runs every ledger over the same ticks, and times them in turns.
 pub(super) fn rows(progress: Progress<'_>) -> Result<Vec<LedgerRow>, AccuracyError> {
     let motion = Motion::new();
     let mut benches = [

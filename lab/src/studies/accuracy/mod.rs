@@ -1,4 +1,4 @@
-//! What accuracy costs in time: a scene under every propagator, step and scalar, against a reference that is better by far.
+//! Accuracy against time: a scene under every propagator, step and scalar, against a far better reference.
 
 mod document;
 mod extrapolation;
@@ -26,19 +26,19 @@ pub use setting::{Number, Setting};
 pub use study::{Row, Study};
 pub use timing::Time;
 
-/// Why there is no study.
+/// Reason why there is no study.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AccuracyError {
     /// A part of the scene cannot be made.
     Parameter(ParameterError),
-    /// The scene cannot be computed by a reference's integrator.
+    /// A reference's integrator cannot compute the scene.
     Scene(Conflict),
     /// The scene has more than one dimension.
     Space {
         /// The scene.
         scene: String,
     },
-    /// Whoever watched said so.
+    /// `watch` ended the study.
     Stopped,
 }
 

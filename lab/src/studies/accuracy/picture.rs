@@ -1,4 +1,4 @@
-//! Error against time.
+//! Figure of error against time.
 
 use super::Study;
 use super::setting::Number;
@@ -10,7 +10,7 @@ const PROPAGATORS: [&str; 6] =
     ["exact", "semi-implicit-euler", "implicit-midpoint", "rk4", "dopri5", "dop853"];
 
 impl Study {
-    /// Error against time, both as powers of ten: a panel for each scalar.
+    /// Error against time, both as powers of ten: one panel per scalar.
     pub fn figure(&self) -> Figure {
         let (x, y) = (span(self.points(|point| point.0)), span(self.points(|point| point.1)));
         let mut figure = Figure::new(format!("{}: error against time", self.name))
@@ -68,7 +68,7 @@ fn point(row: &Row) -> Option<(f64, f64)> {
     Some((row.time.median.log10(), error.log10()))
 }
 
-/// The whole powers about the values.
+/// The whole powers of ten that enclose the values.
 fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (value.min(low), value.max(high))

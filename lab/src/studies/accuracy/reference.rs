@@ -1,4 +1,4 @@
-//! What errors are counted from.
+//! References that errors are measured against.
 
 use lyapunov::{ParameterError, Scalar, accumulators::DoubleDouble};
 
@@ -8,27 +8,27 @@ use super::trace::{Progress, trace};
 use crate::files::scene::{Conflict, Draft, Integrator, Positive, Scene};
 use crate::simulate::Assembly;
 
-/// How many times as far as the two references are apart an error must be to be known.
+/// The factor by which an error must exceed the distance of the two references to be known.
 pub(super) const SURE: f64 = 100.0;
 
 /// The second reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Second {
-    /// Extrapolation, in double-double as the first.
+    /// Extrapolation, in double-double like the first.
     Extrapolation,
-    /// An adaptive method with located switches: friction's exact course is worked out in `f64` whatever the scalar.
+    /// An adaptive method with located switches: friction's exact trajectory is computed in `f64` whatever the scalar.
     Adaptive,
-    /// The exact map in `f64`: part of the scene is worked out in `f64` whatever the scalar.
+    /// The exact map in `f64`: part of the scene is computed in `f64` whatever the scalar.
     Double,
 }
 
-/// Two computations of one scene, of different make.
+/// Two computations of one scene by different methods.
 #[derive(Debug)]
 pub(super) struct References {
     /// The exact map in double-double: position and velocity at every tick.
     pub(super) first: Vec<[DoubleDouble; 2]>,
     pub(super) second: Second,
-    /// How far the second is off at every tick, m.
+    /// The distance of the second from the first at every tick, m.
     distances: Vec<f64>,
 }
 
@@ -59,25 +59,25 @@ impl References {
         let first = first[..distances.len()].to_vec();
         let mut references = Self { first, second, distances };
         if second != Second::Extrapolation {
-            // What both share is worked out to this, so they may agree better than they are.
+            // The part that both share is computed to this, so they may agree better than they are accurate.
             let least = f64::EPSILON * references.reach();
             references.distances.iter_mut().for_each(|apart| *apart = apart.max(least));
         }
         Ok(references)
     }
 
-    /// How far the second reference is off within `ticks`, m.
+    /// The largest distance of the second reference within `ticks`, m.
     pub(super) fn distance(&self, ticks: usize) -> f64 {
         self.distances[..ticks.min(self.distances.len())].iter().copied().fold(0.0, f64::max)
     }
 
-    /// The ticks over which the references are within `distance` m of each other.
+    /// The ticks over which the references stay within `distance` m of each other.
     pub(super) fn agree_within(&self, distance: f64) -> usize {
         let parted = self.distances.iter().position(|&apart| apart > distance);
         parted.unwrap_or(self.distances.len())
     }
 
-    /// How far from where it starts the motion leads, m.
+    /// The largest distance of the motion from its start, m.
     pub(super) fn reach(&self) -> f64 {
         let start = self.first.first().map_or(DoubleDouble::of(0.0), |state| state[0]);
         self.first.iter().map(|state| off(state[0], start)).fold(0.0, f64::max)
@@ -85,8 +85,8 @@ impl References {
 }
 
 impl Second {
-    /// The one for `scene`. Friction's course and some environments' forces are worked out in `f64`, with whatever the loop
-    /// computes.
+    /// The second reference for `scene`. Friction's trajectory and some environments' forces are computed in `f64`,
+    /// whatever the loop computes in.
     fn on(scene: &Scene) -> Self {
         let in_double = scene.environment.kind().is_double();
         match (scene.effects.friction.is_some(), in_double) {
@@ -97,7 +97,7 @@ impl Second {
     }
 }
 
-/// What follows friction in a way of its own.
+/// The integrator that follows friction by another method.
 fn adaptive() -> Integrator {
     Positive::new(1e-13).map_or(Integrator::Exact, |tolerance| Integrator::Dop853 { tolerance })
 }

@@ -1,4 +1,4 @@
-//! The report page: one file that needs nothing else.
+//! Report page of the study: one self-contained file.
 
 use maud::{Markup, html};
 
@@ -7,7 +7,7 @@ use super::ledger::TICKS;
 use crate::show::html;
 
 impl Study {
-    /// The page, as HTML; `command` is what made it, `target` what a setting was asked for, m.
+    /// The page, as HTML; `command` made it, and `target` is the error that a setting was asked for, m.
     pub fn to_html(&self, command: &str, target: Option<f64>) -> String {
         let caption = "Each point is a step or a tolerance; further to the right is finer.";
         let body = html! {

@@ -1,31 +1,31 @@
-//! How a scene may be computed.
+//! Settings that a scene may be computed with.
 
 use crate::files::scene::{
     self, Draft, Integrator, Ledger, Positive, Scene, Stabilizer, StepsPerTick,
 };
 
-/// Equal steps from one tick to the next.
+/// Equal steps per tick.
 const STEPS: [i64; 7] = [1, 2, 5, 10, 20, 50, 100];
 
-/// Tolerances of adaptive methods; `f32` takes those that it can keep.
+/// Tolerances of adaptive methods; `f32` gets those that it can keep.
 const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// The least tolerance for `f32`.
 const LEAST_IN_SINGLE: f64 = 1e-6;
 
-/// What a loop computes in.
+/// Numbers that a loop computes in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Number {
     /// Single precision.
     F32,
-    /// Single precision, and a ledger in double.
+    /// Single precision, with a ledger in double.
     F32WithWideLedger,
     /// Double precision.
     F64,
 }
 
 impl Number {
-    /// In one word.
+    /// The name in one word.
     pub fn name(self) -> &'static str {
         match self {
             Self::F32 => "f32",
@@ -49,17 +49,17 @@ impl Number {
     }
 }
 
-/// A propagator with its step or tolerance, and what the loop computes in.
+/// Propagator with its step or tolerance, and the numbers that the loop computes in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
-    /// How the plant moves.
+    /// The method that moves the plant.
     pub integrator: Integrator,
-    /// What the loop computes in.
+    /// The numbers that the loop computes in.
     pub number: Number,
 }
 
 impl Setting {
-    /// Every setting that `scene` can have, with the scene computed like that; a ledger of its own only where there is a
+    /// Every setting that `scene` can have, with the scene computed that way; a ledger of its own only where there is a
     /// stabilizer.
     pub(super) fn all(scene: &Scene) -> Vec<(Self, Scene)> {
         let numbers = [Number::F64, Number::F32, Number::F32WithWideLedger];
@@ -71,7 +71,7 @@ impl Setting {
         all.filter_map(|setting| Some((setting, setting.put_on(scene).check().ok()?))).collect()
     }
 
-    /// `scene` computed like this.
+    /// `scene` computed with this setting.
     fn put_on(self, scene: &Scene) -> Draft {
         let stabilizer = scene.stabilizer.map(|stabilizer| match stabilizer {
             Stabilizer::Popc(popc) => {
@@ -95,7 +95,7 @@ impl Setting {
         }
     }
 
-    /// The keys of a scene file that say this on `scene`, with where they stand.
+    /// The keys of a scene file that ask for this setting on `scene`, in their tables.
     pub(super) fn keys(self, scene: &Scene) -> String {
         let Self { integrator, number } = self;
         let mut keys = format!("integrator = \"{}\"\n", integrator.name());

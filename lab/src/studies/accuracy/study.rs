@@ -1,4 +1,4 @@
-//! All settings of one scene.
+//! Study of all settings of one scene.
 
 use std::ops::ControlFlow;
 
@@ -14,64 +14,65 @@ use super::{AccuracyError, table};
 use crate::files::Scene;
 use crate::simulate::{Assembly, Space};
 
-/// Ticks of a scene that are looked at.
+/// The most ticks of a scene that are examined.
 const MOST_TICKS: u64 = 100_000;
 
-/// What accuracy costs on one scene; shown, it is the table of `lyapunov accuracy`.
+/// Accuracy and time of all settings on one scene; its `Display` is the table of `lyapunov accuracy`.
 #[derive(Clone, Debug)]
 pub struct Study {
-    /// What the scene is called: usually the path of its file.
+    /// The scene's name, usually the path of its file.
     pub name: String,
     /// The scene.
     pub scene: Scene,
-    /// One row for each setting, the fastest first.
+    /// One row per setting, the fastest first.
     pub rows: Vec<Row>,
-    /// One row for each ledger.
+    /// One row per ledger.
     pub ledger: Vec<LedgerRow>,
     pub(super) basis: Basis,
 }
 
-/// What the errors are counted from, and over what.
+/// Reference of the errors, and the ticks that they count over.
 #[derive(Clone, Debug)]
 pub(super) struct Basis {
     pub(super) second: Second,
-    /// How far the references are apart over `ticks`, m.
+    /// The distance of the references over `ticks`, m.
     pub(super) distance: f64,
-    /// Ticks over which errors are taken.
+    /// Ticks over which errors count.
     pub(super) ticks: usize,
-    /// Ticks that were looked at, as far as the motion stays finite.
+    /// Ticks that were examined, as far as the motion stays finite.
     pub(super) all_ticks: usize,
-    /// How far a trace may be off and is still believed, m.
+    /// The largest error of a trace that is still believed, m.
     pub(super) believed: f64,
-    /// The ticks over which the references can say that.
+    /// The ticks over which the references agree well enough to judge that.
     pub(super) agreeing: usize,
     pub(super) growth: Growth,
     /// Rounds that were timed.
     pub(super) rounds: usize,
 }
 
-/// What one setting came to.
+/// The result of one setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// The setting.
     pub setting: Setting,
     /// The largest error of the position, m; none where the motion leaves the range of the scalar before.
     pub max_error: Option<f64>,
-    /// Whether the error is so far above the distance of the references that it is known.
+    /// Whether the error exceeds the distance of the references by enough to be known.
     pub is_known: bool,
-    /// Since when the position is off by more than a hundredth of the motion's reach, s; none where it never is.
+    /// The time from which the position is off by more than a hundredth of the motion's reach, s; none where it never
+    /// is.
     pub horizon: Option<f64>,
-    /// For a simulated second, ns.
+    /// The time per simulated second, ns.
     pub time: Time,
-    /// Whether no other setting is at once as fast and as accurate.
+    /// Whether no other setting is both as fast and as accurate.
     pub is_on_front: bool,
 }
 
 impl Study {
-    /// Computes `scene` in every setting; `watch` is told which share is done, and may end it.
+    /// Computes `scene` in every setting; `watch` receives the share that is done, and may end the study.
     ///
     /// # Errors
-    /// As [`AccuracyError`] tells.
+    /// See [`AccuracyError`].
     pub fn watched(
         name: &str,
         scene: &Scene,
@@ -119,7 +120,7 @@ impl Study {
         Ok(Self { name: name.to_owned(), scene: scene.clone(), rows, ledger, basis })
     }
 
-    /// The fastest setting that is off by no more than `metres`.
+    /// The fastest setting whose error is at most `metres`.
     pub fn cheapest(&self, metres: f64) -> Option<&Row> {
         self.rows.iter().find(|row| row.max_error.is_some_and(|error| error <= metres))
     }
@@ -130,7 +131,7 @@ impl Study {
         known.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(row, _)| row)
     }
 
-    /// Which setting to take for an error of at most `metres`, in words and as the keys of a scene file.
+    /// The setting to choose for an error of at most `metres`, in words and as the keys of a scene file.
     pub fn advice(&self, metres: f64) -> String {
         let (row, which) = match (self.cheapest(metres), self.nearest()) {
             (Some(row), _) => (row, format!("the fastest within {metres:e} m")),
@@ -171,7 +172,8 @@ fn rank(rows: &mut [Row]) {
     }
 }
 
-/// How far `scene` in numbers like these is off at every tick of the reference, m; NaN where it has left the range of its scalar.
+/// The error of `scene` in numbers like these at every tick of the reference, m; NaN once it has left the range of its
+/// scalar.
 fn errors(
     scene: &Scene,
     number: Number,
@@ -205,7 +207,7 @@ fn largest(errors: &[f64], ticks: usize) -> Option<f64> {
     all.then(|| within.iter().copied().fold(0.0, f64::max))
 }
 
-/// Marks what no other beats: nobody is at once no dearer and no worse, and better in one of the two.
+/// Marks the points that no other beats: no other is at least as cheap and as accurate, and better in one of the two.
 pub(super) fn front(points: &[(f64, Option<f64>)]) -> Vec<bool> {
     let worst = |error: Option<f64>| error.unwrap_or(f64::INFINITY);
     let beats = |(cost, error): &(f64, Option<f64>), than: &(f64, Option<f64>)| {
@@ -223,7 +225,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_front_is_what_nobody_beats() {
+    fn the_front_holds_the_points_that_no_other_beats() {
         let points = [
             (1.0, Some(1e-3)),
             (2.0, Some(1e-6)),

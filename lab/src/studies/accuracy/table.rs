@@ -1,4 +1,4 @@
-//! The tables of a study, and what the terminal shows.
+//! Tables of a study, and its lines in the terminal.
 
 use std::fmt;
 
@@ -23,7 +23,7 @@ pub(super) fn write(study: &Study, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     write!(f, "{}", study.ledgers())
 }
 
-/// A time in a unit that suits it.
+/// A duration in a suitable unit.
 pub(super) fn duration(nanoseconds: f64) -> String {
     let (value, unit) = match nanoseconds {
         ns if ns < 999.5 => (ns, "ns"),
@@ -82,7 +82,7 @@ impl Study {
         }))
     }
 
-    /// What the ledgers cost, and how far their sums are off.
+    /// The ledgers' costs, and the errors of their sums.
     pub(super) fn ledgers(&self) -> Table {
         let headings = [
             Heading::word("scalar"),
@@ -102,7 +102,7 @@ impl Study {
         }))
     }
 
-    /// What the numbers mean, sentence by sentence.
+    /// The meaning of the numbers, sentence by sentence.
     pub(super) fn sentences(&self) -> Vec<String> {
         let (basis, period) = (&self.basis, self.scene.period());
         let seconds = |ticks: usize| found(ticks.saturating_sub(1) as f64 * period).to_string();

@@ -1,4 +1,4 @@
-//! The study against figures that are known.
+//! Tests of the study against known figures.
 
 use std::ops::ControlFlow;
 
@@ -10,7 +10,7 @@ fn study(text: &str) -> Study {
     Study::watched("scene.toml", &scene, &|_| ControlFlow::Continue(())).unwrap()
 }
 
-/// The paper's wall of 8 kN/m without a stabilizer, by the plant's own velocity.
+/// The paper's wall of 8 kN/m without a stabilizer, with the plant's own velocity.
 const WALL: &str = "
 duration = 2.0
 servo_rate = 100.0
@@ -29,7 +29,7 @@ fn error(study: &Study, propagator: &str, steps: Option<u32>, number: Number) ->
     row.unwrap().max_error.unwrap()
 }
 
-/// Errors that an independent computation of sixty digits gives for the textbook's methods on this scene, to two digits.
+/// Errors that an independent computation in sixty digits gives for the textbook methods on this scene, to two digits.
 #[test]
 fn errors_are_those_of_sixty_digits() {
     let study = study(WALL);
@@ -54,8 +54,8 @@ fn errors_are_those_of_sixty_digits() {
     assert!(study.rows.windows(2).all(|pair| pair[0].time.median <= pair[1].time.median));
 }
 
-/// The controlled loop: a start moved by 1e-13 m moves the trace by 1e-8 m after 2 s and by 1e-5 m after 3 s, so deviations
-/// grow by some 5.8 to 6.9 /s, and traces of sixteen digits part after about 4 s.
+/// The controlled loop: moving the start by 1e-13 m moves the trace by 1e-8 m after 2 s and by 1e-5 m after 3 s, so
+/// deviations grow by some 5.8 to 6.9 /s, and traces of sixteen digits part after about 4 s.
 #[test]
 fn the_controlled_wall_is_chaotic() {
     let lolc = crate::studies::paper::Case::ALL.iter().find(|case| case.name() == "paper-8k-lolc");
@@ -75,7 +75,7 @@ fn the_controlled_wall_is_chaotic() {
     assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
 }
 
-/// Ten million terms of about 2.7 µJ: a plain sum in `f32` loses digits by the hundredth, the others keep those of their port.
+/// Ten million terms of about 2.7 µJ: a plain sum in `f32` loses hundredths, the others keep the digits of their port.
 #[test]
 fn ledgers_are_as_good_as_their_sums() {
     let watch = |_| ControlFlow::Continue(());
@@ -91,7 +91,7 @@ fn ledgers_are_as_good_as_their_sums() {
 }
 
 #[test]
-fn a_space_is_refused_and_whoever_watches_may_end_it() {
+fn a_space_is_rejected_and_a_watch_may_end_the_study() {
     let plane = crate::files::shipped::SCENES.iter().find(|scene| scene.name == "plane").unwrap();
     let scene = Scene::parse(plane.text, "plane.toml").unwrap();
     let refused = Study::watched("plane.toml", &scene, &|_| ControlFlow::Continue(()));

@@ -1,4 +1,4 @@
-//! Settings timed in turns.
+//! Timing of settings in turns.
 
 use std::time::{Duration, Instant};
 
@@ -13,21 +13,21 @@ use crate::measure::timing::{Rounds, count_for, runs};
 /// Rounds over all loops, at most and at least.
 const ROUNDS: (f64, f64) = (31.0, 5.0);
 
-/// What all rounds together may take, s.
+/// The most time that all rounds together may take, s.
 const PATIENCE: f64 = 12.0;
 
-/// Runs of a lap take at least so long: long against one look at the clock.
+/// The least duration of the runs of a lap: long compared with one reading of the clock.
 const WHILE: Duration = Duration::from_micros(100);
 
-/// Ticks of a run at most.
+/// The most ticks of a run.
 pub(super) const TICKS: usize = 2000;
 
-/// How long something takes, ns.
+/// Duration of something, ns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time {
     /// The median over the rounds.
     pub median: f64,
-    /// From the lower quartile of the rounds to the upper one.
+    /// The distance from the lower quartile of the rounds to the upper one.
     pub spread: f64,
 }
 
@@ -38,7 +38,7 @@ impl Time {
     }
 }
 
-/// How long each setting takes for a simulated second of its scene; and the count of rounds.
+/// The time of each setting per simulated second of its scene, and the number of rounds.
 pub(super) fn times(
     settings: &[(Setting, Scene)],
     ticks: usize,
@@ -47,7 +47,7 @@ pub(super) fn times(
     let ticks = ticks.min(TICKS);
     let mut counts = Vec::new();
     let warming = Instant::now();
-    // The round before the first warms up, and tells how many runs are long enough.
+    // The round before the first warms up, and shows how many runs are long enough.
     for (index, setting) in settings.iter().enumerate() {
         counts.push(count_for(WHILE, lap(setting, ticks, 1)?));
         progress.part(0.0, 0.1).tell(index, settings.len())?;
@@ -63,7 +63,7 @@ pub(super) fn times(
     Ok(((0..settings.len()).map(|at| Time::of(&times, at)).collect(), rounds))
 }
 
-/// How long `count` runs of a setting take.
+/// The time of `count` runs of a setting.
 fn lap(
     (setting, scene): &(Setting, Scene),
     ticks: usize,

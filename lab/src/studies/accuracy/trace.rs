@@ -1,4 +1,4 @@
-//! Runs of a loop with all digits of its scalar, and how far a study is.
+//! Runs of a loop with all digits of its scalar, and the progress of a study.
 
 use std::ops::ControlFlow;
 
@@ -7,10 +7,10 @@ use lyapunov::{Plant, Scalar};
 use super::AccuracyError;
 use crate::simulate::{Assembly, Space};
 
-/// Ticks from one look at the watch to the next.
+/// Ticks between two calls of the watch.
 const BREATH: usize = 4096;
 
-/// The plant's true position and velocity at every tick, as far as both are finite.
+/// The plant's true position and velocity at every tick, as long as both are finite.
 pub(super) fn trace<T: Space + Scalar>(
     mut run: Assembly<T>,
     ticks: usize,
@@ -31,7 +31,7 @@ pub(super) fn trace<T: Space + Scalar>(
     Ok(trace)
 }
 
-/// A part of the whole way, told to whoever watches.
+/// Part of the whole progress, reported to a watch.
 #[derive(Clone, Copy)]
 pub(super) struct Progress<'a> {
     watch: &'a dyn Fn(f64) -> ControlFlow<()>,
@@ -40,7 +40,7 @@ pub(super) struct Progress<'a> {
 }
 
 impl<'a> Progress<'a> {
-    /// The whole way.
+    /// The whole progress.
     pub(super) fn new(watch: &'a dyn Fn(f64) -> ControlFlow<()>) -> Self {
         Self { watch, from: 0.0, to: 1.0 }
     }
@@ -51,10 +51,10 @@ impl<'a> Progress<'a> {
         Self { from: at(from), to: at(to), ..self }
     }
 
-    /// Tells that `done` of `all` is done.
+    /// Reports that `done` of `all` is done.
     ///
     /// # Errors
-    /// [`AccuracyError::Stopped`] if whoever watches ends it.
+    /// [`AccuracyError::Stopped`] if the watch ends the study.
     pub(super) fn tell(self, done: usize, all: usize) -> Result<(), AccuracyError> {
         let share = done as f64 / all.max(1) as f64;
         match (self.watch)(self.part(share, share).from) {

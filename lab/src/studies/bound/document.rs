@@ -1,4 +1,4 @@
-//! The limits as JSON.
+//! Stiffness limits as JSON.
 
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ struct Document<'a> {
 }
 
 impl Limits {
-    /// The limits of the scene called `scene`, as JSON; docs/command.md says what is in it.
+    /// The limits of the scene called `scene`, as JSON; docs/command.md lists the keys.
     ///
     /// # Errors
     /// None: every part can be written as JSON.

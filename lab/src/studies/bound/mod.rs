@@ -1,7 +1,7 @@
-//! How stiff a scene may be, by formula: `lyapunov bound`.
+//! Stiffness limits of a scene, by formula: `lyapunov bound`.
 //!
-//! [`Limits::of`] a scene has them all; [`LinearPart`] is what they are about. [`llewellyn`] is for two-ports, which scenes
-//! do not have.
+//! [`Limits::of`] a scene holds them all; they are about its [`LinearPart`]. [`llewellyn`] is for two-ports, which
+//! scenes do not have.
 //!
 //! ```
 //! use lyapunov_lab::Scene;

@@ -1,4 +1,4 @@
-//! The limits in the terminal.
+//! Stiffness limits in the terminal.
 
 use std::fmt;
 
@@ -35,7 +35,7 @@ impl fmt::Display for Limits {
 }
 
 impl Limits {
-    /// Where the scene's own stiffness is beside a limit.
+    /// The scene's own stiffness, as compared with a limit.
     fn place(&self, limit: f64) -> String {
         match self.stiffness {
             None => "-".to_owned(),

@@ -1,4 +1,4 @@
-//! The columns of the table.
+//! Columns of the table.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -8,7 +8,7 @@ use super::score::Score;
 use crate::show::table::Cell;
 use crate::text::nearest;
 
-/// A column of the table; its name is its key in `compare.json`.
+/// Column of the table; its name is its key in `compare.json`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
     /// The entrant's name.
@@ -29,7 +29,7 @@ pub enum Column {
     Shortfall,
     /// Stiffness felt.
     StiffnessFelt,
-    /// Stiffness felt, of the wall's.
+    /// Stiffness felt, as a share of the wall's.
     StiffnessPercent,
     /// Force error.
     ForceError,
@@ -44,7 +44,7 @@ pub enum Column {
 }
 
 impl Column {
-    /// All of them, in the order of the table.
+    /// All columns, in the order of the table.
     pub const ALL: [Self; 15] = [
         Self::Stabilizer,
         Self::Stable,
@@ -109,7 +109,7 @@ impl Column {
         }
     }
 
-    /// What the table shows of `score`.
+    /// The cell that shows `score` in the table.
     pub(super) fn cell(self, score: &Score) -> Cell {
         match self {
             Self::Stabilizer => score.stabilizer.as_str().into(),
@@ -128,7 +128,7 @@ impl Column {
         }
     }
 
-    /// Which of two scores comes first in this column.
+    /// The order of two scores in this column.
     pub(super) fn order(self, one: &Score, other: &Score) -> Ordering {
         if self == Self::Stabilizer {
             return one.stabilizer.cmp(&other.stabilizer);
@@ -139,7 +139,7 @@ impl Column {
         }
     }
 
-    /// The number by which the column is sorted.
+    /// The number that sorts the column.
     fn value(self, score: &Score) -> Option<f64> {
         match self {
             Self::Stabilizer => None,
@@ -167,7 +167,7 @@ impl fmt::Display for Column {
     }
 }
 
-/// A name that no column has.
+/// Name that no column has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnknownColumn {
     given: String,

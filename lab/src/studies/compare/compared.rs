@@ -1,4 +1,4 @@
-//! All entrants on one file.
+//! Comparison of all entrants on one file.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -10,30 +10,30 @@ use super::sheet::Sheet;
 /// Ticks between two reports of progress.
 pub(super) const BREATH: u64 = 1 << 14;
 
-/// Is told now and then how many more ticks are done; says whether to go on.
+/// Callback that learns from time to time how many more ticks are done, and says whether to go on.
 pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
 
-/// What all entrants came to on one file that is no scene.
+/// Results of all entrants on one file that is not a scene.
 pub trait Compared: Sized {
     /// The file.
     type File;
 
-    /// What such a file is, in one word.
+    /// The kind of file, in one word.
     const NOUN: &'static str;
 
     /// The heading of a report.
     const TITLE: &'static str;
 
-    /// Who the entrants are, in a paragraph of a report.
+    /// The entrants, in a paragraph of a report.
     const ABOUT: &'static str;
 
     /// The ticks of all entrants together.
     fn ticks(file: &Self::File) -> u64;
 
-    /// Runs all entrants on `file`, which is called `name`.
+    /// Runs all entrants on `file`, whose name is `name`.
     ///
     /// # Errors
-    /// [`RunError::Stopped`] if `watch` says so; a file that was never checked.
+    /// [`RunError::Stopped`] if `watch` stops the runs; a file that was never checked.
     fn of(name: &str, file: &Self::File, watch: &Watch<'_>) -> Result<Self, RunError>;
 
     /// The comparison as it is shown.
@@ -46,12 +46,12 @@ pub trait Compared: Sized {
     fn document(comparisons: &[Self]) -> serde_json::Result<String>;
 }
 
-/// Why there is no comparison.
+/// Reason why there is no comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RunError {
     /// The file was never checked: its loop cannot be built.
     Parameter(ParameterError),
-    /// Whoever watched said so.
+    /// `watch` stopped the runs.
     Stopped,
 }
 
@@ -72,7 +72,7 @@ impl From<ParameterError> for RunError {
     }
 }
 
-/// Runs a loop of `total` ticks at most and gives each to `add`; `watch` is told after every `breath` ticks.
+/// Runs a loop of `total` ticks at most and gives each to `add`; calls `watch` after every `breath` ticks.
 pub(super) fn watched<T>(
     (total, breath): (u64, u64),
     watch: &Watch<'_>,
@@ -89,7 +89,7 @@ pub(super) fn watched<T>(
         }
         flow
     })?;
-    // What was not run counts as done: a run that leaves the range has no more ticks.
+    // Ticks not run count as done: a run that leaves the range has no more.
     let stopped = flow.is_break() || watch(total - ticks / breath * breath).is_break();
     if stopped { Err(RunError::Stopped) } else { Ok(()) }
 }

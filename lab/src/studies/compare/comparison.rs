@@ -1,4 +1,4 @@
-//! All entrants on one scene.
+//! Comparison of all entrants on one scene.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -18,19 +18,19 @@ use crate::simulate::Space;
 use crate::simulate::family::Settings;
 use lyapunov_figures::Figure;
 
-/// All entrants on one scene; shown, it is the table of `lyapunov compare`.
+/// All entrants on one scene; its `Display` is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What the scene is called: usually the path of its file.
+    /// The scene's name, usually the path of its file.
     pub name: String,
     /// The scene.
     pub scene: Scene,
-    /// What POPC and LOLC are set to.
+    /// The settings of POPC and LOLC.
     pub settings: Settings,
     pub(super) outcomes: Vec<Outcome>,
 }
 
-/// What one entrant came to.
+/// Result of one entrant.
 #[derive(Clone, Debug)]
 pub(super) struct Outcome {
     /// Its place in the order of registration.
@@ -39,7 +39,7 @@ pub(super) struct Outcome {
     pub(super) curves: Curves,
 }
 
-/// Why there is no comparison.
+/// Reason why there is no comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CompareError {
     /// A stabilizer or the loop about it cannot be made on a scene.
@@ -48,15 +48,15 @@ pub enum CompareError {
         stabilizer: String,
         /// The scene.
         scene: String,
-        /// What is not right.
+        /// The parameter's error.
         error: ParameterError,
     },
-    /// The scene has more than one dimension, and the meters look along one axis.
+    /// The scene has more than one dimension; the meters measure along one axis.
     Space {
         /// The scene.
         scene: String,
     },
-    /// Whoever watched said so.
+    /// `watch` stopped the runs.
     Stopped,
 }
 
@@ -79,7 +79,7 @@ impl fmt::Display for CompareError {
 impl std::error::Error for CompareError {}
 
 impl Comparison {
-    /// Runs all `entrants` on `scene` in the scalar of `V`, whatever the scene says of it, and times their steps.
+    /// Runs all `entrants` on `scene` in the scalar of `V`, whatever scalar `scene` names, and times their steps.
     ///
     /// # Errors
     /// A stabilizer that cannot be made on this scene; a scene of more than one dimension.
@@ -91,10 +91,11 @@ impl Comparison {
         Self::watched(name, scene, entrants, &|_| ControlFlow::Continue(()))
     }
 
-    /// The same, telling `watch` now and then how many more ticks are done; it says whether to go on.
+    /// Runs the comparison of [`Comparison::of`], reporting to `watch` from time to time how many more ticks are done;
+    /// `watch` says whether to go on.
     ///
     /// # Errors
-    /// As [`Comparison::of`], and [`CompareError::Stopped`] if `watch` says so.
+    /// Those of [`Comparison::of`], and [`CompareError::Stopped`] if `watch` stops the runs.
     pub fn watched<V: Space>(
         name: &str,
         scene: &Scene,
@@ -129,25 +130,25 @@ impl Comparison {
         Ok(Self { name: name.to_owned(), scene: scene.clone(), settings, outcomes })
     }
 
-    /// What each entrant came to.
+    /// The score of each entrant.
     pub fn scores(&self) -> impl Iterator<Item = &Score> {
         self.outcomes.iter().map(|outcome| &outcome.score)
     }
 
-    /// Puts the entrants in the order of a column: the smallest first (stable before unstable, names by the
-    /// alphabet), what has no value last, and who is level in the order of registration.
+    /// Sorts the entrants by a column, smallest first (stable before unstable, names alphabetically), entrants without
+    /// a value last, ties in the order of registration.
     pub fn sort_by(&mut self, column: Column) {
         self.outcomes.sort_by(|one, other| {
             column.order(&one.score, &other.score).then(one.number.cmp(&other.number))
         });
     }
 
-    /// Position and observed energy of all entrants, drawn over each other.
+    /// Position and observed energy of all entrants, overlaid.
     pub fn figure(&self) -> Figure {
         picture::of(self)
     }
 
-    /// The forces on the plant of all entrants, drawn over each other.
+    /// The forces on the plant of all entrants, overlaid.
     pub fn forces(&self) -> Figure {
         picture::forces(self)
     }
@@ -159,7 +160,7 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// One thread for each entrant: runs are independent, and the system shares out the cores.
+/// Runs one thread per entrant: runs are independent, and the system shares out the cores.
 fn runs<V: Space>(
     scene: &Scene,
     entrants: &Entrants<V>,
@@ -171,7 +172,7 @@ fn runs<V: Space>(
             .iter()
             .map(|entrant| scope.spawn(move || EntrantRun::of(scene, entrant, watch)))
             .collect();
-        // A stabilizer of one's own that panics does so here as well.
+        // If a user's stabilizer panics, the panic resumes here.
         let joined = started.into_iter().map(|run| run.join());
         joined.map(|run| run.unwrap_or_else(|panic| resume_unwind(panic))).collect()
     })

@@ -1,13 +1,13 @@
-//! What is felt while the wall pushes.
+//! Contact meters: forces and stiffness felt while the wall pushes.
 
 use lyapunov::environments::{ForceLaw, Kinematics};
 
 use crate::files::scene::{Scene, Wall};
 
-/// From how long on a contact counts as long, s.
+/// The least duration of a long contact, s.
 const LONG: f64 = 0.5;
 
-/// One tick along the first axis, as it is felt.
+/// One tick along the first axis, as the hand feels it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touch {
     /// The plant's true position, m.
@@ -21,7 +21,7 @@ pub(super) struct Touch {
 }
 
 impl Touch {
-    /// How deep the plant truly is beyond the surface, m.
+    /// The plant's true depth beyond the surface, m.
     fn depth(&self, wall: Wall) -> f64 {
         self.position - wall.position.get()
     }
@@ -32,7 +32,7 @@ impl Touch {
     }
 }
 
-/// The wall of a scene, if that is what it has.
+/// The wall of a scene, if the scene has one.
 pub(super) fn wall(scene: &Scene) -> Option<Wall> {
     scene.environment.wall().copied()
 }
@@ -40,7 +40,7 @@ pub(super) fn wall(scene: &Scene) -> Option<Wall> {
 /// Watches contacts: unbroken runs of ticks on which the environment's force acts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contacts {
-    /// What transparency is measured against; the other meters need none.
+    /// The wall that transparency is measured against; the other meters need none.
     wall: Option<Wall>,
     law: Option<lyapunov::environments::Wall<f64>>,
     long: f64,
@@ -49,7 +49,7 @@ pub(super) struct Contacts {
     long_peak: Option<f64>,
     /// `Σ f p` and `Σ p²` over the long contacts.
     moments: (f64, f64),
-    /// `Σ (f_act − f_ideal)²`, and over how many ticks.
+    /// `Σ (f_act − f_ideal)²`, and the number of its ticks.
     error: (f64, u64),
 }
 
@@ -86,7 +86,7 @@ impl Contacts {
         } else {
             self.end();
         }
-        // Beyond the surface or pushed: a force that comes late or stays on too long is an error as well.
+        // In the wall or pushed by it: a force that comes late or stays on too long is an error as well.
         if let Some(law) = &self.law
             && (touch.environment != 0.0 || depth > 0.0)
         {
@@ -95,7 +95,7 @@ impl Contacts {
         }
     }
 
-    /// Ends the contact that lasts, if one does; to be called after the last tick too.
+    /// Ends the current contact, if there is one; to be called after the last tick too.
     pub(super) fn end(&mut self) {
         let contact = std::mem::take(&mut self.now);
         if contact.ticks == 0 {
@@ -140,7 +140,7 @@ mod tests {
     use super::*;
     use crate::measure::samples::scene;
 
-    /// A tick on which the plant is at `x`, `environment` of the force is the wall's and `controller` not.
+    /// A tick with the plant at `x`; `environment` is the wall's part of the force, `controller` the rest.
     fn tick(x: f64, environment: f64, controller: f64) -> Touch {
         Touch { position: x, velocity: 0.0, force: environment + controller, environment }
     }

@@ -1,4 +1,4 @@
-//! What a step costs.
+//! Cost of a step.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -11,16 +11,16 @@ use crate::files::Scene;
 use crate::measure::timing::Rounds;
 use crate::simulate::Space;
 
-/// How many ticks of a run are kept to be replayed: few enough to stay in the processor's cache.
+/// The number of ticks of a run that are kept for replay: few enough to stay in the processor's cache.
 pub(super) const KEPT: usize = 4096;
 
 /// Rounds over all entrants.
 const ROUNDS: usize = 31;
 
-/// Steps that a round takes at least: long against one look at the clock.
+/// The least number of steps in a round: long compared with one reading of the clock.
 const STEPS: usize = 1 << 15;
 
-/// What stood before a stabilizer, tick by tick.
+/// The samples and efforts that a stabilizer got, tick by tick.
 pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
 
 /// Times the step of every entrant over the samples of its own run.
@@ -28,7 +28,7 @@ pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
 /// A pass over the samples starts with a fresh stabilizer; making it is not timed.
 ///
 /// # Errors
-/// What making a stabilizer may meet.
+/// A stabilizer that cannot be made.
 pub(super) fn of<V: Space>(
     scene: &Scene,
     entrants: &[Entrant<V>],

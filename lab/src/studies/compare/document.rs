@@ -1,4 +1,4 @@
-//! `compare.json`.
+//! JSON document of comparisons: `compare.json`.
 
 use serde::Serialize;
 
@@ -8,13 +8,13 @@ use super::score::Score;
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// The keys of a row that a clock was asked for.
+    /// The keys of a row that come from a clock.
     not_deterministic: [&'static str; 1],
     scenes: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
 }
 
-/// What is the same for all rows of a scene.
+/// Values that all rows of a scene share.
 #[derive(Serialize)]
 struct Circumstances<'a> {
     scene: &'a str,
@@ -32,7 +32,7 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/compare.md says what is in it.
+/// The comparisons as JSON; docs/compare.md lists the keys.
 ///
 /// # Errors
 /// None: every part can be written as JSON.

@@ -1,4 +1,4 @@
-//! Where the energy of each entrant's run came from, and where it went.
+//! Energies by cause of each entrant's run.
 
 use std::ops::ControlFlow;
 
@@ -17,35 +17,35 @@ use lyapunov_figures::{Figure, Panel, Series};
 /// Height of an entrant's pair of bars, in pixels of the drawing.
 const ROW: f64 = 40.0;
 
-/// How far the two bars of a row are from its middle, in rows.
+/// Distance of the two bars of a row from its middle, in rows.
 const APART: f64 = 0.17;
 
-/// Shares of all the energy that are too small to be drawn.
+/// Parts below this share of all the energy are not drawn.
 const SMALL: f64 = 1e-6;
 
-/// From where, to where, in which row.
+/// Start, end and row of each bar.
 type Bars = Vec<(f64, f64, f64)>;
 
 /// The energies by cause of each entrant's whole run; docs/explain.md has the equations.
 #[derive(Clone, Debug)]
 pub struct Energies {
     title: String,
-    /// In the order of the table; none for a run that is not stable.
+    /// The balance of each entrant, in the order of the table; none for a run that is not stable.
     rows: Vec<(String, Option<Balance>)>,
 }
 
 impl Energies {
-    /// Those of `comparison`, whose entrants these are; `watch` is told how many more ticks are done.
+    /// The energies of `comparison` with its `entrants`; `watch` receives how many more ticks are done.
     ///
     /// # Errors
-    /// As [`Comparison::watched`].
+    /// Those of [`Comparison::watched`].
     pub fn of<V: Space>(
         comparison: &Comparison,
         entrants: &Entrants<V>,
         watch: &Watch<'_>,
     ) -> Result<Self, CompareError> {
         let scene = &comparison.scene;
-        // On the way it is only asked whether to go on.
+        // During the run `watch` is asked only whether to go on.
         let quiet = |_| watch(0);
         let balance = |number: usize| -> Result<Balance, ParameterError> {
             let stabilizer = entrants.entries()[number].stabilizer(scene)?;
@@ -70,7 +70,7 @@ impl Energies {
         Ok(Self { title, rows: rows.collect::<Result<_, _>>()? })
     }
 
-    /// Two bars for each entrant: what came in, and what it became.
+    /// Two bars for each entrant: the energy that came in, and where it went.
     pub fn figure(&self) -> Figure {
         let panel = Panel::new(
             "energy by cause: came in (upper bars), went (lower bars)",
@@ -88,7 +88,7 @@ impl Energies {
             .with_panel(panel.with_rows(names))
     }
 
-    /// The parts that are there: the number of each among all, its name and its bars.
+    /// The parts that occur: the number of each among all, its name and its bars.
     fn parts(&self) -> Vec<(usize, &'static str, Bars)> {
         let names = Balance::default().parts().map(|(name, _)| name);
         let mut bars: Vec<Bars> = vec![Vec::new(); names.len()];
@@ -113,7 +113,7 @@ impl Energies {
         told.filter(|(.., bars)| !bars.is_empty()).collect()
     }
 
-    /// The same as comma-separated values, in numbers that read back exactly: what each part gave, in J.
+    /// The energy that each part gave, in J, as comma-separated values in numbers that read back exactly.
     pub fn csv(&self) -> String {
         let records = self.rows.iter().flat_map(|(name, balance)| {
             let parts = balance.iter().flat_map(Balance::parts);

@@ -1,4 +1,4 @@
-//! One entrant on one scene.
+//! Run of one entrant on one scene.
 
 use std::ops::ControlFlow;
 
@@ -13,10 +13,10 @@ use crate::files::Scene;
 use crate::measure::{Boundedness, Chatter, Energies, Share, Summary, Trace};
 use crate::simulate::{Criterion, Rollout, Space, Tick};
 
-/// Is told how many more ticks are done; says whether to go on.
+/// Callback that learns how many more ticks are done, and says whether to go on.
 pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
 
-/// What one entrant came to on one scene, with its curves and what its step is to be timed with.
+/// Result of one entrant on one scene, with its curves and the samples that its step is timed with.
 #[derive(Debug)]
 pub(super) struct EntrantRun<V: Space> {
     pub(super) score: Score,
@@ -44,7 +44,7 @@ impl<V: Space> EntrantRun<V> {
         let mut samples = Vec::new();
         let rollout = Rollout::assemble(scene, stabilizer)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
-            // Whoever asked for an early end knows of it.
+            // The caller who asked for an early end knows of it.
             let _ = { rollout }.try_for_each(each);
             Ok(())
         };
@@ -59,7 +59,7 @@ impl<V: Space> EntrantRun<V> {
     }
 }
 
-/// Everything that is measured along a run.
+/// All measures along a run.
 #[derive(Debug)]
 struct Meters {
     stiffness: Option<f64>,

@@ -1,4 +1,4 @@
-//! Who takes part.
+//! Entrants of a comparison.
 
 use std::fmt;
 
@@ -8,14 +8,14 @@ use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
 use crate::simulate::{AnyStabilizer, Space};
 
-/// Who takes part in a comparison: names, and how to make a stabilizer for a scene.
+/// The entrants of a comparison: names, and the way to make each stabilizer for a scene.
 ///
 /// ```
 /// use lyapunov::{Correction, PortSample, Stabilizer};
 /// use lyapunov_lab::compare::{Comparison, Entrants};
 /// use lyapunov_lab::paper;
 ///
-/// /// A damper that is always there, N·s/m.
+/// /// Constant damper, N·s/m.
 /// struct Damper(f64);
 /// impl Stabilizer<f64> for Damper {
 ///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
@@ -33,22 +33,22 @@ pub struct Entrants<V: Space = f64> {
     entries: Vec<Entrant<V>>,
 }
 
-/// How the stabilizer of an entrant is made.
+/// Constructor of an entrant's stabilizer.
 type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
 
-/// A name, and a way to make a stabilizer for a scene.
+/// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
     pub(super) name: String,
     make: Box<Make<V>>,
 }
 
 impl<V: Space> Entrants<V> {
-    /// Nobody yet.
+    /// No entrants.
     pub fn empty() -> Self {
         Self { entries: Vec::new() }
     }
 
-    /// The same with one more, whose stabilizer is made by `make` for each scene.
+    /// Adds an entrant whose stabilizer `make` builds for each scene.
     #[must_use]
     pub fn with<S: Stabilizer<V> + 'static>(
         self,
@@ -78,7 +78,7 @@ impl<V: Space> Entrants<V> {
 }
 
 impl<T: Scalar + Space> Entrants<T> {
-    /// Those of [`StabilizerNames::standard`].
+    /// The entrants of [`StabilizerNames::standard`].
     pub fn standard() -> Self {
         Self::of(StabilizerNames::standard())
     }

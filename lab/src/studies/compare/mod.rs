@@ -1,8 +1,7 @@
 //! Stabilizers on the same scenes, side by side: `lyapunov compare`.
 //!
-//! [`Entrants`] take part, one's own with one line more; a [`Comparison`] runs them all on a scene, measures
-//! each of the [`Column`]s that docs/compare.md defines, and shows itself as a table. [`document`] writes
-//! comparisons as JSON.
+//! [`Entrants`] take part, your own with one line more; a [`Comparison`] runs them all on a scene, measures each of the
+//! [`Column`]s that docs/compare.md defines, and displays as a table. [`document`] writes comparisons as JSON.
 
 mod column;
 mod compared;

@@ -1,4 +1,4 @@
-//! The curves of all entrants over each other.
+//! Figures of all entrants' curves, overlaid.
 
 use super::comparison::{Comparison, Outcome};
 use super::contacts::wall;
@@ -7,10 +7,10 @@ use crate::simulate::Criterion;
 use crate::simulate::equilibrium::equilibrium;
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
-/// Height of the panels that have one curve each, in pixels of the drawing.
+/// Height of a panel with a single curve, in pixels of the drawing.
 const ALONE: f64 = 130.0;
 
-/// How many times the starting swing is shown where nobody is stable.
+/// The shown range as a multiple of the starting swing, if no entrant is stable.
 const SHOWN: f64 = 3.0;
 
 type Points = Vec<(f64, f64)>;
@@ -33,7 +33,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
         None => panel,
     };
     let about_zero = |panel: Panel| panel.with_guide(Guide::horizontal(0.0, ""));
-    // More curves than colours are not told apart: each then has a row of its own, on common scales.
+    // More curves than colours cannot be told apart: each then has a row of its own, on common scales.
     if everyone.len() > PALETTE.len() {
         let (reach, sums) =
             (position.range(comparison, &everyone), energy.range(comparison, &observed));
@@ -56,7 +56,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     figure.with_panel(about_zero(energy.overlaid(comparison, "observed energy", &observed)))
 }
 
-/// The forces on the plant: over each other, or of many entrants in a row each.
+/// The forces on the plant: overlaid, or for many entrants in a row each.
 pub(super) fn forces(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
     let force = Drawing { label: "force, N", scale: 1.0, curve: |outcome| &outcome.curves.force };
@@ -72,27 +72,27 @@ pub(super) fn forces(comparison: &Comparison) -> Figure {
     })
 }
 
-/// A figure of a comparison, with nothing in it yet.
+/// An empty figure of a comparison.
 fn empty(comparison: &Comparison) -> Figure {
     let title = format!("{}: {}", comparison.name, Setting(&comparison.scene));
     Figure::new(title).with_width(960.0)
 }
 
-/// Whether the entrant has a sum to show.
+/// Whether the entrant has an observed energy to show.
 fn observes(outcome: &Outcome) -> bool {
     outcome.curves.observed_energy.iter().any(|point| point.1 != 0.0)
 }
 
-/// What is drawn of every outcome.
+/// A curve that is drawn of every outcome.
 struct Drawing {
     label: &'static str,
-    /// Units of the label in one of the curve.
+    /// Units of the label per unit of the curve.
     scale: f64,
     curve: fn(&Outcome) -> &Points,
 }
 
 impl Drawing {
-    /// What the curves of `outcomes` cover, as far as they count.
+    /// The range of the curves of `outcomes`, as far as they count.
     fn range(&self, comparison: &Comparison, outcomes: &[&Outcome]) -> Option<(f64, f64)> {
         span(outcomes.iter().flat_map(|outcome| {
             let until = shown_until(comparison, outcome, outcomes);
@@ -101,7 +101,7 @@ impl Drawing {
         }))
     }
 
-    /// The curves of `outcomes`; within `range` an unstable one ends where it leaves it.
+    /// The curves of `outcomes`; an unstable curve ends where it leaves `range`.
     fn panel(
         &self,
         comparison: &Comparison,
@@ -121,7 +121,7 @@ impl Drawing {
             let name = if outcomes.len() > 1 { &outcome.score.stabilizer[..] } else { "" };
             let cut = if is_unstable(outcome) { "(unstable, cut off)" } else { "" };
             let gap = if name.is_empty() || cut.is_empty() { "" } else { " " };
-            // Alone in its panel, a curve needs no dashes to be told apart.
+            // Alone in its panel, a curve needs no dashes.
             let colour =
                 if outcomes.len() > 1 { outcome.number } else { outcome.number % PALETTE.len() };
             let scaled = kept.iter().map(|(t, y)| (*t, self.scale * y)).collect();
@@ -136,7 +136,7 @@ impl Drawing {
         }
     }
 
-    /// All curves in one frame: of the stable ones, where some are not.
+    /// All curves in one frame, that of the stable curves if some are unstable.
     fn overlaid(&self, comparison: &Comparison, title: &str, outcomes: &[&Outcome]) -> Panel {
         let unstable = outcomes.iter().any(|outcome| is_unstable(outcome));
         let range = self.range(comparison, outcomes).filter(|_| unstable);
@@ -148,8 +148,8 @@ fn is_unstable(outcome: &Outcome) -> bool {
     outcome.score.stable == Some(false)
 }
 
-/// Until when a curve counts for the range that is shown: the stable ones to their end and the others not at
-/// all, or where all are unstable, until each leaves some starting swings.
+/// The time up to which a curve counts for the shown range: to its end if it is stable, else not at all, or if all are
+/// unstable, until it leaves [`SHOWN`] starting swings.
 fn shown_until(comparison: &Comparison, outcome: &Outcome, outcomes: &[&Outcome]) -> f64 {
     if !is_unstable(outcome) {
         return f64::INFINITY;
@@ -164,7 +164,7 @@ fn shown_until(comparison: &Comparison, outcome: &Outcome, outcomes: &[&Outcome]
     left.map_or(f64::INFINITY, |point| point.0)
 }
 
-/// What the values cover and a little more, if that is anything.
+/// The range of the values with a margin, unless the range is empty or infinite.
 fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     let covered = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (value.min(low), value.max(high))

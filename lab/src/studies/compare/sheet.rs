@@ -1,4 +1,4 @@
-//! A comparison as it is shown.
+//! Displayed form of a comparison.
 
 use std::fmt;
 
@@ -9,20 +9,20 @@ use super::compared::Compared;
 use crate::show::html;
 use crate::show::table::Table;
 
-/// A comparison as it is shown; in the terminal it takes 100 columns at most, but for a name that is longer.
+/// A comparison as it is shown; in the terminal it takes 100 columns at most, unless a name is longer.
 #[derive(Clone, Debug)]
 pub struct Sheet {
-    /// What the file is called.
+    /// The name of the file.
     pub name: String,
     /// The file in one line.
     pub setting: String,
-    /// What the columns are compared with, in one line.
+    /// The values at the start that the columns are compared with, in one line.
     pub start: String,
     /// A row for each entrant.
     pub(crate) tables: Vec<Table>,
     /// The runs, drawn.
     pub figure: Figure,
-    /// What the figure shows, a sentence or two.
+    /// The caption of the figure, a sentence or two.
     pub caption: &'static str,
     /// The curves of the figure as comma-separated values, in numbers that read back exactly.
     pub csv: String,
@@ -57,7 +57,7 @@ mod tests {
     use crate::studies::compare::models::Comparison;
 
     #[test]
-    fn what_a_file_is_called_is_no_markup() {
+    fn the_name_of_a_file_is_escaped() {
         let hostile = "<img src=x onerror=alert(1)>&";
         let table = Table::new([Heading::word(hostile)]).with_rows([[hostile.into()]]);
         let sheet = Sheet {
@@ -71,7 +71,7 @@ mod tests {
         };
         let page = page::<Comparison>(&[sheet], hostile);
         assert!(!page.contains("<img"), "{page}");
-        // Command, name, start, heading and cell, and the drawing's title, which it has twice.
+        // Command, name, start, heading and cell, and the drawing's title, which occurs twice.
         assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 7, "{page}");
     }
 }

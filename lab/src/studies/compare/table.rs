@@ -1,4 +1,4 @@
-//! The scene in a line, and the table in the terminal: two parts, one under the other.
+//! Scene in a line, and table in the terminal: two parts, one below the other.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use crate::show::described;
 use crate::show::table::{Heading, Table};
 use crate::text::given;
 
-/// How the loop behaved.
+/// Columns of the loop's behaviour.
 const BEHAVIOUR: [Column; 8] = [
     Column::Stabilizer,
     Column::Stable,
@@ -21,7 +21,7 @@ const BEHAVIOUR: [Column; 8] = [
     Column::Shortfall,
 ];
 
-/// How it felt, and what it cost.
+/// Columns of feel and cost.
 const FEEL: [Column; 8] = [
     Column::Stabilizer,
     Column::StiffnessFelt,

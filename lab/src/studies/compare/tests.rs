@@ -9,7 +9,7 @@ use crate::measure::samples::scene;
 use crate::simulate::{Rollout, Row};
 use crate::studies::paper::Case;
 
-/// A damper that is always there, N·s/m.
+/// Constant damper, N·s/m.
 #[derive(Clone, Copy)]
 struct Damper(f64);
 
@@ -50,14 +50,14 @@ fn the_paper_s_scenes_come_out_as_known() {
         }
         let sizes: Vec<usize> = scores.iter().map(|score| score.state_bytes).collect();
         assert_eq!(sizes, [0, 16, 16, 24, 32]);
-        // By construction these two are the same.
+        // By construction these two are equal.
         let named =
             |score: &Score| Score { stabilizer: String::new(), step_time: None, ..score.clone() };
         assert_eq!(named(popc), named(spring));
     }
 }
 
-/// Every column that comes from rows, from all rows at once.
+/// Checks every column that comes from rows against all rows at once.
 fn check_against_rows(scene: &Scene, damper: Damper) {
     let entrants = Entrants::<f64>::empty().with("damper", move |_| Ok(damper));
     let comparison = Comparison::of("press", scene, &entrants).unwrap();
@@ -144,7 +144,7 @@ fn settings_are_the_scene_s_or_the_defaults() {
     };
     assert_eq!(text(&named), "sampled work, cap 0.25 (as the scene says)");
     assert_eq!(text(&scene("")), "held work, cap 0.5 (the defaults)");
-    // They reach the stabilizers: POPC of the comparison is POPC of the scene.
+    // The settings reach the stabilizers: POPC of the comparison is POPC of the scene.
     let own = scene("stabilizer.popc.damping_cap = 0.1\ninitial.velocity = 0.3\n");
     let active =
         Rollout::<f64>::of(&own).unwrap().filter(|tick| tick.correction.alpha > 0.0).count();
@@ -184,7 +184,7 @@ fn the_table_fits_whatever_is_in_it() {
 }
 
 #[test]
-fn sorting_puts_what_is_missing_last_and_keeps_ties() {
+fn sorting_puts_missing_values_last_and_keeps_ties() {
     let entrants = Entrants::<f64>::standard().with("damper", |_| Ok(Damper(-5.0)));
     let scene = Case::Plain50k.scene().unwrap();
     let mut comparison = Comparison::of("50 kN/m", &scene, &entrants).unwrap();
@@ -218,7 +218,7 @@ fn a_column_s_name_is_its_key() {
 }
 
 #[test]
-fn pictures_end_an_unstable_curve_where_it_leaves() {
+fn figures_end_an_unstable_curve_where_it_leaves_the_frame() {
     let entrants = Entrants::<f64>::standard();
     let comparison = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &entrants).unwrap();
     let figure = comparison.figure();

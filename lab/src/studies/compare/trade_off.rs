@@ -1,4 +1,4 @@
-//! How much a stabilizer renders stably, against how well.
+//! Trade-off of a stabilizer: how many walls it renders stably, against how well.
 
 use std::ops::ControlFlow;
 
@@ -16,10 +16,10 @@ use crate::simulate::family::BasicName;
 use crate::text::{found, given};
 use lyapunov_figures::{Figure, Panel, Series};
 
-/// Values of the wall's stiffness, and of its damping.
+/// The number of values of the wall's stiffness, and of its damping.
 const VALUES: usize = 12;
 
-/// How many times softer and stiffer than the scene's own the wall becomes.
+/// The factor by which the wall becomes softer and stiffer than the scene's own.
 const SPREAD: f64 = 16.0;
 
 /// The most ticks of a run.
@@ -28,32 +28,33 @@ const MOST: u64 = 20_000;
 /// Height of an entrant's bars, in pixels of the drawing.
 const ROW: f64 = 30.0;
 
-/// How many walls each entrant renders stably, and how near it comes to the ideal wall on common ones: those that every
-/// stabilizer holds which holds any, and nobody does not.
+/// The number of walls that each entrant renders stably, and how close it comes to the ideal wall on the common ones. A
+/// wall is common if every stabilizer that renders any wall stably renders it stably, and `none`, where it takes part,
+/// does not.
 ///
-/// The walls are those of the scene's place with 12 stiffnesses from a sixteenth to 16 times its own, equal ratios
-/// apart, by 12 dampings from 0 to `m / (r T)`, which stops the mass `m` within one period `r T` of the environment.
+/// The walls stand at the scene's position: 12 stiffnesses from a sixteenth to 16 times its own, in equal ratios, by 12
+/// dampings from 0 to `m / (r T)`, which stops the mass `m` within one period `r T` of the environment.
 #[derive(Clone, Debug)]
 pub struct TradeOff {
     title: String,
-    /// The name, how many walls are stable, and the force error in the middle of those that are so for all.
+    /// The name, the number of stable walls, and the median force error on the common walls.
     rows: Vec<(String, usize, Option<f64>)>,
     walls: usize,
     common: usize,
 }
 
 impl TradeOff {
-    /// How many runs there are for each entrant, and the ticks of each; none if the scene has no wall.
+    /// The number of runs for each entrant, and the ticks of each; none if the scene has no wall.
     pub fn runs(scene: &Scene) -> Option<(u64, u64)> {
         let walls = walls(scene);
         walls.first().map(|one| (walls.len() as u64, one.ticks() + 1))
     }
 
-    /// That of `comparison`, whose entrants these are; `watch` is told how many more ticks are done. None for a scene
-    /// without a wall, or one that is not judged.
+    /// The trade-off of `comparison` with its `entrants`; `watch` receives how many more ticks are done. None for a
+    /// scene without a wall, or without a verdict.
     ///
     /// # Errors
-    /// As [`Comparison::watched`].
+    /// Those of [`Comparison::watched`].
     pub fn of<V: Space>(
         comparison: &Comparison,
         entrants: &Entrants<V>,
@@ -76,7 +77,7 @@ impl TradeOff {
             })?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Break(()) => Err(CompareError::Stopped),
-                // What is never touched holds, and has no error to be compared.
+                // A wall that is never touched counts as stable, and has no error to compare.
                 ControlFlow::Continue(()) if run.score.stable == Some(true) => {
                     Ok(Some(run.score.force_error.unwrap_or(f64::NAN)))
                 }
@@ -92,13 +93,13 @@ impl TradeOff {
         Ok(Some(Self::told(title, names, &errors?)))
     }
 
-    /// What the force errors of all entrants come to, wall by wall; none where one is not stable.
+    /// The trade-off from the force errors of all entrants, wall by wall; an error is none where the run is not stable.
     fn told(title: String, names: Vec<String>, errors: &[Vec<Option<f64>>]) -> Self {
         let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
         let held: Vec<usize> = (0..names.len()).map(stable).collect();
         let is_nobody = |index: usize| names[index] == BasicName::NoStabilizer.name();
         let counts = |index: usize| held[index] > 0 && !is_nobody(index);
-        // Where nothing has to be done, no stabilizer tells what it costs.
+        // Where `none` is stable too, no stabilizer shows its cost.
         let agrees = |wall: &[Option<f64>], index: usize| match wall[index] {
             Some(error) => !is_nobody(index) && error.is_finite(),
             None => !counts(index),
@@ -116,7 +117,7 @@ impl TradeOff {
         Self { title, rows: rows.collect(), walls: errors.len(), common: common.len() }
     }
 
-    /// A bar for what is stable and one for the force error, side by side.
+    /// A bar for the stable walls and one for the force error, side by side.
     pub fn figure(&self) -> Figure {
         let names: Vec<String> = self.rows.iter().map(|(name, ..)| name.clone()).collect();
         let panel = |title: &str, label: &str, colour: usize, of: &dyn Fn(usize) -> f64| {
@@ -139,7 +140,7 @@ impl TradeOff {
             .with_panel(errors)
     }
 
-    /// The same as comma-separated values.
+    /// The trade-off as comma-separated values.
     pub fn csv(&self) -> String {
         let records = self.rows.iter().map(|(name, stable, error)| {
             let [stable, walls, common] = [*stable, self.walls, self.common].map(Field::Count);
@@ -152,7 +153,7 @@ impl TradeOff {
     }
 }
 
-/// From which wall to which, in words.
+/// The first and the last wall, in words.
 fn range(walls: &[Scene]) -> String {
     let of = |scene: &Scene| {
         let wall = scene.environment.wall();

@@ -1,4 +1,4 @@
-//! The scenes that call for the effects, one by one and together.
+//! Scenes with each effect, alone and together.
 
 use super::CostsError;
 use crate::files::Scene;
@@ -33,8 +33,8 @@ const TOGETHER: [(&str, &str); 11] = [
     ("grip", "operator.grip = { times = [0.1], stiffness = [100.0], damping = [0.4] }"),
 ];
 
-/// Tables that are added to those above, and are not among the others of anything: they take microseconds, friction
-/// as many as the motion has events, beside which no nanosecond is seen.
+/// Tables that join those above but are not among the others of any effect: they take microseconds (friction as many as
+/// the motion has events), which would hide any nanosecond.
 const LONG: [(&str, &str); 2] = [
     ("jitter", "effects.jitter = { deviation = 2e-5, seed = 7 }"),
     ("friction", "effects.friction = { coulomb = 0.05, static = 0.08, stribeck_velocity = 0.01 }"),
@@ -44,7 +44,7 @@ const CUTOFF: &str = "filter, cutoff";
 
 const SINE: &str = "motion, sine";
 
-/// Other kinds of the same, and the one whose place they take.
+/// Other kinds of an effect, each with the effect that it replaces.
 const OTHERS: [(&str, &str, &str); 3] = [
     ("filter, window", "effects.filter = { window = 16 }", CUTOFF),
     ("motion, step", "operator.motion = { kind = \"step\", at = 0.1, to = 0.002 }", SINE),
@@ -55,7 +55,7 @@ const OTHERS: [(&str, &str, &str); 3] = [
     ),
 ];
 
-/// What may stand in the place of the wall.
+/// Environments that replace the wall.
 const ENVIRONMENTS: [(&str, &str); 6] = [
     ("spring", "environment.spring = { stiffness = 500.0 }"),
     (
@@ -80,7 +80,7 @@ const ENVIRONMENTS: [(&str, &str); 6] = [
     ),
 ];
 
-/// Several axes.
+/// Spaces of several axes.
 const SPACES: [(&str, &str); 4] = [
     (
         "plane, 2 axes",
@@ -116,14 +116,14 @@ environment.box = { center = [0.05, 0.0, 0.0], half = [0.05, 0.1, 0.1], stiffnes
     ),
 ];
 
-/// A scene, and the text it is known by.
+/// Scene, and the text that identifies it.
 #[derive(Debug)]
 pub(super) struct Call {
     text: String,
     pub(super) scene: Scene,
 }
 
-/// An effect, and the places of the loops without and with it.
+/// Effect, and the indices of the loops without and with it.
 #[derive(Debug)]
 pub(super) struct Effect {
     pub(super) name: &'static str,
@@ -131,7 +131,7 @@ pub(super) struct Effect {
     pub(super) composed: [usize; 2],
 }
 
-/// Every loop that is timed, each once, and what is told from it.
+/// All loops that are timed, each once, and the effects computed from them.
 #[derive(Debug)]
 pub(super) struct Calls {
     pub(super) all: Vec<Call>,
@@ -165,7 +165,7 @@ impl Calls {
         Ok(calls)
     }
 
-    /// Something that joins `others`.
+    /// Adds an effect that joins `others`.
     fn joins(
         &mut self,
         (name, table): (&'static str, &'static str),
@@ -179,7 +179,7 @@ impl Calls {
         Ok(())
     }
 
-    /// Something in the place of the wall: its price is that beyond the wall's.
+    /// Adds an effect that replaces the wall: its price is the difference to the wall's.
     fn stands_for_the_wall(&mut self, name: &'static str, world: &str) -> Result<(), CostsError> {
         let (walled, others) = (format!("{START}{WALL}"), without(&[]));
         let alone = [self.bare, self.place(world, &[])?];
@@ -188,7 +188,7 @@ impl Calls {
         Ok(())
     }
 
-    /// The place of the loop in `world` with `tables`, which is made if it is not there.
+    /// The index of the loop in `world` with `tables`; adds the loop if it is not there.
     fn place(&mut self, world: &str, tables: &[&str]) -> Result<usize, CostsError> {
         let text = format!("{LOOP}{world}{}\n", tables.join("\n"));
         if let Some(place) = self.all.iter().position(|call| call.text == text) {
@@ -200,7 +200,7 @@ impl Calls {
     }
 }
 
-/// All tables that go together but those of these names.
+/// All tables that go together, except those of these names.
 fn without(names: &[&str]) -> Vec<&'static str> {
     let others = TOGETHER.iter().filter(|(name, _)| !names.contains(name));
     others.map(|(_, table)| *table).collect()

@@ -1,4 +1,4 @@
-//! What each effect costs: the time of a step of a loop with it, less that of the loop without.
+//! Cost of each effect: the time of a step of a loop with it, minus that of the loop without.
 
 mod calls;
 mod table;
@@ -15,10 +15,11 @@ use crate::files::scene::Diagnostic;
 use crate::measure::timing::Rounds;
 use calls::Calls;
 
-/// The prices of all effects, in nanoseconds per step of this machine; docs/effects/prices.md says how to read them.
+/// The prices of all effects, in nanoseconds per step on this machine; docs/effects/prices.md explains how to read
+/// them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Costs {
-    /// The keys that a clock was asked for.
+    /// The keys that come from a clock.
     not_deterministic: [&'static str; 4],
     /// Rounds over all loops.
     rounds: usize,
@@ -27,11 +28,11 @@ pub struct Costs {
     scalars: Vec<Column>,
 }
 
-/// The prices on one kind of number.
+/// The prices for one kind of number.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Column {
     scalar: &'static str,
-    /// Rollouts that a step moves on.
+    /// The rollouts that one step advances.
     rollouts: usize,
     bare_ns_per_step: f64,
     effects: Vec<Cost>,
@@ -41,27 +42,28 @@ struct Column {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Cost {
     effect: &'static str,
-    /// In a loop without any other.
+    /// The price in a loop without any other effect.
     alone: Difference,
-    /// In a loop with all others that go with it.
+    /// The price in a loop with all others that go with it.
     composed: Difference,
 }
 
-/// A loop with an effect against the same without it.
+/// Loop with an effect against the same loop without it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 struct Difference {
     /// The median over the rounds.
     ns_per_step: f64,
-    /// From the lower quartile of the rounds to the upper one.
+    /// The distance from the lower quartile of the rounds to the upper one.
     spread_ns: f64,
     ratio: f64,
 }
 
 impl Costs {
-    /// Measures them; `watch` is told of every loop that was timed, of `Costs::loops`, and may end it.
+    /// Measures the prices; `watch` is called for every loop that was timed, [`Costs::loops`] in all, and may end the
+    /// study.
     ///
     /// # Errors
-    /// As [`CostsError`] tells.
+    /// See [`CostsError`].
     pub fn measured(watch: &dyn Fn() -> ControlFlow<()>) -> Result<Self, CostsError> {
         let calls = Calls::new()?;
         let one = timing::times::<f64>(&calls.all, watch)?;
@@ -76,15 +78,15 @@ impl Costs {
         })
     }
 
-    /// How many loops are timed.
+    /// The number of timed loops.
     ///
     /// # Errors
-    /// As [`CostsError`] tells.
+    /// See [`CostsError`].
     pub fn loops() -> Result<usize, CostsError> {
         Ok(2 * (timing::ROUNDS + 1) * Calls::new()?.all.len())
     }
 
-    /// As JSON.
+    /// The prices as JSON.
     ///
     /// # Errors
     /// None: every part can be written as JSON.
@@ -120,14 +122,14 @@ impl fmt::Display for Costs {
     }
 }
 
-/// Why there are no prices.
+/// Reason why there are no prices.
 #[derive(Debug)]
 pub enum CostsError {
-    /// A scene here is not right.
+    /// A scene of the study is wrong.
     Scene(Diagnostic),
     /// A part cannot be made.
     Parameter(ParameterError),
-    /// Whoever watched ended it.
+    /// `watch` ended the study.
     Stopped,
 }
 

@@ -1,4 +1,4 @@
-//! The table in the terminal, one part for each kind of number.
+//! Price table in the terminal, one part for each kind of number.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Loops timed in turns.
+//! Timing of loops in turns.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -17,10 +17,10 @@ pub(super) const ROUNDS: usize = 41;
 /// Ticks of a run: the way to the wall and the first contact.
 pub(super) const TICKS: usize = 250;
 
-/// Runs of a round take at least so long: long against one look at the clock.
+/// The least duration of the runs of a round: long compared with one reading of the clock.
 const WHILE: Duration = Duration::from_micros(200);
 
-/// How long `count` runs of the loop of `call` take in the scalar `T`.
+/// The time of `count` runs of the loop of `call` in the scalar `T`.
 fn lap<T: Space + Scalar>(call: &Call, count: u32) -> Result<Duration, ParameterError> {
     let runs = match call.scene.dimensions() {
         3 => runs::<SVector<T, 3>>,
@@ -30,7 +30,7 @@ fn lap<T: Space + Scalar>(call: &Call, count: u32) -> Result<Duration, Parameter
     runs(&call.scene, TICKS, count)
 }
 
-/// The time of a step of every loop; the round before the first warms up, and tells how many runs are long enough.
+/// The time of a step of every loop; the round before the first warms up, and shows how many runs are long enough.
 pub(super) fn times<T: Space + Scalar>(
     calls: &[Call],
     watch: &dyn Fn() -> ControlFlow<()>,

@@ -1,4 +1,4 @@
-//! An explanation as JSON.
+//! Explanation as JSON.
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -35,7 +35,7 @@ struct Tried {
 }
 
 impl Explanation {
-    /// The explanation of the scene called `scene`, as JSON; docs/explain.md says what is in it.
+    /// The explanation of the scene called `scene`, as JSON; docs/explain.md lists the keys.
     ///
     /// # Errors
     /// None: every part can be written as JSON.

@@ -1,18 +1,18 @@
-//! The numbers that a sampled loop depends on.
+//! Dimensionless groups of a sampled loop.
 
 use serde::Serialize;
 
 use crate::files::Scene;
 
-/// The dimensionless groups of a scene. `T` is the period at which the environment answers, `b` the device's damping, `m`
-/// the mass that moves at the port, `K` and `B` the environment's stiffness and damping.
+/// The dimensionless groups of a scene. `T` is the period at which the environment answers, `b` the device's damping,
+/// `m` the mass that moves at the port, `K` and `B` the environment's stiffness and damping.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct DimensionlessGroups {
-    /// `K T / b`: 2 is the most that a device with a plain spring can be passive with; none without damping.
+    /// `K T / b`: at most 2 for a device with a plain spring to be passive; none without damping.
     pub kt_over_b: Option<f64>,
-    /// `K T² / m`: the square of the turn, in radians, of a free swing in one period.
+    /// `K T² / m`: the square of the angle, in radians, that a free swing turns in one period.
     pub kt2_over_m: Option<f64>,
-    /// `B T / m`: the share of the velocity that the virtual damper takes in one period.
+    /// `B T / m`: the share of the velocity that the virtual damper removes in one period.
     pub bt_over_m: Option<f64>,
     /// The delay in servo ticks.
     pub delay_ticks: u16,

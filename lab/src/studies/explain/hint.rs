@@ -1,4 +1,4 @@
-//! Two lines under a run that diverges.
+//! Hint of two lines under a run that diverges.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::measure::{Limits, LinearPart};
 use crate::simulate::{Space, Tick};
 use crate::text::found;
 
-/// Watches a run; shown after one that diverges, it is the why in two lines, else nothing.
+/// Watches a run; its `Display` gives the reason in two lines after a run that diverges, else nothing.
 #[derive(Clone, Debug)]
 pub struct Hint {
     scene: Scene,
@@ -16,12 +16,12 @@ pub struct Hint {
 }
 
 impl Hint {
-    /// Before the first tick.
+    /// The hint before the first tick.
     pub fn new(scene: &Scene) -> Self {
         Self { scene: scene.clone(), fate: Fate::new(scene) }
     }
 
-    /// Looks at one more tick.
+    /// Adds one more tick.
     pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
         self.fate.add(tick);
     }
@@ -31,7 +31,7 @@ impl Hint {
         !self.fate.is_bounded()
     }
 
-    /// Why, as far as a formula can tell, in the words of [`Explanation`](super::Explanation).
+    /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
     fn reason(&self) -> String {
         let Ok(part) = LinearPart::of(&self.scene) else {
             return "the run grows; no formula applies to this loop".to_owned();
@@ -67,7 +67,7 @@ impl fmt::Display for Hint {
     }
 }
 
-/// The broken limit that is nearest to the scene's own stiffness: name, value, times.
+/// The limits that the scene's own stiffness breaks: key, name, limit, and own stiffness over limit.
 pub(super) fn broken(limits: &Limits) -> Vec<(&'static str, &'static str, f64, Option<f64>)> {
     let Some(own) = limits.stiffness else { return vec![] };
     let named = limits.named().into_iter();

@@ -1,4 +1,4 @@
-//! Why a loop is or is not stable, in words and in joules: `lyapunov explain`.
+//! Reasons why a loop is or is not stable, in words and in joules: `lyapunov explain`.
 
 mod document;
 mod groups;
@@ -20,26 +20,26 @@ pub use groups::DimensionlessGroups;
 pub use hint::Hint;
 pub use remedy::{Change, Remedy};
 
-/// Why the loop of a scene is or is not stable; shown, it is what `lyapunov explain` prints.
+/// Reasons why the loop of a scene is or is not stable; its `Display` is the output of `lyapunov explain`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The scene.
     pub scene: Scene,
     /// Whether its run is bounded, as `lyapunov compare` judges it.
     pub is_bounded: bool,
-    /// How stiff it may be, by formula.
+    /// The limits of its stiffness, by formula.
     pub limits: Limits,
-    /// The numbers it depends on.
+    /// The dimensionless groups that it depends on.
     pub groups: DimensionlessGroups,
     /// The energies of the first contact, if there is one.
     pub first_contact: Option<Balance>,
-    /// The energies of the whole run, or of as much of it as is in the range of the numbers.
+    /// The energies of the whole run, or of as much of it as stays in the range of the numbers.
     pub whole_run: Balance,
-    /// What helps, each tried: none where nothing has to.
+    /// The remedies, each tried; none where none is needed.
     pub remedies: Vec<Remedy>,
 }
 
-/// Why there is no explanation.
+/// Reason why there is no explanation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExplainError {
     /// The loop cannot be made.
@@ -63,7 +63,7 @@ impl fmt::Display for ExplainError {
 impl std::error::Error for ExplainError {}
 
 impl Explanation {
-    /// Runs `scene` in the scalar of `V`, whatever the scene says of it, and every remedy that is found.
+    /// Runs `scene` in the scalar of `V`, whatever scalar `scene` names, and every remedy that is found.
     ///
     /// # Errors
     /// A loop that cannot be made; a scene of more than one dimension.

@@ -1,4 +1,4 @@
-//! What helps, tried before it is told.
+//! Remedies, each tried before it is reported.
 
 use crate::files::scene::{
     Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
@@ -7,10 +7,10 @@ use crate::measure::LinearPart;
 use crate::measure::balance::{Feel, Trial};
 use crate::simulate::Space;
 
-/// How far inside of a limit a remedy stays.
+/// Safety factor that keeps a remedy inside a limit.
 const MARGIN: f64 = 0.95;
 
-/// How much further each trial goes than the last.
+/// The factor from one trial to the next.
 const FURTHER: f64 = 1.25;
 
 /// Trials before a remedy is given up.
@@ -19,27 +19,27 @@ const TRIALS: i32 = 24;
 /// Halvings of an interval that is searched by formula.
 const HALVINGS: u32 = 40;
 
-/// How many times faster a servo may become, and how often that is tried: its runs are as much longer.
+/// Largest factor by which a remedy speeds up the servo, and the number of its trials: the runs take as much longer.
 const FASTER: f64 = 64.0;
 const FASTER_TRIALS: i32 = 5;
 
-/// The damping limits a stabilizer is tried with, of m / T, the default first.
+/// The damping caps that a stabilizer is tried with, as multiples of m / T, the default first.
 const CAPS: [f64; 5] = [0.5, 0.25, 0.1, 0.05, 0.02];
 
-/// A change of a scene after which its run is bounded.
+/// Change of a scene after which its run is bounded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remedy {
-    /// The keys of the scene that change, with what they change to.
+    /// The keys of the scene that change, with their new values.
     pub changes: Vec<(String, Change)>,
-    /// The scene with the change; it was run.
+    /// The scene with the change, as it was run.
     pub scene: Scene,
     /// Largest force on the plant in that run, N.
     pub peak_force: f64,
-    /// Root mean square of the force on the plant less that of the environment's own law, in contact, N.
+    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
     pub force_error: f64,
 }
 
-/// What a key changes to.
+/// New value of a key.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     /// A number, in the unit of the key.
@@ -48,7 +48,7 @@ pub enum Change {
     Word(&'static str),
 }
 
-/// All that is found to help the loop of `scene`.
+/// All remedies found for the loop of `scene`.
 pub(super) fn remedies<V: Space>(scene: &Scene) -> Vec<Remedy> {
     let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
         return Vec::new();
@@ -62,7 +62,7 @@ fn remedy<V: Space>(scene: Scene, changes: Vec<(String, Change)>) -> Option<Reme
     Some(Remedy { changes, scene, peak_force: peak, force_error: error })
 }
 
-/// The largest stiffness that holds.
+/// The largest stiffness whose loop holds.
 fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
     let own = scene.environment.kind().impedance()?.stiffness;
     let limit = LinearPart::of(scene).ok().and_then(|part| part.stable_stiffness());
@@ -81,7 +81,7 @@ fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
     })
 }
 
-/// The lowest rate that holds: the environment's, and where that is the servo's already, both.
+/// The lowest rate at which the loop holds: the environment's, and if that already is the servo's, both.
 fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
     let at = |servo: f64, ratio: u64| {
         let mut faster = scene.to_draft();
@@ -114,10 +114,10 @@ fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
     })
 }
 
-/// The least damping of the device that holds.
+/// The least damping of the device with which the loop holds.
 fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
     let own = scene.device.damping.get();
-    // From nothing too: a share of what stops the mass within a period.
+    // Starts from zero damping too: a share of the damping that stops the mass within a period.
     let unit = 1e-6 * scene.port_mass() / scene.period();
     let at = |damping: f64| {
         let mut damped = scene.to_draft();
@@ -132,7 +132,7 @@ fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
     })
 }
 
-/// Each stabilizer that holds, with the largest of some damping limits.
+/// Each stabilizer with which the loop holds, with the largest of some damping limits.
 fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
     let ledger = Ledger::default();
     let popc = |damping_cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap });
@@ -157,12 +157,12 @@ fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
     [with("popc", &popc), with("lolc", &lolc)].into_iter().flatten().collect()
 }
 
-/// Whether the linear part of a scene decays; where there is none the run has to tell.
+/// Whether the linear part of a scene decays; without a linear part the run has to decide.
 fn decays(scene: &Scene) -> bool {
     LinearPart::of(scene).map_or(true, |part| part.spectral_radius() < 1.0)
 }
 
-/// The lowest factor from 1 on that holds, within `most`, by doubling and halving.
+/// The lowest factor from 1 to `most` that holds, by doubling and halving.
 fn lowest(holds: impl Fn(f64) -> bool, most: f64) -> Option<f64> {
     let mut low = 1.0;
     let mut high = 1.0;
@@ -179,7 +179,7 @@ fn lowest(holds: impl Fn(f64) -> bool, most: f64) -> Option<f64> {
     Some(high)
 }
 
-/// To three digits.
+/// `value` rounded down to three digits.
 fn rounded_down(value: f64) -> f64 {
     rounded(value, f64::floor)
 }

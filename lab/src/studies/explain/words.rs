@@ -1,4 +1,4 @@
-//! An explanation in words.
+//! Explanation in words.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::measure::Balance;
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{found, given};
 
-/// Energies are told in thousandths of a joule.
+/// Energies are reported in thousandths of a joule.
 const MILLI: f64 = 1e3;
 
 impl fmt::Display for Explanation {
@@ -119,7 +119,7 @@ const LINES: [(&str, Of); 15] = [
     ("left  to rounding", |it| it.closing),
 ];
 
-/// A remedy in a line.
+/// Remedy in a line.
 struct Told<'a>(&'a Remedy);
 
 impl fmt::Display for Told<'_> {

@@ -1,17 +1,17 @@
-//! The account of a port, kept outside of the library with about 32 digits.
+//! The energy balance of a port, kept outside of the library with about 32 digits.
 
-/// What an correction tells of the account on one tick, J.
+/// The energies that a correction reports on one tick, J.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Told {
     /// The observed energy `L(n)`.
     pub(super) sum: f64,
-    /// What the correction is to burn, `α v² T`.
+    /// What the correction is to dissipate, `α v² T`.
     pub(super) dissipated: f64,
-    /// What it cannot.
+    /// The part of the debt that the correction cannot serve.
     pub(super) shortfall: f64,
 }
 
-/// Sums what crossed a port to twice the digits, and holds what is told against it.
+/// Sum of the energies that crossed a port, to twice the digits; it checks the energies that a correction reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Balance {
     supplied: Double,
@@ -20,28 +20,29 @@ pub(super) struct Balance {
     ticks: f64,
     /// The rounding unit of the ledger's scalar.
     unit: f64,
-    /// The smallest normal number of that scalar: what is below rounds by more than its unit.
+    /// The smallest normal number of that scalar: numbers below it round by more than the unit.
     tiny: f64,
 }
 
 impl Balance {
-    /// The account in a scalar of the rounding unit `unit` and the smallest normal number `tiny`, with `budget` joules on it.
+    /// Balance for a scalar with the rounding unit `unit` and the smallest normal number `tiny`, starting at `budget`
+    /// joules.
     pub(super) fn new(unit: f64, tiny: f64, budget: f64) -> Self {
         Self { supplied: budget.into(), absolute: budget, largest: budget, ticks: 0.0, unit, tiny }
     }
 
-    /// What crossed the port in all, and was credited, J.
+    /// All work and credit so far, J.
     pub(super) fn supplied(&self) -> f64 {
         self.supplied.value()
     }
 
-    /// The sum of the magnitudes of all that was booked, J.
+    /// The sum of the magnitudes of all works and credits, J.
     pub(super) fn size(&self) -> f64 {
         self.absolute
     }
 
-    /// Books the works and credits of a tick if they are finite, which is when a ledger books them; credits that are
-    /// differences of an energy are rounded as that is, and `held` joules are in it.
+    /// Books the works and credits of a tick if they are finite, as a ledger does. A credit that is the difference of a
+    /// stored energy is rounded like that energy; `held` is that energy, J.
     pub(super) fn book(&mut self, terms: &[Double], held: f64) {
         let sum = terms.iter().fold(Double::default(), |sum, term| sum.plus(*term));
         if sum.value().is_finite() {
@@ -52,28 +53,29 @@ impl Balance {
         self.ticks += 1.0;
     }
 
-    /// By how much the account does not close, as a share of what is allowed: `supplied = stored − dissipated −
-    /// shortfall` within `4 u (Σ |work| + ticks · largest stored)`.
+    /// Error of the balance `supplied = stored − dissipated − shortfall`, as a share of the allowed
+    /// `4 u (Σ |work| + ticks · largest stored)`.
     pub(super) fn off(&self, told: Told) -> f64 {
         let stored = told.sum.max(0.0);
         let owed = Double::from(told.dissipated).plus(told.shortfall.into());
         self.share(self.supplied.plus(owed).plus((-stored).into()).value().abs())
     }
 
-    /// How much more is told to be there than is, likewise: all that an account which forgets credit may not do.
+    /// Observed energy reported beyond what was supplied, as the same share: the only error of a ledger that may forget
+    /// credit.
     pub(super) fn over(&self, told: Told) -> f64 {
         self.share((-self.supplied.plus((-told.sum).into()).value()).max(0.0))
     }
 
-    /// An error, as a share of what is allowed.
+    /// Share of the allowed error that `error` is.
     fn share(&self, error: f64) -> f64 {
         let rounding = 4.0 * self.unit * (self.absolute + self.ticks * self.largest);
-        // Works below the smallest normal number are rounded by up to half of the least one.
+        // Works below the smallest normal number are rounded by up to half of the smallest positive one.
         error / (rounding + 4.0 * self.ticks * self.tiny * self.unit)
     }
 }
 
-/// An unevaluated sum of two `f64`: the number and what it lacks (Dekker, Numerische Mathematik 18, 1971).
+/// An unevaluated sum of two `f64`: a number and its rounding error (Dekker, Numerische Mathematik 18, 1971).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Double {
     high: f64,
@@ -133,26 +135,26 @@ mod tests {
     }
 
     #[test]
-    fn a_true_account_closes_and_one_that_hides_a_thousandth_does_not() {
+    fn a_true_balance_closes_and_one_that_hides_a_thousandth_does_not() {
         let told = |sum, dissipated, shortfall| Told { sum, dissipated, shortfall };
         let stored = after(&[(2.0, 0.5), (-1.0, 0.25)]);
         assert_eq!(stored.off(told(0.75, 0.0, 0.0)), 0.0);
         assert!(stored.off(told(0.75 + 1e-3, 0.0, 0.0)) > 1e6);
-        // A debt may be burnt, owed, or both, and the sum itself may not hide it.
+        // A debt may be dissipated, left as shortfall, or both; the observed energy may not hide it.
         let owed = after(&[(2.0, 0.5), (-3.0, 0.5)]);
         assert_eq!(owed.off(told(-0.5, 0.25, 0.25)), 0.0);
         assert!(owed.off(told(-0.5, 0.25, 0.0)) > 1e6);
         assert!(owed.off(told(0.0, 0.0, 0.0)) > 1e6);
     }
 
-    /// 1e16 + 1 − 1e16, of which a plain sum would keep nothing.
+    /// 1e16 + 1 − 1e16: a plain sum gives 0.
     #[test]
-    fn nothing_is_rounded_away_outside() {
+    fn the_balance_keeps_what_a_plain_sum_rounds_away() {
         assert_eq!(after(&[(1e8, 1e8), (1.0, 1.0), (-1e8, 1e8)]).supplied(), 1.0);
     }
 
     #[test]
-    fn what_is_not_finite_is_not_booked() {
+    fn works_that_are_not_finite_are_not_booked() {
         assert_eq!(after(&[(1.0, 1.0), (f64::NAN, 1.0), (f64::MAX, 1e9)]).supplied(), 1.0);
     }
 }

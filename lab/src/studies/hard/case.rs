@@ -1,4 +1,4 @@
-//! A hard case and what came of it.
+//! A hard case and its result.
 
 use std::fmt;
 
@@ -11,18 +11,18 @@ use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use crate::simulate::AnyStabilizer;
 use crate::simulate::family::{StabilizerName, lacks_damping};
 
-/// One hard case: what makes it hard, what is measured, and the bound that is promised.
+/// One hard case: the difficulty, the measured quantity and the promised bound.
 pub struct Case {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
-    /// What it is about.
+    /// Its theme.
     pub theme: &'static str,
-    /// What makes it hard.
+    /// The difficulty.
     pub hard: &'static str,
     pub(super) quantity: Quantity,
-    /// What is measured may not be more, in the quantity's unit.
+    /// The largest value allowed, in the quantity's unit.
     pub bound: f64,
-    /// Why scalars are left out or may differ, if any are.
+    /// The reason why scalars are left out or may differ, if any are.
     pub apart: Option<&'static str>,
     pub(super) trial: Box<dyn Trial>,
 }
@@ -33,7 +33,7 @@ impl fmt::Debug for Case {
     }
 }
 
-/// What is measured of a run.
+/// The quantity that a case measures.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quantity {
     pub(super) words: &'static str,
@@ -58,52 +58,52 @@ impl Quantity {
     }
 }
 
-/// What came of a case: a row of `hard.json`.
+/// The result of a case: a row of `hard.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
     /// The case.
     pub case: &'static str,
-    /// What it is about.
+    /// Its theme.
     pub theme: &'static str,
-    /// What makes it hard.
+    /// The difficulty.
     pub hard: &'static str,
-    /// What was measured.
+    /// The measured quantity.
     pub quantity: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// What was promised: no more than this.
+    /// The promised bound: the largest value allowed.
     pub bound: f64,
-    /// What was measured with our stabilizer: the worst over all scalars and runs.
+    /// The value measured with our stabilizer: the worst over all scalars and runs.
     #[serde(serialize_with = "finite_or_null")]
     pub measured: f64,
     /// Whether the bound is a promise of this stabilizer.
     pub promised: bool,
-    /// Whether all that is promised held.
+    /// Whether every promise was kept.
     pub passed: bool,
-    /// What the naive one came to; none where it cannot be told.
+    /// The result of the naive stabilizer; none where it takes no part.
     pub naive: Option<Outcome>,
-    /// What came of no stabilizer at all.
+    /// The result without a stabilizer.
     pub without: Option<Outcome>,
     /// The law that was broken, in the words of the shipped laws.
     pub broken: Option<String>,
     /// The largest force, N.
     #[serde(serialize_with = "finite_or_null")]
     pub largest_force_n: f64,
-    /// By how much the account was off, as a share of what is allowed.
+    /// The largest error of the ledger, as a share of what is allowed.
     #[serde(serialize_with = "finite_or_null")]
     pub ledger_off: f64,
-    /// Whether each kind of number kept the bound; none where it takes no part.
+    /// Verdict of each kind of number; none where it takes no part.
     pub verdict: Verdicts,
-    /// Whether every lane did what its own scalar run did, bit for bit; none where no lanes ran.
+    /// Whether every lane equals its own scalar run, bit for bit; none where no lanes ran.
     pub lanes_equal: Option<bool>,
-    /// Why scalars are left out or may differ.
+    /// The reason why scalars are left out or may differ.
     pub apart: Option<&'static str>,
-    /// The scene, if it is one.
+    /// The scene's text, if the case is a scene.
     pub scene: Option<String>,
 }
 
 impl Row {
-    /// What came of it in a word.
+    /// The verdict in a word.
     pub(super) fn verdict(&self) -> &'static str {
         match (self.passed, self.measured <= self.bound) {
             (true, true) => "pass",
@@ -113,7 +113,7 @@ impl Row {
     }
 }
 
-/// Whether each kind of number kept the bound.
+/// Verdict of each kind of number: whether it kept the bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Verdicts {
     f64: Option<bool>,
@@ -123,16 +123,16 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    /// Whether all that take part kept the bound, and so agree.
+    /// Whether every kind that takes part kept the bound.
     fn kept(&self) -> bool {
         [self.f64, self.f32, self.f64_lanes, self.f32_lanes].into_iter().flatten().all(|kept| kept)
     }
 }
 
-/// What another stabilizer came to.
+/// The result of another stabilizer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Outcome {
-    /// What was measured.
+    /// The measured value.
     #[serde(serialize_with = "finite_or_null")]
     pub measured: f64,
     /// The first tick on which a force was not finite.
@@ -146,10 +146,10 @@ fn finite_or_null<S: Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S
 }
 
 impl Case {
-    /// Runs it with our stabilizer, with the naive one and with none.
+    /// The result with our stabilizer, with the naive one and with none.
     ///
     /// # Errors
-    /// A case that is not written right.
+    /// A case that is not well-formed.
     pub fn row(&self) -> Result<Row, HardError> {
         let runs = self.trial.ours()?;
         let naive = self.trial.naive()?.map(|tally| self.outcome(&tally));
@@ -157,10 +157,10 @@ impl Case {
         Ok(self.judged(&runs, true, naive, without))
     }
 
-    /// Runs it with `member` in the place of our stabilizer, in `f64` and `f32`; none where it takes no part.
+    /// The result with `member` instead of our stabilizer, in `f64` and `f32`; none where it takes no part.
     ///
     /// # Errors
-    /// A case that is not written right.
+    /// A case that is not well-formed.
     pub fn row_of(&self, member: StabilizerName) -> Result<Option<Row>, HardError> {
         let runs = match self.trial.under(member) {
             // In a loop that lacks what it is set by it takes no part.
@@ -178,21 +178,21 @@ impl Case {
         Ok(self.trial.with(&nothing)?.map(|tally| self.outcome(&tally)))
     }
 
-    /// Runs it in `f64` with a stabilizer of one's own, made anew for every run; none where the case is about
-    /// something else than one value at a time.
+    /// The result in `f64` with your own stabilizer, made anew for every run; none where the case is not about one
+    /// value at a time.
     ///
-    /// What it breaks is told in the words of the shipped [`laws`](lyapunov::laws).
+    /// A law that it breaks is named in the words of the shipped [`laws`](lyapunov::laws).
     ///
     /// # Errors
-    /// A case that is not written right.
+    /// A case that is not well-formed.
     pub fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         self.trial.with(own)
     }
 
-    /// The naive implementation of the paper's steps in this case.
+    /// The result of the naive implementation of the paper's steps.
     ///
     /// # Errors
-    /// A case that is not written right.
+    /// A case that is not well-formed.
     pub fn naive(&self) -> Result<Option<Tally>, HardError> {
         self.with(&|| AnyStabilizer::new(Naive::<f64>::default()))
     }

@@ -1,4 +1,4 @@
-//! A case that is a scene.
+//! Hard cases that are scenes.
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{ParameterError, Scalar};
@@ -12,17 +12,17 @@ use crate::files::scene::{Candidate, Finite, Lolc, Scene, Stabilizer};
 use crate::simulate::family::{Settings, StabilizerName};
 use crate::simulate::{AnyStabilizer, Rollout, Space, Tick};
 
-/// A loop closed as a scene says.
+/// The loop of a scene.
 pub(super) struct Looped {
     /// The scene, TOML.
     pub(super) text: String,
-    /// Where swings are counted from, m.
+    /// The position that swings are measured from, m.
     pub(super) rest: f64,
-    /// The damping that the naive one credits, N·s/m.
+    /// The damping that the naive stabilizer credits, N·s/m.
     pub(super) credit: f64,
 }
 
-/// The starts of a scene, as shares of its own.
+/// Starts of each scene, as shares of its own start.
 const SHARES: [f64; 4] = [1.0, 0.97, 0.93, 0.88];
 
 impl Looped {
@@ -31,7 +31,7 @@ impl Looped {
         let moved = |from: f64| Finite::new(from * share).map(Into::into);
         let mut draft = scene.to_draft();
         let initial = &mut draft.initial;
-        // A share of a number in range is one.
+        // A share of a number in range is in range too.
         (initial.position, initial.velocity) =
             match (moved(initial.position.get()), moved(initial.velocity.get())) {
                 (Ok(position), Ok(velocity)) => (position, velocity),
@@ -56,7 +56,7 @@ impl Looped {
     }
 }
 
-/// What the loop of `scene` comes to under `stabilizer`, with swings counted from `rest`, lane by lane.
+/// Measurements of the loop of `scene` under `stabilizer`, with swings measured from `rest`, lane by lane.
 fn looped<V: Space>(
     scene: &Scene,
     rest: f64,
@@ -65,7 +65,7 @@ fn looped<V: Space>(
 ) -> Result<Vec<Tally>, ParameterError> {
     let mut meters = Meters::new::<V::Scalar>(terms(scene, rest, pledge));
     let mut rollout = Rollout::assemble(scene, stabilizer)?;
-    // To the end, also where the motion has left the range of the scalar.
+    // The run goes to its end even if the motion leaves the range of the scalar.
     for _ in 0..=scene.ticks() {
         let Tick { measured, environment, correction, .. } = rollout.tick();
         meters.watch(&measured, environment, &correction);
@@ -73,16 +73,16 @@ fn looped<V: Space>(
     Ok(meters.tallies())
 }
 
-/// What the loop of `scene` comes to under the stabilizer that it names, in the scalar of `V`: with swings counted from the
-/// origin, and without a word on the account where the candidate is the paper's and the environment not a wall.
+/// Measurements of the loop of `scene` under the stabilizer that it names, in the scalar of `V`. Swings are measured
+/// from the origin. The ledger is not judged where the candidate is the paper's and the environment is not a wall.
 ///
 /// # Errors
-/// A parameter that is right by itself but out of the range of the scalar, alone or together with others.
+/// A parameter that is valid by itself but out of the range of the scalar, alone or together with others.
 pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
     looped::<V>(scene, 0.0, named_in::<V>(scene), AnyStabilizer::of(scene)?)
 }
 
-/// What the stabilizer that a scene names is held to.
+/// The pledge of the stabilizer that a scene names.
 fn named_in<V: Space>(scene: &Scene) -> Pledge {
     let named = scene.stabilizer.map(|named| Pledge::named::<V::Scalar>(named, scene));
     named.unwrap_or(Pledge::POPC)
@@ -91,7 +91,7 @@ fn named_in<V: Space>(scene: &Scene) -> Pledge {
 fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
     let cap = Settings::of(scene).damping_cap.get();
     let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
-    // What a scene says is rounded once more on its way to f32.
+    // The numbers of a scene are rounded once more on their way to f32.
     let most = scene.damping(cap).limit().map_or(f64::MAX, |limit| limit.most());
     let limit = (most * (1.0 + 1e-6)).min(f64::MAX);
     let force = force * (1.0 + 1e-6);
@@ -105,7 +105,7 @@ impl Trial for Looped {
             matches!(named, Some(Stabilizer::Lolc(Lolc { candidate, .. }))
                 if candidate == Candidate::MassSpringDamper)
         };
-        // What is promised of the paper's credit is promised of nothing else.
+        // Only the paper's candidate promises the bound of a case with the paper's credit.
         let alike = || member.basic_name().and_then(|it| it.on(&scene)) == scene.stabilizer;
         Ok(if credits(scene.stabilizer) { alike() } else { promises(member) })
     }
@@ -116,7 +116,7 @@ impl Trial for Looped {
             runs.double.append(&mut self.named::<f64>(share)?);
             runs.single.append(&mut self.named::<f32>(share)?);
         }
-        // Lanes of one start: eight times the same.
+        // All eight lanes run the same start.
         runs.double_lanes = self.named::<AutoF64x8>(SHARES[0])?;
         Ok(runs)
     }

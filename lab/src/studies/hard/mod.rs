@@ -1,8 +1,8 @@
 //! Hard cases that stay stable: `lyapunov hard`.
 //!
-//! A [`Catalogue`] of [`Case`]s, each with what makes it hard, a bound, a run of the paper's steps as printed
-//! ([`Naive`]) and runs of the shipped stabilizer in `f64`, `f32` and lanes. Whatever is measured is measured beside
-//! the library. [`Case::with`] tries a stabilizer of one's own.
+//! A [`Catalogue`] of [`Case`]s, each with its difficulty, a bound, a run of the paper's steps as printed ([`Naive`])
+//! and runs of the shipped stabilizer in `f64`, `f32` and lanes. All measurements are made outside of the library.
+//! [`Case::with`] runs your own stabilizer.
 
 mod balance;
 mod case;
@@ -30,12 +30,12 @@ use serde::Serialize;
 
 use crate::simulate::family::StabilizerName;
 
-/// What came of the whole catalogue: `hard.json`.
+/// Results of the whole catalogue: `hard.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catalogue {
-    /// The member of the family that stood in the place of our stabilizer, if one did.
+    /// The member of the family that ran instead of our stabilizer, if one did.
     pub stabilizer: Option<&'static str>,
-    /// One for each case.
+    /// One row for each case.
     pub rows: Vec<Row>,
 }
 
@@ -45,19 +45,19 @@ impl Catalogue {
         cases::all()
     }
 
-    /// Runs all cases, on all cores; `watch` is told of each that is done, and may end it.
+    /// Results of all cases, run on all cores; `watch` is called after each case and may stop the catalogue.
     ///
     /// # Errors
-    /// As [`HardError`] tells.
+    /// The conditions of [`HardError`].
     pub fn run(watch: &(dyn Fn() -> ControlFlow<()> + Sync)) -> Result<Self, HardError> {
         Self::of(None, watch)
     }
 
-    /// The same with `member`, if there is one, in the place of our stabilizer, in `f64` and `f32`. Left out are cases in
+    /// The same with `member`, if there is one, instead of our stabilizer, in `f64` and `f32`, without the cases in
     /// which it takes no part.
     ///
     /// # Errors
-    /// As [`HardError`] tells.
+    /// The conditions of [`HardError`].
     pub fn of(
         member: Option<StabilizerName>,
         watch: &(dyn Fn() -> ControlFlow<()> + Sync),
@@ -81,12 +81,12 @@ impl Catalogue {
         self.rows.iter().all(|row| row.passed)
     }
 
-    /// As a page in HTML that needs nothing else; `command` is what made it.
+    /// A self-contained HTML page; `command` is the command that made it.
     pub fn report(&self, command: &str) -> String {
         report::page(self, command)
     }
 
-    /// As JSON.
+    /// The results as JSON.
     ///
     /// # Errors
     /// None: every part can be written as JSON.

@@ -1,4 +1,4 @@
-//! The paper's steps, written as the paper prints them: what the hard cases are hard for.
+//! The paper's steps exactly as printed: the implementation that the hard cases break.
 //!
 //! Steps 1 to 6 of example 1, and with a `damping` those of example 2, in plain `f64` or `f32`:
 //!
@@ -8,8 +8,8 @@
 //! 6     f₁(n) = f₂(n) + α(n) v₂(n)
 //! ```
 //!
-//! Nothing is added: no period in the sum (it cancels in α), no limit, no look at what is divided by, at what was
-//! measured, or at what applied.
+//! Nothing is added: no period in the sum (it cancels in α), no limit, no check of the divisor, of the measurement
+//! or of the applied force.
 
 use lyapunov::{Correction, PortSample, Stabilizer};
 use nalgebra::SVector;
@@ -71,7 +71,7 @@ naive!(f64, f32);
 mod tests {
     use super::*;
 
-    /// By hand: −1 N at 0.5 m/s gives L = −0.5 W, α = 2 N·s/m, f₁ = 0; then f₂ = 0, L = −0.5 + 0.5 = 0.
+    /// −1 N at 0.5 m/s gives L = −0.5 W, α = 2 N·s/m, f₁ = 0; then f₂ = 0, L = −0.5 + 0.5 = 0.
     #[test]
     fn two_ticks_by_hand() {
         let mut naive = Naive::<f64>::default();
@@ -88,9 +88,9 @@ mod tests {
         );
     }
 
-    /// A debt, and then no motion: divided by v² = 0, times v = 0.
+    /// A debt without motion gives −L / v² = ∞, times v = 0.
     #[test]
-    fn a_debt_at_rest_is_divided_by_nothing() {
+    fn a_debt_at_rest_is_divided_by_zero() {
         let mut naive = Naive::<f64>::default();
         naive.stabilize(&PortSample::new(1e-3, 0.0, 1e-3, 1e-6, 0.0), -1.0);
         naive.square = 0.0;

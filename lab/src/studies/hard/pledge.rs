@@ -1,72 +1,72 @@
-//! What a stabilizer is held to beside finite outputs.
+//! Promises of a stabilizer beyond finite outputs.
 
 use lyapunov::Scalar;
 
 use crate::files::scene::{Candidate, Scene, Stabilizer};
 use crate::simulate::family::{BasicName, Basis, Reference, StabilizerName};
 
-/// What is credited beside the work.
+/// Credit beyond the work of the port.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Credit {
     /// Nothing.
     None,
-    /// `b v² T` where the position is beyond a place: N·s/m, m.
+    /// `b v² T` where the position is greater than `beyond`: N·s/m, m.
     Damper { damping: f64, beyond: f64 },
     /// `b |Δx|² / T`, N·s/m.
     Moved { damping: f64 },
-    /// What a reference holds less on this tick than on the one before, from a state on: m and m/s.
+    /// Decrease of a reference's stored energy since the last tick, starting from a state in m and m/s.
     Reference { reference: Reference, start: [f64; 2] },
 }
 
-/// What account a stabilizer keeps.
+/// Kind of ledger that a stabilizer keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Account {
-    /// None, or one that cannot be kept beside it.
+    /// None, or one that cannot be recomputed outside of the stabilizer.
     None,
-    /// Of everything.
+    /// Every work and credit counts.
     Whole,
-    /// Of everything, but credit may be forgotten.
+    /// Every work counts, but the stabilizer may forget stored credit.
     Forgetful,
 }
 
-/// What a stabilizer may do to an effort.
+/// Way in which a stabilizer changes an effort.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Manner {
-    /// Add a damping.
+    /// It adds damping.
     Damps,
-    /// Make it smaller.
+    /// It makes the effort smaller.
     Cuts,
-    /// Follow it within a band.
+    /// It follows the effort within a band.
     Follows,
 }
 
-/// What a stabilizer is held to.
+/// Promises of one stabilizer.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pledge {
-    /// What is credited.
+    /// The credit.
     pub(super) credit: Credit,
-    /// What is on the account at the start, J.
+    /// The observed energy at the start, J.
     pub(super) budget: f64,
-    /// What account is kept.
+    /// The kind of ledger.
     pub(super) account: Account,
-    /// What may be done to an effort.
+    /// The way it may change an effort.
     pub(super) manner: Manner,
 }
 
 impl Pledge {
-    /// POPC's: every joule is accounted for, and only damping is added.
+    /// Pledge of POPC: every joule is accounted for, and only damping is added.
     pub(super) const POPC: Self =
         Self { credit: Credit::None, budget: 0.0, account: Account::Whole, manner: Manner::Damps };
 
-    /// With the credit of a damper that is always there, N·s/m.
+    /// Pledge of POPC with the credit of a damper that always acts, N·s/m.
     pub(super) fn damper(damping: f64) -> Self {
         let credit = Credit::Damper { damping, beyond: f64::NEG_INFINITY };
         Self { credit, ..Self::POPC }
     }
 
-    /// Of `member` as `basis` sets it, in a scalar like `T`.
+    /// Pledge of `member` with the parameters of `basis`, in a scalar like `T`.
     pub(super) fn of<T: Scalar>(member: StabilizerName, basis: &Basis) -> Self {
-        // The credit is what the scalar makes of the number.
+        // The stabilizer credits the number as its scalar rounds it.
         let of = |number: f64| T::of(number).lane(0);
         match member {
             StabilizerName::Basic(
@@ -115,7 +115,7 @@ impl Pledge {
         }
     }
 
-    /// With the credit of what the reference of `basis` holds less.
+    /// POPC's pledge with the reference of `basis` as credit.
     fn on_reference(basis: &Basis, of: impl Fn(f64) -> f64) -> Self {
         let start = basis.start.map(of);
         let credit = |reference| Credit::Reference { reference, start };
@@ -123,7 +123,7 @@ impl Pledge {
         Self { credit, ..Self::POPC }
     }
 
-    /// Of `member` on the loop of `scene`.
+    /// Pledge of `member` on the loop of `scene`.
     pub(super) fn on<T: Scalar>(member: StabilizerName, scene: &Scene) -> Self {
         match member.basic_name().and_then(|basic_name| basic_name.on(scene)) {
             Some(named) => Self::named::<T>(named, scene),
@@ -131,7 +131,7 @@ impl Pledge {
         }
     }
 
-    /// Of the stabilizer `named` on the loop of `scene`.
+    /// Pledge of the stabilizer `named` on the loop of `scene`.
     pub(super) fn named<T: Scalar>(named: Stabilizer, scene: &Scene) -> Self {
         let of = |number: f64| T::of(number).lane(0);
         let Stabilizer::Lolc(lolc) = named else { return Self::POPC };
@@ -147,8 +147,8 @@ impl Pledge {
     }
 }
 
-/// Whether `member` promises what is promised of POPC in the catalogue: it serves every debt at once, and credits nothing that
-/// may not have burnt.
+/// Whether `member` makes the promises of POPC in the catalogue: it serves every debt at once, and credits nothing
+/// that may not have been dissipated.
 pub(super) fn promises(member: StabilizerName) -> bool {
     match member {
         StabilizerName::Basic(basic_name) => {

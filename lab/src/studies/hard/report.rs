@@ -1,4 +1,4 @@
-//! The report page: one file that needs nothing else.
+//! The report page: one self-contained file.
 
 use maud::{Markup, html};
 
@@ -34,7 +34,7 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
     html::page("Hard cases", &body)
 }
 
-/// Whose numbers they are.
+/// The stabilizer whose numbers the page shows.
 fn subject(catalogue: &Catalogue) -> Markup {
     html! {
         @if let Some(name) = catalogue.stabilizer {
@@ -46,7 +46,7 @@ fn subject(catalogue: &Catalogue) -> Markup {
     }
 }
 
-/// The cases of one theme.
+/// The table of the cases of one theme.
 fn table(catalogue: &Catalogue, rows: &[Row]) -> Table {
     let [bound, ours] = compared(catalogue);
     let words = ["case", bound].map(Heading::word);
@@ -70,7 +70,7 @@ fn table(catalogue: &Catalogue, rows: &[Row]) -> Table {
     }))
 }
 
-/// A case, what makes it hard, and what there is to say of it.
+/// The cell of a case: its name, its difficulty and its notes.
 fn case(row: &Row) -> Markup {
     html! {
         strong {

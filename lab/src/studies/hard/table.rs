@@ -43,10 +43,10 @@ fn table(catalogue: &Catalogue) -> Table {
     table
 }
 
-/// What the bound of a case and what was measured are called.
+/// Headings of the bound and of the measured value.
 pub(super) fn compared(catalogue: &Catalogue) -> [&'static str; 2] {
     match catalogue.stabilizer {
-        // Of another one a bound may be no promise.
+        // Another stabilizer may not promise the bound.
         Some(_) => ["bound", "measured"],
         None => ["promised", "ours"],
     }
@@ -63,7 +63,7 @@ pub(super) fn with_unit(value: f64, unit: &str) -> String {
     if unit.is_empty() { number(value) } else { format!("{} {unit}", number(value)) }
 }
 
-/// Four digits, in the shorter form.
+/// A number with four digits, in the shorter form.
 pub(super) fn number(value: f64) -> String {
     if value == 0.0 || (1e-3..1e4).contains(&value.abs()) {
         let digits = (3.0 - value.abs().max(1e-3).log10().floor()).clamp(0.0, 6.0) as usize;

@@ -1,33 +1,33 @@
-//! What a run came to.
+//! Measurements of a run.
 
 use lyapunov::laws::Law;
 
-/// What was measured of a run, one value at a time, beside the library.
+/// Measurements of a run, one value at a time, made outside of the library.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tally {
-    /// The first law that was broken, and on which tick.
+    /// The first broken law and its tick.
     pub broken: Option<(Law, u64)>,
     /// The first tick on which an effort was not finite.
     pub not_finite: Option<u64>,
-    /// The first tick on which energies came near the end of the scalar's range; from there the account is not judged.
+    /// The first tick on which energies came near the end of the scalar's range; from it on the ledger is not judged.
     pub out_of_range: Option<u64>,
-    /// How far from the rest the port was in the last quarter, m.
+    /// The largest distance of the port from the rest in the last quarter, m.
     pub late_swing: f64,
-    /// How far from the rest the port was at all, m.
+    /// The largest distance of the port from the rest in the whole run, m.
     pub swing: f64,
-    /// The most that the port had given out beyond what it took and what is credited, J.
+    /// The largest energy that the port gave out beyond what it absorbed and what is credited, J.
     pub given: f64,
-    /// The largest shortfall told, J.
+    /// The largest reported shortfall, J.
     pub shortfall: f64,
-    /// The largest effort commanded or acting on one axis, N.
+    /// The largest corrected effort on one axis, N.
     pub peak_force: f64,
-    /// The largest effort that applied on one axis, as the drives tell, N.
+    /// The largest applied effort on one axis, as the samples report it, N.
     pub acting: f64,
-    /// The largest share of what the account may be off by.
+    /// The largest error of the ledger, as a share of what is allowed.
     pub off: f64,
-    /// The largest correction, as a share of what the limit allows at the velocity told.
+    /// The largest correction, as a share of what the limit allows at the sample's velocity.
     pub correction: f64,
-    /// What a case measures in a way of its own.
+    /// The value that a case measures itself.
     pub value: f64,
 }
 
@@ -51,14 +51,14 @@ impl Default for Tally {
 }
 
 impl Tally {
-    /// Notes that `law` does not hold on `tick`, if none was broken before.
+    /// Records `law` as broken on `tick` unless it was kept or another law was broken before.
     pub(super) fn require(&mut self, law: Law, kept: bool, tick: u64) {
         if !kept && self.broken.is_none() {
             self.broken = Some((law, tick));
         }
     }
 
-    /// The worse of two runs, number by number: what a sweep came to.
+    /// The worse of two runs, number by number.
     pub(super) fn worse(self, other: Self) -> Self {
         Self {
             broken: self.broken.or(other.broken),

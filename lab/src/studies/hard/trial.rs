@@ -1,4 +1,4 @@
-//! What a case does: it runs, with our stabilizer in every scalar, or with any other.
+//! The runs of a case: with our stabilizer in every scalar, or with any other.
 
 use std::fmt;
 
@@ -13,14 +13,14 @@ use crate::files::scene::Diagnostic;
 use crate::simulate::family::{Basis, StabilizerName};
 use crate::simulate::{AnyStabilizer, Space};
 
-/// Why a case cannot run: it is not written right.
+/// Reason why a case did not run.
 #[derive(Debug)]
 pub enum HardError {
-    /// Its scene is not right.
+    /// Its scene is not valid.
     Scene(Box<Diagnostic>),
-    /// A part of it cannot be made.
+    /// A part of it cannot be built.
     Parameter(ParameterError),
-    /// Whoever watched ended it.
+    /// The caller stopped it.
     Stopped,
 }
 
@@ -48,35 +48,35 @@ impl From<ParameterError> for HardError {
     }
 }
 
-/// The same runs in each kind of number; runs at the same place differ in nothing else.
+/// The same runs in each kind of number; runs at the same place differ only in that.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Runs {
-    /// In `f64`; empty where the case is for `f32` alone.
+    /// Runs in `f64`; empty where the case is for `f32` alone.
     pub(super) double: Vec<Tally>,
-    /// In `f32`; empty where the case is for `f64` alone.
+    /// Runs in `f32`; empty where the case is for `f64` alone.
     pub(super) single: Vec<Tally>,
-    /// In lanes of `f64`, lane by lane.
+    /// Runs in lanes of `f64`, lane by lane.
     pub(super) double_lanes: Vec<Tally>,
-    /// In lanes of `f32`, lane by lane.
+    /// Runs in lanes of `f32`, lane by lane.
     pub(super) single_lanes: Vec<Tally>,
 }
 
-/// A program that is the same in every scalar, from starts that differ a little.
+/// A program that runs alike in every scalar, from slightly different starts.
 pub(super) trait EveryScalar {
-    /// One run, with lane `i` from start `first + i`.
+    /// Measurements of one run, with lane `i` from start `first + i`.
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError>;
 
-    /// Whether it is within the range of `f32`.
+    /// Whether it stays within the range of `f32`.
     fn fits_single(&self) -> bool {
         true
     }
 }
 
-/// As many starts as the widest lanes hold.
+/// Number of starts: as many as the widest lanes hold.
 const STARTS: usize = 8;
 
 impl Runs {
-    /// All runs of `program`: start by start, and all at once on lanes.
+    /// All runs of `program`: start by start in scalars, and all starts at once in lanes.
     pub(super) fn of(program: &impl EveryScalar) -> Result<Self, HardError> {
         let mut runs = Self::default();
         for first in 0..STARTS {
@@ -92,7 +92,7 @@ impl Runs {
         Ok(runs)
     }
 
-    /// The runs of a program on scalars alone, start by start.
+    /// The runs of a program in scalars alone, start by start.
     pub(super) fn of_scalars(
         double: impl Fn(usize) -> Result<Vec<Tally>, HardError>,
         single: impl Fn(usize) -> Result<Vec<Tally>, HardError>,
@@ -105,8 +105,8 @@ impl Runs {
         Ok(runs)
     }
 
-    /// Whether every lane came to what a scalar run came to: the one at its place, or the first where all lanes run
-    /// that one; none without lanes.
+    /// Whether every lane equals a scalar run: the one at its place, or the first one where all lanes run that; none
+    /// without lanes.
     pub(super) fn lanes_equal(&self) -> Option<bool> {
         let alike = |lanes: &[Tally], scalars: &[Tally]| {
             let same = scalars.len() != lanes.len();
@@ -120,22 +120,22 @@ impl Runs {
         })
     }
 
-    /// All of them.
+    /// The measurements of all runs.
     pub(super) fn all(&self) -> impl Iterator<Item = &Tally> {
         let scalars = self.double.iter().chain(&self.single);
         scalars.chain(self.double_lanes.iter().chain(&self.single_lanes))
     }
 }
 
-/// A stabilizer of somebody's own, made anew for every run, on a mass (kg) and a period (s).
+/// A maker of your own stabilizer, called anew for every run.
 pub type OwnStabilizer<'a> = &'a dyn Fn() -> AnyStabilizer<f64>;
 
-/// What a case does.
+/// The runs of a case.
 pub(super) trait Trial: Send + Sync {
-    /// With our stabilizer, in every scalar.
+    /// Runs with our stabilizer, in every scalar.
     fn ours(&self) -> Result<Runs, HardError>;
 
-    /// With a member of the family, in `f64` and `f32`; none where it takes no part.
+    /// Runs with a member of the family, in `f64` and `f32`; none where it takes no part.
     fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError>;
 
     /// Whether the bound is a promise of `member`.
@@ -143,24 +143,24 @@ pub(super) trait Trial: Send + Sync {
         Ok(promises(member))
     }
 
-    /// With a stabilizer of somebody's own, in `f64`; none where it is about something else.
+    /// A run with the caller's own stabilizer, in `f64`; none where the case is about something else.
     fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError>;
 
-    /// With the naive one.
+    /// A run with the naive stabilizer.
     fn naive(&self) -> Result<Option<Tally>, HardError> {
         self.with(&|| AnyStabilizer::new(Naive::<f64>::default()))
     }
 
-    /// The scene, if it is one.
+    /// The scene's text, if the case is a scene.
     fn scene(&self) -> Option<&str> {
         None
     }
 }
 
-/// A run that is the same program in every scalar, with a number of variations.
+/// A program that runs alike in every scalar, in several variations.
 pub(super) trait Play: Send + Sync {
-    /// Run number `index` under `stabilizer`: lane `i` is of variation `first + i`. Answers with what is measured in a
-    /// way of its own.
+    /// Run number `index` under `stabilizer`, with lane `i` from start `first + i`. Returns the value that the case
+    /// measures itself.
     fn play<T: Scalar>(
         &self,
         index: u64,
@@ -168,29 +168,29 @@ pub(super) trait Play: Send + Sync {
         stabilizer: impl lyapunov::Stabilizer<T>,
     ) -> Result<T, ParameterError>;
 
-    /// How many runs there are.
+    /// The number of runs.
     fn runs(&self) -> u64 {
         1
     }
 
-    /// What stabilizers are set for; ours credits its damping.
+    /// The loop that stabilizers are set for; ours credits its damping.
     fn basis(&self) -> Basis;
 
-    /// What a stabilizer may inject.
+    /// The limit of the injected damping.
     fn limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
         self.basis().limit.limit()
     }
 
-    /// What has to be known of the runs beside the limit.
+    /// The terms of the runs under that limit, N·s/m.
     fn terms(&self, limit: f64) -> Terms;
 
-    /// Whether it is within the range of `f32`.
+    /// Whether it stays within the range of `f32`.
     fn fits_single(&self) -> bool {
         true
     }
 }
 
-/// A play with our stabilizer, or any other.
+/// A play under our stabilizer or any other.
 pub(super) struct Played<P>(pub(super) P);
 
 impl<P: Play> Played<P> {

@@ -1,4 +1,4 @@
-//! A stabilizer with somebody looking on.
+//! A watched stabilizer: its corrections are checked against measurements made outside of it.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -10,36 +10,36 @@ use super::balance::{Balance, Double, Told};
 use super::pledge::{Account, Credit, Manner, Pledge};
 use super::tally::{Tally, larger};
 
-/// What has to be known to judge a run.
+/// The numbers and promises that a run is judged by.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Terms {
     /// Ticks in all.
     pub(super) ticks: u64,
-    /// Where swings are counted from, m.
+    /// The position that swings are measured from, m.
     pub(super) rest: f64,
-    /// The most damping, N·s/m.
+    /// The damping limit, N·s/m.
     pub(super) limit: f64,
-    /// What the stabilizer is held to.
+    /// The promises of the stabilizer.
     pub(super) pledge: Pledge,
-    /// The most that may act, N.
+    /// The largest force that may be applied, N.
     pub(super) force: f64,
 }
 
 impl Terms {
-    /// Of a run under POPC that clips nothing.
+    /// Terms of a run under POPC in which nothing saturates.
     pub(super) fn of(ticks: u64, limit: f64) -> Self {
         Self { ticks, rest: 0.0, limit, pledge: Pledge::POPC, force: f64::INFINITY }
     }
 }
 
-/// A stabilizer that is watched: its words are held against what is measured beside it, lane by lane.
+/// A stabilizer whose corrections are checked against measurements made outside of it, lane by lane.
 #[derive(Debug)]
 pub(super) struct Watched<S> {
     stabilizer: S,
     record: Record,
 }
 
-/// Where the measurements of a watched stabilizer are read while a loop owns it.
+/// Handle to the measurements of a watched stabilizer while a loop owns the stabilizer.
 #[derive(Clone, Debug)]
 pub(super) struct Record(Rc<RefCell<Meters>>);
 
@@ -65,7 +65,7 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watched<S> {
     }
 }
 
-/// A meter for each lane of what a stabilizer is told and does.
+/// Meters of a stabilizer's samples and corrections, one for each lane.
 #[derive(Debug)]
 pub(super) struct Meters(Vec<Meter>);
 
@@ -92,14 +92,14 @@ impl Meters {
         Self(vec![meter; T::LANES])
     }
 
-    /// One more tick: what the stabilizer was told, and what it did.
+    /// Adds one tick: the stabilizer's sample and effort, and its correction.
     pub(super) fn watch<V: Signal>(
         &mut self,
         sample: &PortSample<V>,
         effort: V,
         correction: &Correction<V>,
     ) {
-        // What several periods under other efforts did; of a single one this is exactly zero.
+        // Work done under other efforts, where a sample spans several periods; for a single period it is exactly zero.
         let others = sample.work - sample.applied.times(sample.displacement);
         for (lane, meter) in self.0.iter_mut().enumerate() {
             meter.watch(Sight::of(lane, sample, others, effort, correction));
@@ -112,10 +112,10 @@ impl Meters {
     }
 }
 
-/// As many axes as a port may have here.
+/// The most axes that a port may have here.
 const AXES: usize = 4;
 
-/// A signal, axis by axis.
+/// The axes of a signal in one lane.
 #[derive(Clone, Copy, Debug)]
 struct Axes {
     values: [f64; AXES],
@@ -209,7 +209,7 @@ impl Sight {
         self.velocity.inner(&self.velocity) * self.period
     }
 
-    /// What the correction is to burn, J: nothing without a damping, whatever the velocity.
+    /// What the correction is to dissipate, J: nothing without damping, whatever the velocity.
     fn burnt(&self) -> f64 {
         if self.alpha == 0.0 { 0.0 } else { self.alpha * self.square() }
     }
@@ -221,7 +221,7 @@ struct Meter {
     tick: u64,
     shaken: bool,
     balance: Balance,
-    /// What a reference held on the tick before, J.
+    /// The energy stored in the reference on the tick before, J.
     held: f64,
     epsilon: f64,
     tiny: f64,
@@ -251,13 +251,13 @@ impl Meter {
             let work = Double::product(sight.applied.values[axis], sight.displacement.values[axis]);
             let v = sight.velocity.values[axis];
             let others = sight.others.values[axis];
-            // What applied or moved is not known, but the work is.
+            // Where the applied force or the displacement is not known, the work may be.
             let known = (work.value() + others).is_finite();
             terms[3 * axis] = if known { work } else { sight.work.values[axis].into() };
             terms[3 * axis + 1] = if known { others.into() } else { Double::default() };
             if damping > 0.0 {
                 let credit = Double::product(v, v).times(sight.period).times(damping);
-                // What is not known credits nothing.
+                // An unknown velocity credits nothing.
                 if credit.value().is_finite() {
                     terms[3 * axis + 2] = credit;
                 }
@@ -267,7 +267,7 @@ impl Meter {
         self.balance.book(&terms, self.held);
     }
 
-    /// What is credited as a whole, J: where it is not known, nothing of the tick is.
+    /// The credit that does not split into axes, J; where it is not finite, nothing of the tick is booked.
     fn stored(&mut self, sight: &Sight) -> f64 {
         match &self.terms.pledge.credit {
             Credit::None | Credit::Damper { .. } => 0.0,
@@ -289,8 +289,8 @@ impl Meter {
         let (tick, epsilon) = (self.tick, self.epsilon);
         let sound = sight.sound();
         let mut correction = 0.0;
-        // Energies near the end of the scalar's range are turned away, and the account is no longer whole; so are squares of
-        // velocities, of which the energies are made.
+        // The stabilizer rejects energies near the end of the scalar's range, and squared velocities there; from then
+        // on its ledger is no longer whole.
         let told =
             if sound { sight.velocity.inner(&sight.velocity).max(sight.square()) } else { 0.0 };
         let energy = told.max(self.balance.size());

@@ -1,4 +1,4 @@
-//! One axis of a map.
+//! An axis of a map.
 
 use std::fmt;
 use std::str::FromStr;
@@ -20,13 +20,13 @@ pub struct Axis {
     pub from: f64,
     /// The last value, greater than the first.
     pub to: f64,
-    /// How many values, 2 or more.
+    /// The number of values, 2 or more.
     pub count: u64,
-    /// How they are spaced.
+    /// The spacing of the values.
     pub spacing: Spacing,
 }
 
-/// How the values of an axis are spaced.
+/// Spacing of the values of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {
     /// By equal differences.
@@ -36,7 +36,7 @@ pub enum Spacing {
 }
 
 impl Axis {
-    /// Value number `index`, from 0 to `count - 1`; both ends are exactly what was asked for.
+    /// Value number `index`, from 0 to `count - 1`; both ends are exactly `from` and `to`.
     pub fn value(&self, index: u64) -> f64 {
         let last = self.count - 1;
         let (index, steps) = (index.min(last) as f64, last as f64);
@@ -49,16 +49,16 @@ impl Axis {
         }
     }
 
-    /// The unit of its width: that of the number, or decades; empty where it has none.
+    /// Unit of the width: that of the number, or decades; empty where it has none.
     pub fn unit(&self) -> &'static str {
         match self.spacing {
-            // A range may stand behind the unit.
+            // A range may follow the unit.
             Spacing::Linear => unit(&self.key).split(',').next().unwrap_or_default(),
             Spacing::Logarithmic => "decades",
         }
     }
 
-    /// How wide the axis is, in its unit; a logarithmic one in decades.
+    /// Width of the axis in its unit; of a logarithmic one in decades.
     pub(super) fn width(&self) -> f64 {
         match self.spacing {
             Spacing::Linear => self.to - self.from,

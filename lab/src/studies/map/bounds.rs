@@ -1,4 +1,4 @@
-//! What the formulas say, over a map.
+//! Stability bounds of the formulas over a map.
 
 use std::fmt;
 
@@ -14,21 +14,21 @@ use crate::text::found;
 /// The most values of the other axis at which the formulas are evaluated.
 const SAMPLES: u64 = 97;
 
-/// The bounds on the stiffness of the environment, where that is an axis, for values of the other one.
+/// Bounds on the stiffness of the environment, where that is an axis, for values of the other axis.
 #[derive(Clone, Debug)]
 pub struct Bounds {
-    /// Whether the stiffness is the axis upwards.
+    /// Whether the stiffness is the y axis.
     upwards: bool,
-    /// The number of each value of the other axis, the value, and the bounds there.
+    /// The index of each value of the other axis, the value, and the bounds there.
     samples: Vec<(u64, f64, Limits)>,
 }
 
-/// The stiffness that a stabilizer renders stably, over the exact bound of the loop without one.
+/// Ratio of the stiffness that a stabilizer renders stably to the exact bound of the loop without one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverExact {
-    /// The one over the other.
+    /// The ratio.
     pub ratio: f64,
-    /// Whether it is more: the stabilizer holds up to the edge of the map.
+    /// Whether the true ratio may be larger: the stabilizer holds up to the edge of the map.
     pub is_least: bool,
 }
 
@@ -38,7 +38,7 @@ impl fmt::Display for OverExact {
     }
 }
 
-/// A bound along one axis for each value of the other.
+/// Curve of one bound along one axis over the values of the other.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
     pub(super) label: &'static str,
@@ -49,7 +49,7 @@ pub(super) struct Curve {
 }
 
 impl Bounds {
-    /// Those of `grid`; none if no axis is the stiffness of the environment.
+    /// Bounds over `grid`; none if no axis is the stiffness of the environment.
     pub fn of(grid: &Grid) -> Option<Self> {
         let key = format!("environment.{}.stiffness", grid.scene.environment.name());
         let upwards = match (grid.x.key == key, grid.y.key == key) {
@@ -94,12 +94,12 @@ impl Bounds {
         names.into_iter().enumerate().filter_map(curve).collect()
     }
 
-    /// The stiffness below the first that is unstable under stabilizer `index`, over the exact bound of the loop without one:
-    /// the middle one of the values of the other axis.
+    /// Ratio of the stiffness below the first unstable one under stabilizer `index` to the exact bound of the loop
+    /// without one: the middle ratio over the values of the other axis.
     ///
-    /// Where nothing that was judged is unstable its last stiffness counts, and where the first is unstable 0. Left
-    /// out are values that tell nothing: without a bound, with both beyond the same edge, or with no cell judged. None if no
-    /// value is left.
+    /// Where no judged cell is unstable the last stable stiffness counts, and where the first one is unstable 0. Values
+    /// of the other axis that decide nothing are left out: those without a bound, with both stiffnesses beyond the same
+    /// edge, or with no cell judged. None if no value is left.
     pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<OverExact> {
         let grid = survey.grid();
         let (axis, reaches): (&Axis, &[Reach]) = if self.upwards {
@@ -117,11 +117,11 @@ impl Bounds {
         let mut ratios: Vec<OverExact> = self.samples.iter().filter_map(ratio).collect();
         ratios.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
         let middle = ratios.len() / 2;
-        // One that is more than it says could be beyond the middle.
+        // A ratio that may be larger could lie beyond the middle.
         let is_least = ratios.iter().take(middle + 1).any(|over| over.is_least);
         ratios.get(middle).map(|over| OverExact { is_least, ..*over })
     }
 }
 
-/// Numbers of colours that stand out on the ramp of a heat map.
+/// Indices of colours that stand out on the ramp of a heat map.
 const COLOURS: [usize; 4] = [3, 4, 5, 1];

@@ -1,4 +1,4 @@
-//! The table of a map in the making.
+//! The table of an unfinished map.
 
 use std::fmt;
 use std::fs::{self, File};
@@ -14,7 +14,7 @@ use super::table::{self, Rows, TableError, TableHeader};
 use crate::show::OutputError;
 use crate::show::csv::Records;
 
-/// A table that grows by whole cells under a name of its own, and takes its name when it is finished.
+/// A table that grows by whole cells under a temporary name, and takes its final name when it is finished.
 #[derive(Debug)]
 pub struct Checkpoint {
     part: PathBuf,
@@ -23,14 +23,14 @@ pub struct Checkpoint {
     next: u64,
 }
 
-/// Why a table cannot be begun or gone on with.
+/// Reason why a table cannot be begun or resumed.
 #[derive(Debug)]
 pub enum CheckpointError {
-    /// An unfinished table is there already.
+    /// There is an unfinished table already.
     Unfinished(PathBuf),
-    /// What is there is the table of another map.
+    /// The file there is the table of another map.
     Another(PathBuf),
-    /// What is there is no table, or one with a wrong row.
+    /// The file there is no table, or one with a wrong row.
     Table(PathBuf, TableError),
     /// The place cannot be written to.
     Output(OutputError),
@@ -68,7 +68,7 @@ impl fmt::Display for CheckpointError {
 
 impl std::error::Error for CheckpointError {}
 
-/// The name of the table of a shard.
+/// File name of a shard's table.
 pub(super) fn name(shard: Shard) -> String {
     if shard == Shard::WHOLE {
         "map.csv".to_owned()
@@ -78,11 +78,11 @@ pub(super) fn name(shard: Shard) -> String {
 }
 
 impl Checkpoint {
-    /// Begins the table of `shard` of `grid` in `folder`, or goes on with the one that is there if `resume` says so; the
-    /// cells that it has already are told to `survey`.
+    /// Begins the table of `shard` of `grid` in `folder`, or resumes the one that is there if `resume` is set, and adds
+    /// the cells that it has to `survey`.
     ///
     /// # Errors
-    /// An unfinished table that is not to be gone on with, one of another map, and a place that cannot be written to.
+    /// An unfinished table without `resume`, the table of another map, and a place that cannot be written to.
     pub fn open(
         folder: &Path,
         grid: &Grid,
@@ -101,7 +101,7 @@ impl Checkpoint {
             }
             let (next, bytes) = read(&part, grid, &head, &cells, survey)?;
             let mut file = File::options().write(true).open(&part).map_err(refuse)?;
-            // What was cut off in the middle of a row is written anew.
+            // A cell that was cut off is written anew.
             file.set_len(bytes).map_err(refuse)?;
             file.seek(SeekFrom::End(0)).map_err(refuse)?;
             return Ok(Self { part, path, file, next });
@@ -116,15 +116,15 @@ impl Checkpoint {
         self.next
     }
 
-    /// Where it is while it is not finished.
+    /// The path of the unfinished table.
     pub fn part(&self) -> &Path {
         &self.part
     }
 
-    /// Writes down the next cells.
+    /// Writes the next cells.
     ///
     /// # Errors
-    /// What the system says; what was written before stays.
+    /// An error of the file system; rows written before stay.
     pub fn put(&mut self, grid: &Grid, outcomes: &[Vec<Outcome>]) -> Result<(), OutputError> {
         let refuse = |error| OutputError::new(&self.part, error);
         let mut rows = Records::new(Vec::new());
@@ -136,10 +136,10 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Gives the table its name.
+    /// Gives the table its final name.
     ///
     /// # Errors
-    /// What the system says; then it is still there as unfinished.
+    /// An error of the file system; the table then stays unfinished.
     pub fn finish(self) -> Result<PathBuf, OutputError> {
         let refuse = |error| OutputError::new(&self.path, error);
         self.file.sync_all().map_err(refuse)?;
@@ -148,7 +148,8 @@ impl Checkpoint {
     }
 }
 
-/// Tells `survey` the cells of the table at `path`: the cell after the last whole one, and the bytes up to it.
+/// Adds the cells of the table at `path` to `survey`. Returns the cell after the last whole one, and the bytes up
+/// to it.
 pub(super) fn read(
     path: &Path,
     grid: &Grid,

@@ -1,4 +1,4 @@
-//! `map.json`.
+//! The document `map.json`.
 
 use serde::Serialize;
 
@@ -8,29 +8,29 @@ use super::run::{Method, Run, Workload};
 use super::survey::Survey;
 use crate::simulate::family::StabilizerName;
 
-/// How a map was computed.
+/// Method and cost of a map's computation.
 #[derive(Clone, Debug, Serialize)]
 pub struct Computation {
     /// Cells computed by this run.
     pub cells: u64,
-    /// Their ticks, those of all stabilizers together, each run to its end.
+    /// Ticks of those cells under all stabilizers together, each run to its end.
     pub rollout_steps: u64,
-    /// Time in which their verdicts were found, s.
+    /// Time spent on their verdicts, s.
     pub kernel_seconds: f64,
-    /// Time in which their bounded runs were measured, s.
+    /// Time spent on measuring their bounded runs, s.
     pub measures_seconds: f64,
-    /// Threads.
+    /// The number of threads.
     pub threads: usize,
-    /// Cells that travel together; 1: one by one.
+    /// Cells that run side by side in one vector; 1: one by one.
     pub lanes: usize,
     /// `lanes`, or `single` for a scene with parts that the lanes do not have.
     pub method: &'static str,
-    /// The vector instructions of the lanes; null without.
+    /// The vector instructions of the lanes; null without lanes.
     pub instructions: Option<&'static str>,
 }
 
 impl Computation {
-    /// What `run` did.
+    /// Computation of `run`, which took `effort`.
     pub fn of(run: &Run<'_>, effort: Workload) -> Self {
         let (lanes, method, instructions) = match run.method() {
             Method::Lanes(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
@@ -53,7 +53,7 @@ impl Computation {
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// The keys that a clock was asked for or that depend on the machine.
+    /// The keys that come from a clock or depend on the machine.
     not_deterministic: [&'static str; 5],
     x: Along<'a>,
     y: Along<'a>,
@@ -79,9 +79,9 @@ struct Line {
     /// None where no cell was judged.
     stable_share: Option<f64>,
     area: Option<f64>,
-    /// None where the stiffness is no axis, or nothing on the map tells.
+    /// None where the stiffness is no axis, or no value of the other axis decides it.
     stiffness_over_exact: Option<f64>,
-    /// Whether that is the least that it can be.
+    /// Whether that is only a lower bound.
     stiffness_over_exact_is_least: bool,
 }
 
@@ -93,7 +93,7 @@ fn along(axis: &Axis) -> Along<'_> {
     Along { key: &axis.key, from: axis.from, to: axis.to, count: axis.count, spacing }
 }
 
-/// The map as JSON; docs/map.md says what is in it.
+/// The map as JSON; docs/map.md explains its keys.
 ///
 /// # Errors
 /// None: every part can be written as JSON.

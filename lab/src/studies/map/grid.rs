@@ -1,4 +1,4 @@
-//! What a map is of: a scene, two of its numbers, and stabilizers.
+//! The grid of a map: a scene, two of its numbers, and stabilizers.
 
 use std::fmt;
 
@@ -9,41 +9,41 @@ use super::vary::{self, Vary, VaryError};
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
 
-/// A scene with two of its numbers varied, under some stabilizers.
+/// A scene with two of its numbers varied, under several stabilizers.
 ///
 /// Cells are counted along x first: cell `i + j · x.count` has value `i` of x and value `j` of y.
 #[derive(Clone, Debug)]
 pub struct Grid {
     /// The scene whose numbers are varied.
     pub scene: Scene,
-    /// The axis to the right.
+    /// The horizontal axis.
     pub x: Axis,
-    /// The axis upwards.
+    /// The vertical axis.
     pub y: Axis,
-    /// Who runs in each cell.
+    /// The stabilizers that run in each cell.
     pub stabilizers: StabilizerNames,
     tree: Value,
     numbers: [Vary; 2],
 }
 
-/// Why there is no such map.
+/// Reason why there is no such map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GridError {
     /// An axis that does not fit the scene.
     Axis(VaryError),
     /// The same number twice.
     SameKey(String),
-    /// A scene of more than one dimension: what is measured is measured along one axis.
+    /// A scene of more than one dimension: a map measures along one axis.
     Space,
     /// A stabilizer named twice, or none at all.
     StabilizerNames(StabilizerNamesError),
-    /// A scene that cannot be written down.
+    /// A scene that cannot be written as TOML.
     Unwritten(String),
-    /// Two values that are each right and make no scene together.
+    /// Two values that are each valid but make no scene together.
     Cell {
-        /// What they are.
+        /// The two values.
         cell: String,
-        /// What is wrong.
+        /// The reason.
         reason: String,
     },
 }
@@ -99,7 +99,7 @@ impl Grid {
         Ok(Self { scene, x, y, stabilizers: members, tree, numbers })
     }
 
-    /// How many cells there are.
+    /// The number of cells.
     pub fn cells(&self) -> u64 {
         self.x.count * self.y.count
     }
@@ -109,7 +109,7 @@ impl Grid {
         [self.x.value(cell % self.x.count), self.y.value(cell / self.x.count)]
     }
 
-    /// The scene of each value of an axis, with the other number as the scene has it.
+    /// The scene for each value of an axis, with the other number unchanged.
     ///
     /// # Errors
     /// A value that the scene does not allow.
@@ -118,7 +118,7 @@ impl Grid {
         (0..axis.count).map(|index| self.with(which, axis.value(index))).collect()
     }
 
-    /// The scene with `value` for one of its two numbers, and the other as the scene has it.
+    /// The scene with `value` for one of its two numbers, and the other unchanged.
     ///
     /// # Errors
     /// A value that the scene does not allow.
@@ -142,14 +142,14 @@ impl Grid {
         vary::read(&tree, &self.scene).map_err(|reason| self.at(cell, reason))
     }
 
-    /// What is wrong with a cell.
+    /// The error of a cell with its values.
     pub(super) fn at(&self, cell: u64, reason: String) -> GridError {
         let [x, y] = self.values(cell);
         let cell = format!("`{}` = {x:?} with `{}` = {y:?}", self.x.key, self.y.key);
         GridError::Cell { cell, reason }
     }
 
-    /// The rows of the run of a cell, `round(duration servo_rate) + 1`.
+    /// The number of rows of a cell's run, `round(duration servo_rate) + 1`.
     pub(super) fn rows(&self, cell: u64) -> u64 {
         let values = self.values(cell);
         let number = |key: &str, own: f64| {

@@ -1,4 +1,4 @@
-//! The shards of a map, put together.
+//! Merge of a map's shards.
 
 use std::fmt;
 use std::fs::File;
@@ -13,7 +13,7 @@ use super::table::{self, Rows, TableError, TableHeader};
 use crate::show::OutputError;
 use crate::show::csv::Records;
 
-/// Why shards do not make a map.
+/// Reason why shards do not make a map.
 #[derive(Debug)]
 pub enum MergeError {
     /// A shard that cannot be read, or a place that cannot be written to.
@@ -61,7 +61,7 @@ impl<E: Into<CheckpointError>> From<E> for MergeError {
     }
 }
 
-/// Writes the map of all shards at `paths` to `out`, which is at `place`, and tells what it comes to.
+/// Writes the map of all shards at `paths` to `out`, which is at `place`, and returns its survey.
 ///
 /// # Errors
 /// Tables that do not make a whole map; a place that cannot be written to.

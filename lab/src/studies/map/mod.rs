@@ -1,4 +1,4 @@
-//! Stability maps: any two numbers of a scene on a grid, under several stabilizers.
+//! Stability maps over any two numbers of a scene, under several stabilizers.
 
 mod axis;
 mod bounds;

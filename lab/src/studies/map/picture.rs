@@ -1,4 +1,4 @@
-//! The heat maps.
+//! Heat maps of a map.
 
 use super::axis::{Axis, Spacing};
 use super::bounds::{Bounds, Curve};
@@ -12,12 +12,12 @@ const WIDTH: f64 = 560.0;
 
 const HEIGHT: f64 = 330.0;
 
-/// A heat map, the name of its files, and what it shows.
+/// A heat map with the name of its files and its caption.
 #[derive(Debug)]
 pub struct NamedFigure {
     /// The name of its files, without an ending.
     pub name: &'static str,
-    /// What it shows.
+    /// The caption.
     pub words: &'static str,
     /// The map, a panel for each stabilizer.
     pub figure: Figure,
@@ -44,7 +44,7 @@ pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
 const STABLE: &str =
     "Dark where the loop is stable, light where it is not, empty where nothing was judged";
 
-/// What a measure covers under all stabilizers, so that one colour means the same in every panel.
+/// Range of a measure over all stabilizers, so that one colour means the same in every panel.
 fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
     let all = (0..survey.grid().stabilizers.len()).flat_map(|index| survey.mean(index, measure));
     let finite = all.filter(|value| value.is_finite());
@@ -87,7 +87,7 @@ fn figure(
     figure
 }
 
-/// What stands at an axis.
+/// Label of an axis.
 fn label(axis: &Axis) -> String {
     match unit(&axis.key) {
         "" => axis.key.clone(),
@@ -95,7 +95,7 @@ fn label(axis: &Axis) -> String {
     }
 }
 
-/// An axis as it is drawn: its cells stand about their values.
+/// An axis as drawn: each cell is centred on its value.
 struct Shown {
     numbering: Numbering,
     range: (f64, f64),

@@ -1,4 +1,4 @@
-//! What each stabilizer renders stably, and the report page of a map: one file that needs nothing else.
+//! The table of stable areas, and the self-contained report page of a map.
 
 use maud::html;
 
@@ -46,13 +46,14 @@ pub fn page(
     html::page(&format!("Map of {} by {}", grid.y.key, grid.x.key), &body)
 }
 
-/// The table of areas for the terminal, with what they are of.
+/// Table of areas for the terminal, with the axes and the unit.
 pub fn areas(survey: &Survey, bounds: Option<&Bounds>) -> String {
     let grid = survey.grid();
     format!("{}\n{}\narea in {}\n\n{}", grid.x, grid.y, survey.unit(), table(survey, bounds))
 }
 
-/// Stable cells, of how many, their share, their area, and how stiff over the exact bound; `-` for what is not known.
+/// Table of the stable cells, the judged cells, their share, their area, and the stiffness over the exact bound; `-`
+/// for an unknown number.
 fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
     let headings = [
         Heading::word("stabilizer"),

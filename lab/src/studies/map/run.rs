@@ -1,4 +1,4 @@
-//! The cells of a map, computed on all cores and handed on in their order.
+//! The computation of a map's cells on all cores, with results in the order of the cells.
 
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -13,17 +13,17 @@ use super::single;
 use crate::show::OutputError;
 use crate::simulate::family::{BasicName, StabilizerName};
 
-/// How long a band of cells may take: no more than this is lost when a machine stops.
+/// Time that a band of cells may take: no more than this is lost when a machine stops.
 const BAND: Duration = Duration::from_millis(500);
 
-/// Cells that one thread takes at once: at most, and at least while there are so many.
+/// Cells that one thread takes at once: the most, and the least while there are as many.
 const SHARE: usize = 1024;
 const LEAST: usize = 64;
 
 /// The most cells of a band.
 const MOST: usize = 1 << 16;
 
-/// How the cells are computed.
+/// Method by which the cells are computed.
 #[derive(Debug)]
 pub enum Method {
     /// Many at once, on lanes.
@@ -32,29 +32,29 @@ pub enum Method {
     Single,
 }
 
-/// What the computation took.
+/// Cost of a computation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Workload {
-    /// Cells.
+    /// The number of cells.
     pub cells: u64,
-    /// Ticks of all rollouts, each to the end of its run, also of those that were stopped before.
+    /// Ticks of all rollouts, each counted to the end of its run even if it was stopped before.
     pub rollout_steps: u64,
-    /// Time in which the verdicts were found, s.
+    /// Time spent on the verdicts, s.
     pub kernel_seconds: f64,
-    /// Time in which the bounded runs were measured, s; 0 where that happens along with the verdict.
+    /// Time spent on measuring the bounded runs, s; 0 where that happens along with the verdict.
     pub measures_seconds: f64,
 }
 
-/// Why a map is not finished.
+/// Reason why a map is not finished.
 #[derive(Debug)]
 pub enum RunError {
-    /// A cell that is no scene.
+    /// A cell whose values make no scene.
     Cell(GridError),
-    /// What was found could not be written down.
+    /// The outcomes could not be written.
     Output(OutputError),
     /// Threads could not be started.
     Threads(String),
-    /// Whoever watched said so; what was handed on is sound.
+    /// The caller stopped it; the outcomes handed out before are valid.
     Stopped,
 }
 
@@ -83,7 +83,7 @@ impl From<OutputError> for RunError {
     }
 }
 
-/// Is handed the first cell of a band, and what each of its cells came to under each stabilizer.
+/// Receiver of a band: its first cell, and the outcome of each of its cells under each stabilizer.
 pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
 
 /// The computation of a map.
@@ -95,7 +95,7 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// The computation of `grid` on `threads` threads, or as many as there are cores.
+    /// Computation of `grid` on `threads` threads, or as many as there are cores.
     ///
     /// # Errors
     /// A value of an axis that the scene does not allow; threads that cannot be started.
@@ -107,12 +107,12 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The same, each cell by itself whatever the scene is made of.
+    /// The same with each cell run by itself, whatever parts the scene has.
     ///
     /// # Errors
-    /// As [`Run::of`].
+    /// The errors of [`Run::of`].
     pub fn one_by_one(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
-        // A wrong value would be met only after the cells before it.
+        // Without this a wrong value would only be found after the cells before it.
         grid.along(0).and(grid.along(1)).map_err(GridError::from)?;
         Self::by(grid, Method::Single, threads)
     }
@@ -125,20 +125,21 @@ impl<'a> Run<'a> {
         Ok(Self { grid, method, pool })
     }
 
-    /// How the cells are computed.
+    /// Method by which the cells are computed.
     pub fn method(&self) -> &Method {
         &self.method
     }
 
-    /// How many threads compute.
+    /// The number of threads.
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()
     }
 
-    /// Computes `cells` and hands them to `put` in their order, a band at a time; `go_on` is asked now and then.
+    /// Computes `cells` and passes them to `put` in their order, a band at a time; polls `go_on` now and then.
     ///
     /// # Errors
-    /// [`RunError::Stopped`] if `go_on` says so, and what `put` or a cell meets. What was handed on before is sound.
+    /// [`RunError::Stopped`] if `go_on` returns false, and the errors of `put` and of cells. The bands passed on before
+    /// are valid.
     pub fn cells(
         &self,
         cells: std::ops::Range<u64>,
@@ -171,7 +172,7 @@ impl<'a> Run<'a> {
         Ok(effort)
     }
 
-    /// So many cells that a band is short whatever a cell takes.
+    /// Size of the first band, so small that it is short whatever a cell takes.
     fn first_band(&self) -> usize {
         let rows = self.grid.rows(0).max(self.grid.rows(self.grid.cells() - 1));
         let fast = matches!(self.method, Method::Lanes(_))
@@ -226,7 +227,7 @@ impl<'a> Run<'a> {
         Ok(outcomes)
     }
 
-    /// What has no lanes, beside what has.
+    /// Outcomes of a stabilizer that the kernel does not have, next to others that it has.
     fn alone(
         &self,
         member: StabilizerName,
@@ -255,7 +256,7 @@ impl<'a> Run<'a> {
             .map_err(|error| self.grid.at(cell, error.to_string()))
     }
 
-    /// What `of` makes of all cells, on all threads: in shares that grow smaller, so that all are done at the same time.
+    /// Results of `of` for all cells, on all threads: in shares that become smaller, so that threads finish together.
     fn shared<R: Send>(
         &self,
         cells: &[u64],
@@ -271,7 +272,7 @@ impl<'a> Run<'a> {
             Err(error) => Err(self.blamed(cells, error)),
         };
         let mut shares: Vec<(usize, Result<Vec<R>, RunError>)> = self.pool.install(|| {
-            // Handed out in their order, as threads ask for them.
+            // `par_bridge` hands the shares out in their order, as threads ask for them.
             shares.enumerate().par_bridge().map(|(at, cells)| (at, one(cells))).collect()
         });
         shares.sort_unstable_by_key(|(at, _)| *at);
@@ -282,13 +283,13 @@ impl<'a> Run<'a> {
         Ok(all)
     }
 
-    /// Says which cell it is that an error is about.
+    /// The error of a share, with the cell that causes it.
     fn blamed(&self, cells: &[u64], error: lyapunov::ParameterError) -> RunError {
         let fault = cells.iter().find_map(|cell| self.grid.scene_of(*cell).err());
         RunError::Cell(fault.unwrap_or_else(|| self.grid.at(cells[0], error.to_string())))
     }
 
-    /// The cells up to the first that was stopped.
+    /// Outcomes of cells run one by one, up to the first that was stopped.
     fn by_itself(
         &self,
         band: &[u64],

@@ -1,15 +1,15 @@
-//! A share of a map, for one job of many.
+//! Shards: shares of a map for several jobs.
 
 use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// Share `index` of `count`, counted from 0: consecutive cells, as many as in the others or one more.
+/// Share `index` of `count`, counted from 0: consecutive cells. Shards differ by at most one cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which share.
+    /// The index of the shard, from 0.
     pub index: u64,
-    /// How many there are.
+    /// The number of shards.
     pub count: u64,
 }
 
@@ -17,7 +17,7 @@ impl Shard {
     /// The whole map.
     pub const WHOLE: Self = Self { index: 0, count: 1 };
 
-    /// Its cells, of `cells` in all.
+    /// The cells of this shard, of `cells` in all.
     pub fn cells(self, cells: u64) -> Range<u64> {
         let at =
             |index: u64| (u128::from(cells) * u128::from(index) / u128::from(self.count)) as u64;
@@ -31,7 +31,7 @@ impl fmt::Display for Shard {
     }
 }
 
-/// A share that cannot be.
+/// A text that is no shard.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShardError(String);
 

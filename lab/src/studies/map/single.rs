@@ -1,4 +1,4 @@
-//! Cells run one by one, for scenes with parts that the kernel does not have.
+//! Runs of single cells, for scenes with parts that the kernel does not have.
 
 use lyapunov::{ParameterError, Scalar};
 
@@ -8,11 +8,10 @@ use crate::measure::{Boundedness, Chatter, Energies, Settling, Share};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Criterion, Rollout, Space, Tick};
 
-/// Ticks between two looks at what is decided.
+/// Ticks between two checks whether the verdict is decided.
 const STRETCH: u64 = 64;
 
-/// What the run of `scene` under `member` comes to. A run whose fate is sealed is not run to its end.
-/// None if `go_on` said so.
+/// Outcome of the run of `scene` under `member`; none if `go_on` stopped it. A lost run is not run to its end.
 pub(super) fn outcome(
     scene: &Scene,
     member: StabilizerName,

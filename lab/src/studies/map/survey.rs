@@ -1,12 +1,12 @@
-//! What a whole map comes to, cell by cell: little, however large it is.
+//! Survey of a map in little memory, however large the map is.
 
 use super::grid::Grid;
 use super::outcome::{Measure, Outcome};
 
-/// The most picture elements along an axis; a larger map is drawn by means.
+/// The most picture elements along an axis; a larger map is drawn by the means of its cells.
 const FINEST: u64 = 512;
 
-/// What is kept of a map while its cells pass by.
+/// Survey of a map, filled cell by cell.
 #[derive(Clone, Debug)]
 pub struct Survey {
     grid: Grid,
@@ -15,32 +15,32 @@ pub struct Survey {
     layers: Vec<Layer>,
 }
 
-/// What one stabilizer came to.
+/// The part of a survey for one stabilizer.
 #[derive(Clone, Debug)]
 struct Layer {
     stable: u64,
     judged: u64,
-    /// How far each row is stable, from its beginning; and each column.
+    /// Reach of each row, and of each column.
     along_x: Vec<Reach>,
     along_y: Vec<Reach>,
-    /// For each element: how many cells were judged, how many of them stable.
+    /// The judged cells of each picture element, and the stable ones among them.
     cells: Vec<u32>,
     held: Vec<u32>,
-    /// For each measure and element, the sum and the number of the values.
+    /// For each measure and picture element, the sum and the number of the values.
     sums: Vec<Vec<(f64, u32)>>,
 }
 
-/// How far a row or a column of a map is stable, from its beginning.
+/// Length over which a row or a column of a map is stable, from its beginning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// The number of the cell after the last stable one before any that is unstable; 0 without one.
+    /// The index of the cell after the last stable one before any unstable one; 0 without a stable one.
     pub end: u64,
-    /// Whether an unstable one follows.
+    /// Whether an unstable cell follows.
     pub is_broken: bool,
 }
 
 impl Reach {
-    /// Looks at the next cell, number `index`.
+    /// Adds the next cell, at `index`.
     fn pass(&mut self, index: u64, stable: Option<bool>) {
         self.is_broken |= stable == Some(false);
         if stable == Some(true) && !self.is_broken {
@@ -54,16 +54,17 @@ impl Reach {
 pub struct Area {
     /// Stable cells.
     pub stable: u64,
-    /// Cells that were judged: all, but for those where no spring pulls the plant anywhere.
+    /// Judged cells: all but those where no spring pulls the plant.
     pub judged: u64,
-    /// The one of the other; none if none was judged.
+    /// Stable cells over judged cells; none if no cell was judged.
     pub share: Option<f64>,
-    /// The share of all cells, of the rectangle, in the units of both axes; of a logarithmic axis in decades.
+    /// The stable share of all cells, times the rectangle in the units of both axes; a logarithmic axis counts in
+    /// decades.
     pub area: Option<f64>,
 }
 
 impl Survey {
-    /// Nothing seen yet.
+    /// Empty survey of `grid`.
     pub fn of(grid: &Grid) -> Self {
         let [columns, rows] = [grid.x.count, grid.y.count].map(|count| count.min(FINEST) as usize);
         let layer = Layer {
@@ -79,7 +80,7 @@ impl Survey {
         Self { grid: grid.clone(), columns, rows, layers }
     }
 
-    /// One more cell; the cells of a map come in their order.
+    /// Adds the next cell; cells come in their order.
     pub fn add(&mut self, cell: u64, outcomes: &[Outcome]) {
         let (x, y) = (cell % self.grid.x.count, cell / self.grid.x.count);
         let at = |index: u64, count: u64, finest: usize| (index * finest as u64 / count) as usize;
@@ -101,12 +102,12 @@ impl Survey {
         }
     }
 
-    /// What is mapped.
+    /// The grid of the map.
     pub fn grid(&self) -> &Grid {
         &self.grid
     }
 
-    /// What stabilizer `index` renders stably.
+    /// The area that stabilizer `index` renders stably.
     pub fn area(&self, index: usize) -> Area {
         let Layer { stable, judged, .. } = self.layers[index];
         let share = (judged > 0).then(|| stable as f64 / judged as f64);
@@ -124,30 +125,30 @@ impl Survey {
         units.join(" x ")
     }
 
-    /// How far along x stabilizer `index` renders each value of y stably.
+    /// Reach along x of stabilizer `index` for each value of y.
     pub fn along_x(&self, index: usize) -> &[Reach] {
         &self.layers[index].along_x
     }
 
-    /// The same of y for each value of x.
+    /// Reach along y of stabilizer `index` for each value of x.
     pub fn along_y(&self, index: usize) -> &[Reach] {
         &self.layers[index].along_y
     }
 
-    /// Columns and rows of the picture.
+    /// Numbers of columns and rows of the picture.
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
-    /// The share of the judged cells that are stable under stabilizer `index`, row by row from the bottom; NaN where none was
-    /// judged.
+    /// Share of the judged cells of each element that are stable under stabilizer `index`, row by row from the bottom;
+    /// NaN where none was judged.
     pub(super) fn stable(&self, index: usize) -> Vec<f64> {
         let layer = &self.layers[index];
         let share = |(cells, held): (&u32, &u32)| f64::from(*held) / f64::from(*cells);
         layer.cells.iter().zip(&layer.held).map(share).collect()
     }
 
-    /// The mean of a measure over the cells of each element; NaN where there is none.
+    /// Mean of a measure over the cells of each element; NaN where there is no value.
     pub(super) fn mean(&self, index: usize, measure: usize) -> Vec<f64> {
         let sums = &self.layers[index].sums[measure];
         sums.iter().map(|(sum, count)| sum / f64::from(*count)).collect()

@@ -1,6 +1,7 @@
-//! The table of a map: CSV with the scene in its head, a row for each cell and stabilizer, in the order of the cells.
+//! The table of a map: CSV with the scene in its head and a row for each cell and stabilizer, in the order of the
+//! cells.
 //!
-//! It is the map's only file of numbers: what has been written of it is what need not be computed again.
+//! It is the map's only file of numbers: cells in it need not be computed again.
 
 use std::fmt;
 use std::io::{self, BufRead, Write};
@@ -15,7 +16,7 @@ use crate::simulate::family::StabilizerNames;
 
 const TITLE: &str = concat!("# lyapunov map ", env!("CARGO_PKG_VERSION"));
 
-/// What stands in a table in front of its rows.
+/// The head of a table, in front of its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableHeader {
     /// The text, up to the names of the columns.
@@ -27,7 +28,7 @@ impl TableHeader {
     pub fn of(grid: &Grid, shard: Shard) -> Self {
         let mut text = format!("{TITLE}\n# x {}\n# y {}\n", grid.x, grid.y);
         text += &format!("# stabilizers {}\n# shard {shard}\n", grid.stabilizers);
-        // A scene that was read can be written.
+        // Every scene that was read can be written.
         let scene = toml::to_string(&grid.scene).unwrap_or_default();
         scene.lines().for_each(|line| text += &format!("#| {line}\n"));
         let names = [&grid.x.key, &grid.y.key, "stabilizer", "stable"];
@@ -39,7 +40,7 @@ impl TableHeader {
     /// The head at the beginning of `lines`.
     ///
     /// # Errors
-    /// What the reader cannot give, and text that is no head of a map.
+    /// A reader that fails, and text that is not the head of a map.
     pub fn read(lines: &mut impl BufRead) -> Result<Self, TableError> {
         let mut text = String::new();
         loop {
@@ -60,10 +61,10 @@ impl TableHeader {
         }
     }
 
-    /// The grid and the shard that the head tells of.
+    /// The grid and the shard of the table.
     ///
     /// # Errors
-    /// A head that is not as this program writes it.
+    /// A head that this program did not write.
     pub fn parse(&self) -> Result<(Grid, Shard), TableError> {
         let wrong = |what: &str| TableError::TableHeader(format!("its head has no right `{what}`"));
         let after = |key: &str| {
@@ -88,7 +89,7 @@ impl TableHeader {
         Ok((grid, shard))
     }
 
-    /// Whether the other is the head of a shard of the same map.
+    /// Whether `other` is the head of a shard of the same map.
     pub fn is_kin(&self, other: &Self) -> bool {
         let rest = |text: &str| -> Vec<String> {
             let lines = text.lines().filter(|line| !line.starts_with("# shard "));
@@ -103,19 +104,19 @@ impl TableHeader {
     }
 }
 
-/// What is wrong with a table.
+/// Fault of a table.
 #[derive(Debug)]
 pub enum TableError {
-    /// It is not the head of a map of this version.
+    /// The head is not that of a map of this version.
     TableHeader(String),
     /// A row that no map has.
     Row {
-        /// Its number among the rows, from 1.
+        /// The number of the row, from 1.
         row: u64,
-        /// What it is instead.
+        /// The text that is there instead.
         text: String,
     },
-    /// It cannot be read.
+    /// The table cannot be read.
     Unreadable(io::Error),
 }
 
@@ -146,7 +147,7 @@ impl std::error::Error for TableError {}
 /// Writes the rows of a cell.
 ///
 /// # Errors
-/// What the writer cannot take.
+/// A writer that fails.
 pub(super) fn write(
     out: &mut Records<impl Write>,
     grid: &Grid,
@@ -179,15 +180,15 @@ impl<R: BufRead> Rows<R> {
         Self { lines, grid, cell: first, line: String::new(), read: 0 }
     }
 
-    /// The bytes of the cells that were given out.
+    /// The number of bytes of the cells returned so far.
     pub fn bytes(&self) -> u64 {
         self.read
     }
 
-    /// The next cell and what it came to under each stabilizer; none where the table ends, be it in the middle of a row.
+    /// The next cell and its outcome under each stabilizer; none where the table ends, even in the middle of a row.
     ///
     /// # Errors
-    /// A row that is not that cell's.
+    /// A row of another cell, and a reader that fails.
     pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
         let (mut outcomes, mut bytes) = (Vec::new(), 0);
         let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
@@ -209,7 +210,7 @@ impl<R: BufRead> Rows<R> {
     }
 }
 
-/// What a row says after the stabilizer's name.
+/// The outcome in the part of a row after the stabilizer's name.
 fn outcome(text: &str) -> Option<Outcome> {
     let mut fields = text.split(',');
     let stable = match fields.next()? {

@@ -1,4 +1,4 @@
-//! A scene with one of its numbers changed.
+//! Variation of one number of a scene.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ pub(super) struct Vary {
     is_whole: bool,
 }
 
-/// Why an axis does not fit a scene.
+/// Reason why an axis does not fit a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VaryError {
     problem: String,
@@ -37,7 +37,7 @@ impl fmt::Display for VaryError {
 impl std::error::Error for VaryError {}
 
 impl Vary {
-    /// The number that `axis` names in the scene written down as `tree`.
+    /// The number that `axis` names in the scene with the TOML tree `tree`.
     pub(super) fn of(axis: &Axis, tree: &Value) -> Result<Self, VaryError> {
         let key = axis.key.as_str();
         let is_whole = match find(tree, key) {
@@ -47,7 +47,7 @@ impl Vary {
                 let problem = format!("`{key}` is not a number of the scene");
                 return Err(VaryError::new(problem, known(tree, key)));
             }
-            // What has a default may be left out of a scene.
+            // A scene may leave out a number with a default.
             None if number_keys().any(|known| known == key) && find(tree, table(key)).is_some() => {
                 false
             }
@@ -59,7 +59,7 @@ impl Vary {
         Ok(Self { key: key.to_owned(), is_whole })
     }
 
-    /// Writes `value` in the place of the number.
+    /// Replaces the number by `value`.
     pub(super) fn write(&self, tree: &mut Value, value: f64) -> Result<(), VaryError> {
         let number = match self.is_whole {
             false => Value::Float(value),
@@ -84,14 +84,14 @@ impl Vary {
         Ok(())
     }
 
-    /// What is wrong with `value` there.
+    /// The error of `value` as this number.
     pub(super) fn refused(&self, value: f64, reason: &str) -> VaryError {
         let problem = format!("`{}` = {value:?} is no scene: {reason}", self.key);
         VaryError::new(problem, "choose a range in which every value is right")
     }
 }
 
-/// The scene that `tree` describes, with what only a file holds taken from `base`.
+/// The scene of `tree`, with the samples of a motion file taken from `base`.
 pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
     let mut draft: Draft =
         tree.clone().try_into().map_err(|error: toml::de::Error| error.message().to_owned())?;
@@ -111,7 +111,7 @@ fn find<'a>(tree: &'a Value, key: &str) -> Option<&'a Value> {
     key.split('.').filter(|part| !part.is_empty()).try_fold(tree, |value, part| value.get(part))
 }
 
-/// The numbers that the scene does have.
+/// The remedy for an unknown key: the nearest one, or all numbers of the scene.
 fn known(tree: &Value, key: &str) -> String {
     let mut keys = Vec::new();
     gather(tree, "", &mut keys);

@@ -1,4 +1,4 @@
-//! Rows that cannot be used.
+//! Bad rows: rows that cannot be used.
 
 use std::fmt;
 
@@ -7,18 +7,18 @@ use serde::Serialize;
 use super::columns::Role;
 use crate::text::shorten;
 
-/// Bad rows that are named one by one; the rest are counted.
+/// Number of bad rows that are listed; the rest are only counted.
 const NAMED: usize = 10;
 
 /// The largest number in SI units, of either sign, that a row may hold.
 ///
-/// With it no product or sum of a report can leave the range of an `f64`.
+/// Up to it no product or sum of a report can leave the range of an `f64`.
 pub(super) const LARGEST: f64 = 1e50;
 
-/// The shortest time between two rows, s; for the same reason.
+/// The shortest time between two rows, s, for the same reason.
 pub(super) const SHORTEST: f64 = 1e-50;
 
-/// Why a row cannot be used.
+/// Reason why a row cannot be used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Reason<'a> {
     Fields { found: usize, expected: usize },
@@ -53,7 +53,7 @@ impl fmt::Display for Reason<'_> {
     }
 }
 
-/// A row that cannot be used, and what can be read of it all the same.
+/// A bad row, with the time and force that can be read all the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bad<'a> {
     pub(super) line: u64,
@@ -62,29 +62,29 @@ pub(super) struct Bad<'a> {
     pub(super) force: Option<f64>,
 }
 
-/// A bad row by its line.
+/// A bad row in a report.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BadRow {
     /// The number of the line, from 1.
     pub line: u64,
-    /// Why it cannot be used.
+    /// The reason why it cannot be used.
     pub reason: String,
 }
 
 /// The rows of a log that cannot be used.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct BadRows {
-    /// All of them.
+    /// The number of bad rows.
     pub count: u64,
-    /// Those with more or fewer fields than the first line, or too long to be a row.
+    /// Rows with more or fewer fields than the first line, or too long.
     pub fields: u64,
-    /// Those with a field that is no number.
+    /// Rows with a field that is no number.
     pub numbers: u64,
-    /// Those with a NaN, an infinity or a number beyond ±1e50 in SI units.
+    /// Rows with a NaN, an infinity or a number beyond ±1e50 in SI units.
     pub range: u64,
-    /// Those with a time stamp that is not after that of the last good row.
+    /// Rows with a time stamp that is not after that of the last good row.
     pub order: u64,
-    /// The first ten.
+    /// The first ten bad rows.
     pub first: Vec<BadRow>,
 }
 
@@ -102,7 +102,7 @@ impl BadRows {
         }
     }
 
-    /// What to do about the most frequent kind.
+    /// Remedy for the most frequent kind.
     pub fn remedy(&self) -> Option<&'static str> {
         let kinds = [
             (self.fields, "every row needs as many fields as the first line; is it cut off?"),

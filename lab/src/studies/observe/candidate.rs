@@ -1,4 +1,4 @@
-//! What the observer of a log sums.
+//! The candidate whose decrease the observer of a log sums.
 
 use lyapunov::{Dissipation, LyapunovCandidate, PortEnergy, PortSample, candidates::InContact};
 use serde::Serialize;
@@ -13,7 +13,7 @@ pub enum Candidate {
     /// The port's energy alone: the passivity observer.
     #[default]
     Spring,
-    /// Credits what the device's own damper must have burnt, `b v² T` on every row.
+    /// Credits what the device's own damper must have dissipated, `b v² T` on every row.
     DeviceDamping {
         /// `b`, N·s/m.
         damping: f64,
@@ -22,7 +22,7 @@ pub enum Candidate {
     MassSpringDamper {
         /// `b`, N·s/m.
         damping: f64,
-        /// Where the surface is, m; beyond it is `x > surface`.
+        /// The position of the surface, m; beyond it is `x > surface`.
         surface: f64,
     },
 }
@@ -48,7 +48,7 @@ impl Candidate {
         }))
     }
 
-    /// The word for it in a scene file.
+    /// Its name in a scene file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Spring => "spring",
@@ -58,7 +58,7 @@ impl Candidate {
     }
 }
 
-/// The port's energy and what a candidate credits.
+/// The port's energy with the candidate's credit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Credited(Credit);
 
@@ -70,7 +70,7 @@ enum Credit {
 }
 
 impl Credited {
-    /// What is credited over a sample, J.
+    /// The credit over a sample, J.
     pub(super) fn credit(&mut self, sample: &PortSample<f64>) -> f64 {
         match &mut self.0 {
             Credit::None => 0.0,

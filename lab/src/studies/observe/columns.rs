@@ -1,4 +1,4 @@
-//! Which columns of a log hold what, as they are asked for.
+//! The requested columns of a log and their roles.
 
 use std::str::FromStr;
 
@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::error::ObserveError;
 
-/// The columns of time, position, force and, maybe, velocity, in this order: by name, or by number from 1.
+/// The columns of time, position, force and, optionally, velocity, in this order: by name, or by number from 1.
 ///
 /// ```
 /// use lyapunov_lab::observe::Columns;
@@ -19,7 +19,7 @@ use super::error::ObserveError;
 pub struct Columns(Vec<String>);
 
 impl Columns {
-    /// Each role with the column that was asked for.
+    /// Each role with its requested column.
     pub(super) fn roles(&self) -> impl Iterator<Item = (Role, &str)> {
         Role::ALL.into_iter().zip(self.0.iter().map(String::as_str))
     }
@@ -35,7 +35,7 @@ impl Columns {
     }
 }
 
-/// The index, from 0, of a column that is given by its number, from 1.
+/// Index, from 0, of a column that is given by its number, from 1.
 pub(super) fn position(name: &str) -> Option<usize> {
     name.parse::<usize>().ok()?.checked_sub(1)
 }
@@ -67,7 +67,7 @@ impl FromStr for Columns {
     }
 }
 
-/// What a column of a log holds.
+/// Quantity that a column of a log holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
@@ -82,10 +82,10 @@ pub enum Role {
 }
 
 impl Role {
-    /// All of them, in the order in which columns are given.
+    /// All roles, in the order of the columns.
     pub const ALL: [Self; 4] = [Self::T, Self::X, Self::F, Self::V];
 
-    /// The letter by which a command line names it.
+    /// Its letter on the command line.
     pub fn letter(self) -> &'static str {
         match self {
             Self::T => "t",

@@ -4,17 +4,16 @@ use serde::Serialize;
 
 use super::tally::Tally;
 
-/// Contacts that are told one by one.
+/// Number of contacts that are reported one by one.
 const TOLD: usize = 10;
 
-/// Share of the largest force so far above which there is contact, where no threshold is given.
+/// Contact threshold as a share of the largest force so far, where no threshold is given.
 pub(super) const SHARE: f64 = 0.01;
 
-/// Rows below the threshold that do not end a contact yet.
+/// The most consecutive rows below the threshold that do not end a contact.
 const CHATTER: u32 = 3;
 
-/// A stretch in which the force was above the threshold, from its first row until the force that is held over
-/// its last one ends.
+/// A stretch with the force above the threshold, from its first row until the force held over its last one ends.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Contact {
     /// Start, s.
@@ -29,8 +28,8 @@ pub struct Contact {
     pub generated: f64,
     /// Largest magnitude of the force, N.
     pub peak_force: f64,
-    /// The constant damper that burns over the contact what it generated, N·s/m: `generated / Σ v² T`, 0 where
-    /// it generated nothing, none where nothing moved.
+    /// The constant damper that dissipates over the contact what the contact generated, N·s/m: `generated / Σ v² T`,
+    /// 0 where it generated nothing, none where nothing moved.
     pub damping: Option<f64>,
 }
 
@@ -39,17 +38,17 @@ pub struct Contact {
 pub struct Contacts {
     /// The threshold as given, or the last value of the default, N.
     pub threshold: f64,
-    /// Whether the threshold is 1 % of the largest force so far, and not given.
+    /// Whether the threshold is 1 % of the largest force so far instead of given.
     pub threshold_follows: bool,
-    /// How many there are.
+    /// The number of contacts.
     pub count: u64,
-    /// How many of them generated energy.
+    /// The number of contacts that generated energy.
     pub generating: u64,
-    /// The ten that generated most, worst first.
+    /// The ten contacts that generated most, worst first.
     pub worst: Vec<Contact>,
 }
 
-/// Finds the contacts of a log as its steps come in.
+/// Finder of contacts, step by step.
 #[derive(Clone, Debug)]
 pub(super) struct Finder {
     given: Option<f64>,
@@ -58,19 +57,19 @@ pub(super) struct Finder {
     found: Contacts,
 }
 
-/// A contact that goes on.
+/// A contact that has not ended.
 #[derive(Clone, Copy, Debug)]
 struct Open {
     start: f64,
     end: f64,
     peak: f64,
     tally: Tally,
-    /// What happened since the force was above the threshold last.
+    /// Energy and motion since the force was last above the threshold.
     pause: Tally,
     paused: u32,
 }
 
-/// What applied from one row to the next.
+/// Force, work and motion from one row to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Push {
     pub(super) from: f64,
@@ -81,7 +80,7 @@ pub(super) struct Push {
 }
 
 impl Finder {
-    /// A finder with a threshold in N, or with that of the default.
+    /// Finder with the given threshold, N, or with the default.
     pub(super) fn new(given: Option<f64>) -> Self {
         Self { given, largest: 0.0, open: None, found: Contacts::default() }
     }
@@ -94,7 +93,7 @@ impl Finder {
         let size = push.force.abs();
         self.largest = self.largest.max(size);
         let threshold = self.threshold();
-        // Noise before the first real contact is none of it.
+        // Noise before the first real contact does not belong to a contact.
         if self.open.as_ref().is_some_and(|open| open.peak <= threshold) {
             self.open = None;
         }
@@ -123,7 +122,7 @@ impl Finder {
         }
     }
 
-    /// All that were found, the one that the end of the log cuts off included.
+    /// All contacts, including one that the end of the log cuts off.
     pub(super) fn finish(mut self) -> Contacts {
         self.close();
         let threshold = self.threshold();
@@ -194,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_before_the_first_contact_is_none_of_it() {
+    fn noise_before_the_first_contact_is_no_contact() {
         let found = find(None, &[0.01, 0.01, 0.01, 5.0, 6.0, 0.01, 0.01, 0.01, 0.01]);
         assert_eq!((found.count, found.worst[0].start, found.worst[0].end), (1, 3.0, 5.0));
         assert_abs_diff_eq!(found.threshold, 0.06, epsilon = 1e-12);

@@ -1,4 +1,4 @@
-//! A curve of any length in a bounded number of points.
+//! Envelope of a curve of any length, in a bounded number of points.
 
 /// The most buckets of a curve; even, so that they merge in pairs.
 const MOST: usize = 2048;
@@ -7,8 +7,8 @@ type Point = (f64, f64);
 
 /// The first, the lowest, the highest and the last point of each of equally long runs of rows.
 ///
-/// When there is no room for another bucket, neighbours merge and buckets are twice as long from then on. What
-/// is kept leaves the same ink on a page as all the points.
+/// When there is no room for another bucket, neighbours merge and buckets are twice as long from then on. The points
+/// that are kept draw the same curve as all points.
 #[derive(Clone, Debug)]
 pub(super) struct Envelope {
     buckets: Vec<Bucket>,
@@ -65,7 +65,7 @@ impl Envelope {
         self.filled = 1;
     }
 
-    /// What is kept, in order.
+    /// The points that are kept, in order.
     pub(super) fn points(&self) -> impl Iterator<Item = Point> {
         self.buckets.iter().flat_map(|bucket| {
             let mut middle = [bucket.lowest, bucket.highest];

@@ -1,4 +1,4 @@
-//! Why a log cannot be observed.
+//! Errors of a log that cannot be observed.
 
 use std::fmt;
 use std::io;
@@ -6,7 +6,7 @@ use std::io;
 use super::bad::BadRows;
 use crate::text::{folded, printable};
 
-/// Why a log cannot be observed: what is wrong, and what would be right.
+/// Reason why a log cannot be observed, with a remedy.
 #[derive(Debug)]
 pub struct ObserveError {
     message: String,
@@ -14,29 +14,29 @@ pub struct ObserveError {
 }
 
 impl ObserveError {
-    /// An error without a remedy yet.
+    /// Error without a remedy yet.
     pub(super) fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), help: None }
     }
 
-    /// An error about a place in a log.
+    /// Error at a line of a log.
     pub(super) fn at(name: &str, line: u64, message: impl fmt::Display) -> Self {
         let name: String = name.chars().map(printable).collect();
         Self::new(format!("{name}:{line}: {message}"))
     }
 
-    /// An error about a log as a whole.
+    /// Error of a log as a whole.
     pub(super) fn about(name: &str, message: impl fmt::Display) -> Self {
         let name: String = name.chars().map(printable).collect();
         Self::new(format!("{name}: {message}"))
     }
 
-    /// The error of the stream behind a log.
+    /// Error of the stream behind a log.
     pub(super) fn unreadable(name: &str, error: &io::Error) -> Self {
         Self::about(name, format!("it cannot be read: {error}"))
     }
 
-    /// The error of a log with fewer than two good rows.
+    /// Error of a log with fewer than two good rows.
     pub(super) fn too_few(name: &str, bad: &BadRows) -> Self {
         let error = Self::about(name, "fewer than two good rows, so nothing moved");
         error.with_help(match (bad.first.first(), bad.remedy()) {
@@ -52,12 +52,12 @@ impl ObserveError {
         Self { help: Some(help.into()), ..self }
     }
 
-    /// What is wrong, with its place.
+    /// The fault, with its place.
     pub fn message(&self) -> &str {
         &self.message
     }
 
-    /// What would be right.
+    /// The remedy.
     pub fn help(&self) -> Option<&str> {
         self.help.as_deref()
     }

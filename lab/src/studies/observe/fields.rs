@@ -1,8 +1,8 @@
-//! The fields of a line, and the number in a field.
+//! Fields of a line, and the number in a field.
 
 use super::lines::find;
 
-/// The fields of a line, as they stand there.
+/// The raw fields of a line.
 ///
 /// A field that begins with a quotation mark may hold the delimiter; it ends at the next quotation mark before
 /// a delimiter or the end of the line.
@@ -44,7 +44,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// The field without the blanks and quotation marks about it.
+/// The field without surrounding blanks and quotation marks.
 pub(super) fn bare(field: &[u8]) -> &[u8] {
     let field = field.trim_ascii();
     match field.strip_prefix(b"\"").and_then(|field| field.strip_suffix(b"\"")) {
@@ -53,10 +53,10 @@ pub(super) fn bare(field: &[u8]) -> &[u8] {
     }
 }
 
-/// The number in a field, NaN and infinities included; none if there is something else.
+/// The number in a field, NaN and infinities included; none if the field is no number.
 pub(super) fn number(field: &[u8]) -> Option<f64> {
     let plain = |field: &[u8]| str::from_utf8(field).ok()?.parse().ok();
-    // Nearly every field is a bare number, and then no blank has to be looked for.
+    // Nearly every field is a bare number and needs no search for blanks.
     plain(field).or_else(|| plain(bare(field)))
 }
 
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_stand_between_delimiters() {
+    fn delimiters_separate_fields() {
         assert_eq!(split("a,b,,c"), [&b"a"[..], b"b", b"", b"c"]);
         assert_eq!(split(""), [b""]);
         assert_eq!(split(","), [b"", b""]);
@@ -91,13 +91,13 @@ mod tests {
         assert_eq!(split(r#""a,b",c"#), [&br#""a,b""#[..], b"c"]);
         assert_eq!(split(r#"c,"a,b""#), [&b"c"[..], br#""a,b""#]);
         assert_eq!(split(r#""a""b,c",d"#).len(), 2);
-        // One that is never closed is an ordinary one.
+        // An unclosed quotation mark is an ordinary character.
         assert_eq!(split(r#""a,b"#), [&br#""a"#[..], b"b"]);
         assert_eq!(split("\"").len(), 1);
     }
 
     #[test]
-    fn numbers_may_have_blanks_and_quotation_marks_about_them() {
+    fn blanks_and_quotation_marks_may_surround_numbers() {
         for field in ["1.5", " 1.5 ", "\"1.5\"", " \" 1.5\" ", "15e-1", "+1.5"] {
             assert_eq!(number(field.as_bytes()), Some(1.5), "{field}");
         }

@@ -1,4 +1,4 @@
-//! Where in a row the columns asked for are.
+//! Places of the requested columns in a row.
 
 use super::bad::Reason;
 use super::columns::{Columns, Role, position};
@@ -9,20 +9,20 @@ use crate::text::{nearest, shorten};
 /// The most names that a message lists.
 const LISTED: usize = 12;
 
-/// Where in a row the columns asked for are.
+/// Places of the requested columns in a row.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     delimiter: u8,
-    /// Fields in a row.
+    /// The number of fields in a row.
     width: usize,
     /// Index and role of each column, in the order of the indices.
     wanted: Vec<(usize, Role)>,
-    /// Whether the line it was read from is a row itself.
+    /// Whether the line that it was read from is itself a row.
     pub(super) is_row: bool,
 }
 
 impl Layout {
-    /// The layout that the first line of a log, line `at`, tells.
+    /// Layout of a log whose first line, line `at`, is `line`.
     pub(super) fn of(
         line: &[u8],
         columns: &Columns,
@@ -59,7 +59,7 @@ impl Layout {
         Ok(Self { delimiter, width: fields.len(), wanted, is_row })
     }
 
-    /// The fields asked for, in the order of the roles.
+    /// The requested fields, in the order of the roles.
     pub(super) fn pick<'a>(&self, line: &'a [u8]) -> Result<[&'a [u8]; 4], Reason<'a>> {
         let mut picked: [&[u8]; 4] = [b""; 4];
         let mut wanted = self.wanted.iter();
@@ -82,7 +82,7 @@ impl Layout {
     }
 }
 
-/// The index of a column, or what is wrong and what would be right.
+/// The index of a column, or the fault and its remedy.
 fn find(asked: &str, fields: &[&[u8]], columns: &Columns) -> Result<usize, (String, String)> {
     let mut named = fields.iter().enumerate().filter(|(_, field)| **field == asked.as_bytes());
     if let Some((index, _)) = named.next().filter(|_| !columns.numbered()) {
@@ -105,7 +105,7 @@ fn find(asked: &str, fields: &[&[u8]], columns: &Columns) -> Result<usize, (Stri
     Err((format!("there is no column `{}`", shorten(asked)), missing(asked, fields)))
 }
 
-/// What to do about a column that is not there.
+/// Remedy for a column that is not there.
 fn missing(asked: &str, fields: &[&[u8]]) -> String {
     let names: Vec<String> =
         fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect();

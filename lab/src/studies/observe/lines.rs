@@ -2,37 +2,37 @@
 
 use std::io::{self, BufRead, BufReader, Read};
 
-/// Room for the longest line, in bytes.
+/// Size of the line buffer, in bytes.
 pub(super) const LONGEST: usize = 1 << 18;
 
-/// Bytes without a line break after which a stream is taken to hold no lines.
+/// Bytes without a line break after which reading fails.
 const ENDLESS: u64 = 1 << 30;
 
-/// Where a byte is first.
+/// The first index of a byte.
 pub(super) fn find(byte: u8, text: &[u8]) -> Option<usize> {
     text.iter().position(|other| *other == byte)
 }
 
-/// What came next in a stream.
+/// Result of reading a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     /// A line, which [`Lines::text`] gives.
     Line,
-    /// A line of more than [`LONGEST`] bytes; the rest of it is passed over when the next line is asked for.
+    /// A line that does not fit [`LONGEST`] bytes; reading the next line skips the rest of it.
     TooLong,
-    /// Nothing.
+    /// The end of the stream.
     End,
 }
 
 /// The lines of a stream.
 ///
-/// The standard library's buffered reader grows with the longest line, and a file of zeros is one long line.
+/// Lines of the standard library grow with the longest line, and a file of zeros is one long line.
 #[derive(Debug)]
 pub(super) struct Lines<R> {
     reader: BufReader<R>,
     number: u64,
     text: Vec<u8>,
-    /// Whether the rest of a line that there is no room for comes next.
+    /// Whether the rest of a line that did not fit comes next.
     overfull: bool,
 }
 
@@ -42,18 +42,18 @@ impl<R: Read> Lines<R> {
         Self { reader, number: 0, text: Vec::new(), overfull: false }
     }
 
-    /// The number of the line that was read last, from 1.
+    /// The number of the last line read, from 1.
     pub(super) fn number(&self) -> u64 {
         self.number
     }
 
-    /// The line that was read last, without its line break.
+    /// The last line read, without its line break.
     pub(super) fn text(&self) -> &[u8] {
         let text = self.text.strip_suffix(b"\n").unwrap_or(&self.text);
         text.strip_suffix(b"\r").unwrap_or(text)
     }
 
-    /// Goes on to the next line.
+    /// Reads the next line.
     pub(super) fn read(&mut self) -> io::Result<Next> {
         if std::mem::take(&mut self.overfull) {
             let passed = self.reader.by_ref().take(ENDLESS).skip_until(b'\n')?;
@@ -77,7 +77,7 @@ impl<R: Read> Lines<R> {
 mod tests {
     use super::*;
 
-    /// Gives a few bytes at a time, as a pipe may.
+    /// Reader that gives a few bytes at a time, as a pipe may.
     struct Drip<'a>(&'a [u8], usize);
 
     impl Read for Drip<'_> {
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_without_room_is_passed_over_and_the_next_one_read() {
+    fn a_line_that_does_not_fit_is_skipped_and_the_next_one_read() {
         for extra in [0, 1, 2, LONGEST, 3 * LONGEST] {
             let mut text = b"first\n".to_vec();
             text.resize(text.len() + LONGEST + extra, b'x');
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_that_just_has_room_is_read() {
+    fn a_line_that_just_fits_is_read() {
         let mut text = vec![b'x'; LONGEST - 1];
         text.push(b'\n');
         assert_eq!(all(&text, usize::MAX)[0].as_ref().map(Vec::len), Some(LONGEST - 1));

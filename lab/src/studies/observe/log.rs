@@ -1,4 +1,4 @@
-//! The rows of a log, one by one.
+//! Reader of the rows of a log, one by one.
 
 use std::io::{self, Read};
 
@@ -27,18 +27,18 @@ pub(super) enum Entry<'a> {
     Bad(Bad<'a>),
 }
 
-/// The rows of a log.
+/// Reader of the rows of a log.
 #[derive(Debug)]
 pub(super) struct Log<R> {
     lines: Lines<R>,
     row: RowReader,
-    /// The first line, where it is a row already.
+    /// The first line, where it is itself a row.
     first: Option<Vec<u8>>,
     pending: bool,
 }
 
 impl<R: Read> Log<R> {
-    /// Reads up to the names of the columns, or to the first row where there are none.
+    /// Reads up to the names of the columns, or to the first row where there are no names.
     pub(super) fn open(
         reader: R,
         name: &str,
@@ -77,14 +77,14 @@ impl<R: Read> Log<R> {
     }
 }
 
-/// An empty line is no row.
+/// Whether a line is empty, and so no row.
 fn blank(line: &[u8]) -> bool {
     line.trim_ascii_start().is_empty()
 }
 
-/// The layout, and the line it was read from.
+/// The layout, and the line that it was read from unless that is a comment.
 ///
-/// Lines that begin with `#` are comments, but for one that holds all the names: some programs write the names
+/// Lines that begin with `#` are comments, except for one that holds all the names: some programs write the names
 /// behind such a sign.
 fn head<R: Read>(
     lines: &mut Lines<R>,
@@ -121,7 +121,7 @@ fn head<R: Read>(
     }
 }
 
-/// Makes samples of lines.
+/// Parser of lines into samples.
 #[derive(Debug)]
 struct RowReader {
     layout: Layout,
@@ -150,7 +150,7 @@ impl RowReader {
         Ok(Sample { line, t: t?, x: x?, f: f?, v: v? })
     }
 
-    /// The number of a column in SI units.
+    /// The value of a column in SI units.
     fn value<'a>(&self, role: Role, fields: &[&'a [u8]; 4]) -> Result<f64, Reason<'a>> {
         let field = fields[role.index()];
         let number = number(field).ok_or(Reason::Number { role, field })?;

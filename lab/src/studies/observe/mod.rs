@@ -1,7 +1,7 @@
 //! Observers over a recorded log of any device.
 //!
-//! [`observe`] reads a log once, row by row, in memory that does not grow, and tells when energy was generated,
-//! how much and by which contact. What each number means is in docs/observe.md.
+//! [`observe`] reads a log once, row by row, in memory that does not grow, and reports when energy was generated,
+//! how much and by which contact. docs/observe.md defines each number.
 //!
 //! ```
 //! use lyapunov_lab::observe::{Settings, observe};
@@ -51,14 +51,14 @@ use log::Log;
 use lyapunov_figures::Figure;
 use watch::Watch;
 
-/// How a log is to be read and observed.
+/// Settings for reading and observing a log.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
-    /// Which columns hold what.
+    /// The columns of time, position, force and velocity.
     pub columns: Columns,
     /// Factors to SI units; those of the same column multiply.
     pub scales: Vec<Scale>,
-    /// What the observed energies.
+    /// The candidate whose decrease is summed.
     pub candidate: Candidate,
     /// The force above which there is contact, N; none: 1 % of the largest so far.
     pub contact: Option<f64>,
@@ -81,16 +81,16 @@ impl Settings {
     }
 }
 
-/// What was observed in a log.
+/// Result of observing a log.
 #[derive(Clone, Debug)]
 pub struct Observed {
-    /// What it came to.
+    /// The report.
     pub report: Report,
     traces: Traces,
 }
 
 impl Observed {
-    /// Force, observed energies and position over time.
+    /// Figure of force, observed energies and position over time.
     pub fn figure(&self) -> Figure {
         self.traces.figure(&self.report)
     }
@@ -99,7 +99,7 @@ impl Observed {
 /// Reads the log called `name` to its end and observes it.
 ///
 /// # Errors
-/// Settings out of range, a log that has not the columns asked for or fewer than two good rows, or a stream that
+/// Settings out of range, a log without the requested columns or with fewer than two good rows, or a stream that
 /// fails.
 pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, ObserveError> {
     settings.check()?;

@@ -1,22 +1,22 @@
-//! The course of an observed energy.
+//! Course of an observed energy over a log.
 
 use serde::Serialize;
 
-/// Debts that are told one by one; the rest are counted.
+/// Number of debts that are reported one by one; the rest are only counted.
 const TOLD: usize = 10;
 
-/// A stretch in which an observed energy was below zero.
+/// A stretch with an observed energy below zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Debt {
-    /// The first row below zero, s.
+    /// Time of the first row below zero, s.
     pub start: f64,
-    /// The next row that is not, s; none if the log ends before.
+    /// Time of the next row that is not below zero, s; none if the log ends before.
     pub end: Option<f64>,
     /// Lowest value, J.
     pub lowest: f64,
 }
 
-/// The course of an observed energy, which is 0 on the first row.
+/// Course of an observed energy, which is 0 on the first row.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ObservedEnergy {
     /// Value on the last row, J.
@@ -24,20 +24,20 @@ pub struct ObservedEnergy {
     pub last: f64,
     /// Lowest value, J; at most 0.
     pub lowest: f64,
-    /// When it was lowest, s.
+    /// Time of the lowest value, s.
     pub lowest_at: f64,
-    /// The first row on which it was below zero, s; none if there is none.
+    /// Time of the first row below zero, s; none if there is no such row.
     pub negative_at: Option<f64>,
-    /// How often it went below zero.
+    /// The number of times that it went below zero.
     pub debts: u64,
-    /// The first ten of these stretches.
+    /// The first ten stretches below zero.
     pub first_debts: Vec<Debt>,
     #[serde(skip)]
     open: Option<Debt>,
 }
 
 impl ObservedEnergy {
-    /// The sum on the first row, at `time`.
+    /// Course that starts on the first row, at `time`.
     pub(super) fn starting(time: f64) -> Self {
         Self { lowest_at: time, ..Self::default() }
     }
@@ -59,7 +59,7 @@ impl ObservedEnergy {
         }
     }
 
-    /// The whole course, with the debt that the log ends in.
+    /// The whole trajectory, including a debt at the end of the log.
     pub(super) fn finish(mut self) -> Self {
         if let Some(debt) = self.open.take() {
             self.tell(debt);

@@ -1,4 +1,4 @@
-//! What a log came to.
+//! Report on a log.
 
 use serde::Serialize;
 
@@ -8,16 +8,16 @@ use super::contact::Contacts;
 use super::observed_energy::ObservedEnergy;
 use super::step::Gaps;
 
-/// What a log came to, in SI units; `Display` gives it for the terminal.
+/// Report on a log, in SI units; `Display` formats it for the terminal.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Report {
     /// The name of the log.
     pub log: String,
     /// The candidate whose decrease is summed.
     pub candidate: Candidate,
-    /// Good rows.
+    /// The number of good rows.
     pub rows: u64,
-    /// Rows that could not be used.
+    /// The bad rows.
     pub bad_rows: BadRows,
     /// Time of the first good row, s.
     pub start: f64,
@@ -27,19 +27,19 @@ pub struct Report {
     pub duration: f64,
     /// Median of the first 1024 time steps, s.
     pub median_period: f64,
-    /// Time steps that are longer than they should be.
+    /// The gaps: time steps that are too long.
     pub gaps: Gaps,
-    /// Whether a force acts on the first row; energy stored before it may then come out later.
+    /// Whether the log starts in contact; energy stored before may then come out later.
     pub starts_in_contact: bool,
-    /// Whether a force acts on the last row; energy stored by then may come out after it.
+    /// Whether the log ends in contact; energy stored by then may still come out.
     pub ends_in_contact: bool,
     /// Energy over the port.
     pub energy: Energy,
-    /// The observer over held work.
+    /// The observed energy by held work.
     pub observed_energy: ObservedEnergy,
     /// The damper that would have repaired the log.
     pub repair: ConstantDamper,
-    /// The observer over sampled work, as the paper prints it.
+    /// The observed energy by sampled work, as the paper prints it.
     pub printed: ObservedEnergy,
     /// The contacts.
     pub contacts: Contacts,
@@ -48,23 +48,23 @@ pub struct Report {
 /// Energy over the port, by held work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Energy {
-    /// ObservedEnergy of the positive works, J.
+    /// Sum of the positive works, J.
     pub absorbed: f64,
-    /// ObservedEnergy of the negative works, without their sign, J.
+    /// Sum of the negative works without their sign, J.
     pub released: f64,
     /// `released − absorbed`, J: above 0 if the port generated energy.
     pub generated: f64,
-    /// What the candidate credits, J.
+    /// The candidate's credit, J.
     pub credited: f64,
 }
 
-/// The smallest constant damper that, on from the first row, would have burnt every debt by the time it was
-/// there: the largest of `−L(n) / Σ v² T` up to row `n`.
+/// The smallest constant damper that, acting from the first row on, would have dissipated every debt by the time it
+/// arose: the largest of `−L(n) / Σ v² T` up to row `n`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ConstantDamper {
     /// The damping, N·s/m; none if a debt came before any motion.
     pub damping: Option<f64>,
-    /// The row that needs it, s; none if there was no debt.
+    /// Time of the row that needs it, s; none if there was no debt.
     pub at: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Factors from the units of a log to SI.
+//! Factors from the units of a log to SI units.
 
 use std::str::FromStr;
 
@@ -6,7 +6,7 @@ use super::columns::Role;
 use super::error::ObserveError;
 use crate::text::nearest;
 
-/// The factor of one column: what its numbers are multiplied with to give SI units.
+/// Factor of one column: its numbers times the factor are in SI units.
 ///
 /// ```
 /// use lyapunov_lab::observe::Scale;

@@ -1,18 +1,18 @@
-//! From one good row to the next.
+//! Step from one good row to the next.
 
 use lyapunov::PortSample;
 
 use super::log::Sample;
 
-/// A time step of more than this many median periods is a gap.
+/// Length of a time step, in median periods, above which it is a gap.
 pub(super) const GAP: f64 = 1.5;
 
-/// From one good row to the next, bad rows in between or not.
+/// Step from one good row to the next, with or without bad rows in between.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     pub(super) from: Sample,
     pub(super) to: Sample,
-    /// The least and the largest force known to have applied meanwhile, N.
+    /// The smallest and the largest force known to have been applied meanwhile, N.
     pub(super) forces: (f64, f64),
     /// Whether there are bad rows in between.
     pub(super) spans: bool,
@@ -24,14 +24,14 @@ impl Step {
         self.to.t - self.from.t
     }
 
-    /// Whether it is longer than a step should be.
+    /// Whether the step is a gap.
     pub(super) fn is_gap(&self, median: f64) -> bool {
         self.period() > GAP * median
     }
 
-    /// What the device did over the step, by the rule that guards keep (docs/contract.md): of all the forces that
-    /// may have applied the one that did the least work, and over a gap of the two velocities, the measured one
-    /// and the mean, the smaller. So no sum says more than was absorbed.
+    /// Sample of the device's motion over the step, by the rule of the guards (docs/contract.md): of all forces that
+    /// may have been applied the one that did the least work, and over a gap the smaller of the measured and the mean
+    /// velocity. So no observed energy exceeds what was absorbed.
     pub(super) fn sample(&self, median: f64) -> PortSample<f64> {
         let Self { from, to, forces, .. } = self;
         let (period, displacement) = (self.period(), to.x - from.x);
@@ -50,27 +50,27 @@ impl Step {
     }
 }
 
-/// The steps that are longer than they should be.
+/// The gaps of a log.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Gaps {
-    /// How many there are: time steps longer than 1.5 median periods.
+    /// The number of gaps: time steps longer than 1.5 median periods.
     pub count: u64,
-    /// How many of them are over bad rows.
+    /// The number of gaps over bad rows.
     pub over_bad_rows: u64,
-    /// All their time, s.
+    /// Total time of all gaps, s.
     pub time: f64,
-    /// The longest one.
+    /// The longest gap.
     pub longest: Option<Gap>,
 }
 
-/// A step that is longer than it should be.
+/// A gap: a time step that is too long.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Gap {
     /// The line of the row before it.
     pub line: u64,
-    /// When it begins, s.
+    /// Its start, s.
     pub start: f64,
-    /// How long it lasts, s.
+    /// Its length, s.
     pub length: f64,
 }
 
@@ -86,7 +86,7 @@ impl Gaps {
     }
 }
 
-/// The median period of steps, those over bad rows aside where there are others.
+/// Median period of the steps; steps over bad rows count only if there are no others.
 pub(super) fn median(steps: &[Step]) -> f64 {
     let sound = steps.iter().filter(|step| !step.spans).map(Step::period);
     let mut periods: Vec<f64> = sound.collect();

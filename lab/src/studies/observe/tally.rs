@@ -1,8 +1,8 @@
-//! Energy that went into a port and came out of it.
+//! Tally of the energy into a port and out of it.
 
 use lyapunov::accumulators::{Accumulator, Compensated};
 
-/// Energy that went into a port and came out of it, and the motion meanwhile.
+/// Energy into a port and out of it, and the motion meanwhile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tally {
     into: Compensated<f64>,
@@ -32,17 +32,17 @@ impl Tally {
         self.motion.add(other.motion.value());
     }
 
-    /// ObservedEnergy of the positive works, J.
+    /// Sum of the positive works, J.
     pub(super) fn absorbed(&self) -> f64 {
         self.into.value()
     }
 
-    /// ObservedEnergy of the negative works without their sign, J.
+    /// Sum of the negative works without their sign, J.
     pub(super) fn released(&self) -> f64 {
         self.out.value()
     }
 
-    /// What came out beyond what went in, J.
+    /// Energy released minus energy absorbed, J.
     pub(super) fn generated(&self) -> f64 {
         self.out.value() - self.into.value()
     }
@@ -52,7 +52,7 @@ impl Tally {
         self.motion.value()
     }
 
-    /// The constant damper that burns `debt` joules over the motion, N·s/m; none where nothing moved.
+    /// The constant damper that dissipates `debt` joules over the motion, N·s/m; none where nothing moved.
     pub(super) fn damper(&self, debt: f64) -> Option<f64> {
         if debt <= 0.0 {
             return Some(0.0);

@@ -1,4 +1,4 @@
-//! A report for the terminal.
+//! Text of a report for the terminal.
 
 use std::fmt;
 
@@ -22,12 +22,12 @@ impl fmt::Display for Report {
     }
 }
 
-/// Begins a new line with its label and what it says, folded.
+/// Writes a new line with its label and its text, folded.
 fn line(f: &mut fmt::Formatter<'_>, label: &str, text: &str) -> fmt::Result {
     write!(f, "\n{}", folded(&format!("  {label:<12}"), text))
 }
 
-/// The units and decimals that suit a report.
+/// Units and decimals that suit a report.
 struct Units {
     /// Decimals of a time stamp, so that neighbouring rows differ.
     decimals: usize,
@@ -37,7 +37,7 @@ struct Units {
 
 impl Units {
     fn of(report: &Report) -> Self {
-        // One digit more than the period needs, and no more than the time stamps have.
+        // One digit more than the period needs, but no more than the time stamps have.
         let period = (-report.median_period.log10().floor()).clamp(0.0, 9.0) + 1.0;
         let latest = report.start.abs().max(report.end.abs()).max(1.0);
         let decimals = period.min((14.0 - latest.log10().floor()).max(0.0)) as usize;
@@ -174,7 +174,7 @@ impl Report {
     }
 }
 
-/// The course of a sum in words.
+/// Course of an observed energy in words.
 fn told(sum: &ObservedEnergy, units: &Units) -> String {
     let last = units.energy(sum.last);
     let Some(first) = sum.negative_at else {

@@ -1,4 +1,4 @@
-//! The curves of a log, thinned as it is read.
+//! Curves of a log, thinned while it is read.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use super::log::Sample;
 use super::report::Report;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
-/// The curves of a log, in a bounded number of points.
+/// Curves of a log, in a bounded number of points.
 #[derive(Clone, Debug)]
 pub struct Traces {
     position: Envelope,
@@ -16,7 +16,7 @@ pub struct Traces {
     sampled: Envelope,
 }
 
-/// A unit in which a magnitude reads well: its factor from SI, and its prefix.
+/// Readable unit for a magnitude: its factor from SI, and its prefix.
 pub(super) fn prefix(largest: f64) -> (f64, &'static str) {
     match largest {
         size if size >= 1.0 || size == 0.0 => (1.0, ""),
@@ -31,21 +31,21 @@ impl Traces {
         Self { position: empty.clone(), force: empty.clone(), held: empty.clone(), sampled: empty }
     }
 
-    /// Adds a row with the sums up to it.
+    /// Adds a row with the observed energies up to it.
     pub(super) fn add(&mut self, sample: &Sample, held: f64, sampled: f64) {
         self.position.add(sample.t, sample.x);
         self.held.add(sample.t, held);
         self.sampled.add(sample.t, sampled);
     }
 
-    /// Adds the force that acts from a row on. That of the last row of a log acts on nothing.
+    /// Adds the force applied from a row on. The force of a log's last row acts over no step.
     pub(super) fn push(&mut self, time: f64, force: f64) {
         self.force.add(time, force);
     }
 
-    /// Force, observed energies and position over time.
+    /// Figure of force, observed energies and position over time.
     pub(super) fn figure(&self, report: &Report) -> Figure {
-        // On an axis far from zero the numbers would be too long to tell apart.
+        // On an axis far from zero the numbers would be too long to distinguish.
         let far = report.start.abs() > 100.0 * report.duration;
         let origin = if far { report.start } else { 0.0 };
         let label =

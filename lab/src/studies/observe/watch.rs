@@ -1,4 +1,4 @@
-//! The observers over the steps of a log.
+//! Observers over the steps of a log.
 
 use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
@@ -12,20 +12,20 @@ use super::step::{Gaps, Step, median};
 use super::tally::Tally;
 use super::traces::Traces;
 
-/// Steps from which the median period is estimated; they wait until it is known.
+/// Number of steps that the median period is estimated from; they wait until it is known.
 const WAITING: usize = 1024;
 
-/// An observer with a sum that forgets nothing over a long log.
+/// An observer with compensated summation, so that a long log loses nothing.
 type Observing<W> = Observer<Credited, W, Compensated<f64>>;
 
-/// The observers over the steps of a log, and all that a report tells.
+/// The observers over the steps of a log, with everything that a report needs.
 #[derive(Debug)]
 pub(super) struct Watch {
     rows: u64,
     bad: BadRows,
     first: Option<Sample>,
     last: Option<Sample>,
-    /// Whether there are bad rows since the last good one, and the forces that they tell.
+    /// Whether there are bad rows since the last good one, and the range of their forces.
     spans: bool,
     forces: Option<(f64, f64)>,
     waiting: Vec<Step>,
@@ -78,7 +78,7 @@ impl Watch {
     fn bad(&mut self, bad: &Bad<'_>) {
         self.bad.add(bad.line, &bad.reason);
         self.spans = true;
-        // A force is believed if it applied after the last good row.
+        // The force of a bad row counts if its time is after the last good row.
         if let (Some(time), Some(force), Some(last)) = (bad.time, bad.force, self.last)
             && time > last.t
         {
@@ -97,7 +97,7 @@ impl Watch {
         }
     }
 
-    /// Books the steps that waited for the median period.
+    /// Books the steps that waited for the median period, and returns that period.
     fn settle(&mut self) -> f64 {
         let waiting = std::mem::take(&mut self.waiting);
         let period = *self.period.get_or_insert_with(|| median(&waiting));
@@ -110,7 +110,7 @@ impl Watch {
         &self.bad
     }
 
-    /// What the log came to, and its curves; none with fewer than two good rows.
+    /// The report and the curves; none with fewer than two good rows.
     pub(super) fn finish(mut self) -> Option<(Report, Traces)> {
         let period = self.settle();
         let (first, last) = (self.first?, self.last.filter(|_| self.rows > 1)?);
@@ -143,7 +143,7 @@ impl Watch {
     }
 }
 
-/// The sums over the steps.
+/// Sums over the steps.
 #[derive(Debug)]
 struct Account {
     held: Observing<Held>,
@@ -156,7 +156,7 @@ struct Account {
     gaps: Gaps,
     contacts: Finder,
     traces: Traces,
-    /// The force of the last step, N.
+    /// Force of the last step, N.
     pushed: f64,
 }
 

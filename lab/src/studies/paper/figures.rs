@@ -4,13 +4,13 @@ use super::{Case, PaperError};
 use crate::simulate::Row;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
-/// The name of a figure's files without an ending, the figure, and the cases it is drawn from.
+/// A figure, with the name of its files without an ending and the cases that it is drawn from.
 pub type NamedFigure = (&'static str, Figure, &'static [Case]);
 
 /// The paper's figures 6 to 9.
 ///
 /// # Errors
-/// None as long as the scene files that ship are right.
+/// None as long as the shipped scene files are valid.
 pub fn figures() -> Result<[NamedFigure; 4], PaperError> {
     let plain8k = Case::Plain8k.rows()?;
     let lolc8k = Case::Lolc8k.rows()?;

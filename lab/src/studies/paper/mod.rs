@@ -1,8 +1,8 @@
 //! The scenes of the paper's section IV and the figures drawn from them.
 //!
-//! What the paper leaves open (how operator and device join, where the operator's spring rests, the observer's
-//! rate) is read as in docs/paper.md: one mass, at rest at the wall, everything at 100 Hz, held work, a damping
-//! cap of half of m / T.
+//! The paper leaves open how operator and device join, where the operator's spring rests and the observer's rate. The
+//! scenes follow docs/paper.md: one mass, at rest at the wall, everything at 100 Hz, held work, a damping cap of half
+//! of m / T.
 
 pub mod claims;
 mod figures;
@@ -35,7 +35,7 @@ pub enum Case {
 }
 
 impl Case {
-    /// All of them.
+    /// All scenes.
     pub const ALL: [Self; 6] =
         [Self::Plain8k, Self::Popc8k, Self::Lolc8k, Self::Plain50k, Self::Popc50k, Self::Lolc50k];
 
@@ -47,7 +47,7 @@ impl Case {
     /// The scene.
     ///
     /// # Errors
-    /// None as long as the scene files that ship are right.
+    /// None as long as the shipped scene files are valid.
     pub fn scene(self) -> Result<Scene, Diagnostic> {
         let (name, text) = self.file();
         Scene::parse(text, name)
@@ -77,20 +77,20 @@ impl Case {
     /// The rows of the scene.
     ///
     /// # Errors
-    /// None as long as the scene files that ship are right.
+    /// None as long as the shipped scene files are valid.
     pub fn rows(self) -> Result<Vec<Row>, PaperError> {
         Ok(Rollout::<f64>::of(&self.scene()?)?.rows().collect())
     }
 }
 
-/// Why the paper's figures could not be made.
+/// Reason why the paper's figures could not be made.
 #[derive(Debug)]
 pub enum PaperError {
-    /// A shipped scene is not right.
+    /// A shipped scene is not valid.
     Scene(Diagnostic),
-    /// A shipped scene has a parameter that no block takes.
+    /// A shipped scene has a parameter that a block rejects.
     Parameter(ParameterError),
-    /// The claims could not be put into words.
+    /// The claims could not be written as JSON.
     Json(serde_json::Error),
 }
 

@@ -1,4 +1,4 @@
-//! The report page of the paper: one file that needs nothing else.
+//! The report page of the paper: one self-contained file.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -9,7 +9,7 @@ use super::study::Study;
 use crate::show::html;
 use crate::show::table::{Cell, Heading, Table};
 
-/// What the page is made of.
+/// The parts of the page.
 pub(super) struct Report<'a> {
     pub(super) study: &'a Study,
     pub(super) figures: &'a [NamedFigure],
@@ -82,7 +82,7 @@ impl Report<'_> {
         html::figure(Some(name), figure.to_svg(), &caption)
     }
 
-    /// The scene files of the figures, and how to run them alone.
+    /// The section with the scene files of the figures and the commands to run them alone.
     fn scenes(&self) -> Markup {
         let mut cases: Vec<Case> = Vec::new();
         for case in self.figures.iter().flat_map(|(_, _, cases)| *cases) {
@@ -168,7 +168,7 @@ impl Report<'_> {
 
 const DEFINITIONS: &str = include_str!("definitions.html");
 
-/// The class of a verdict and its words.
+/// CSS class of a verdict, and its words.
 fn told(verdict: Verdict) -> (&'static str, &'static str) {
     match verdict {
         Verdict::Reproduced => ("yes", "reproduced"),

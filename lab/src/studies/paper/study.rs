@@ -1,4 +1,4 @@
-//! Everything that `lyapunov paper` computes.
+//! The study that `lyapunov paper` computes.
 
 use serde::Serialize;
 
@@ -9,29 +9,29 @@ use super::claims::{
 use super::figures::NamedFigure;
 use super::report::Report;
 
-/// How many starts the verdicts rest on.
+/// Number of starts that the verdicts rest on.
 const STARTS: usize = 101;
-/// The walls over which stable areas are compared.
+/// Walls over which stable areas are compared.
 const GRID: Grid = Grid { stiffnesses: 12, dampings: 9 };
 
-/// What is being computed.
+/// Stage of the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// The claims over the ensemble.
     Claims,
-    /// How they move with what the paper leaves open.
+    /// Their sensitivity to what the paper leaves open.
     Readings,
-    /// Where the energy went.
+    /// The energy balances.
     Balances,
     /// Figures and files.
     Files,
 }
 
 impl Stage {
-    /// All of them, in order.
+    /// All stages, in order.
     pub const ALL: [Self; 4] = [Self::Claims, Self::Readings, Self::Balances, Self::Files];
 
-    /// A few words for whoever waits.
+    /// A few words for a progress display.
     pub fn words(self) -> &'static str {
         match self {
             Self::Claims => "claims over 101 starts",
@@ -42,16 +42,16 @@ impl Stage {
     }
 }
 
-/// The claims of the paper's section IV and what they rest on.
+/// The claims of the paper's section IV and the results that they rest on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Study {
     /// The claims, each with its verdict.
     pub claims: Vec<Claim>,
-    /// How the ensembles move with what the paper leaves open.
+    /// The ensembles under other readings of what the paper leaves open.
     pub readings: Vec<Reading>,
-    /// How the verdicts on the two walls move with it.
+    /// The verdicts on the two walls under the same readings.
     pub moved: Vec<MovedClaim>,
-    /// Where the energy of the paper's runs went, by name.
+    /// The energy balances of the paper's runs, by name.
     pub balances: Vec<(&'static str, Balance)>,
 }
 
@@ -62,10 +62,10 @@ struct Rows<'a> {
 }
 
 impl Study {
-    /// Computes everything; `tell` hears of each stage before it begins and may end the study.
+    /// Computes everything; calls `tell` with each stage before it begins, which may stop the study.
     ///
     /// # Errors
-    /// What `tell` says, or a number that no part takes.
+    /// The error of `tell`, or a number that a part rejects.
     pub fn run<E: From<PaperError>>(
         mut tell: impl FnMut(Stage) -> Result<(), E>,
     ) -> Result<Self, E> {
@@ -89,16 +89,16 @@ impl Study {
         Ok(Self { claims, readings, moved, balances })
     }
 
-    /// `claims.json`.
+    /// The text of `claims.json`.
     ///
     /// # Errors
-    /// None that is known: every number is finite or absent.
+    /// None known: every number is finite or absent.
     pub fn to_json(&self) -> Result<String, PaperError> {
         let text = serde_json::to_string_pretty(&Rows { rows: &self.claims });
         Ok(text.map_err(PaperError::Json)? + "\n")
     }
 
-    /// The report with these `figures`, in HTML; `command` stands in it as what made it.
+    /// The report with these `figures`, in HTML; `command` is the command that it names as its maker.
     pub fn to_html(&self, figures: &[NamedFigure], command: &str) -> String {
         Report { study: self, figures, command }.to_html()
     }

@@ -1,17 +1,17 @@
 //! Dry friction on the device, with true sticking.
 
-mod course;
 mod root;
 mod series;
 mod stribeck;
+mod trajectory;
 mod transition;
 
 use lyapunov_core::{Accumulator, Compensated, ParameterError, Plant, PortSample, Scalar};
 
 use crate::{Linear, OperatedBody};
-use course::Trajectory;
 use series::System;
 pub use stribeck::Stribeck;
+use trajectory::Trajectory;
 use transition::set;
 pub use transition::{Transition, Transitions};
 
@@ -105,21 +105,21 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
     fn passed(&mut self, lane: usize, effort: T, interval: T, after: &mut [T; S]) -> f64 {
         let (system, state) = (self.system(lane, effort), self.deflected(lane));
         let before = self.body.state();
-        let course = Trajectory::run(&system, state, interval.lane(lane));
-        self.transitions.set(lane, &course.log);
-        if !course.complete() {
+        let trajectory = Trajectory::run(&system, state, interval.lane(lane));
+        self.transitions.set(lane, &trajectory.log);
+        if !trajectory.complete() {
             return self.passed_roughly(lane, effort, after);
         }
         for index in 0..S {
             if index % 2 == 0 {
                 let mut gain = T::zero();
-                set(&mut gain, lane, course.gain[index]);
+                set(&mut gain, lane, trajectory.gain[index]);
                 set(&mut after[index], lane, (before[index] + gain).lane(lane));
             } else {
-                set(&mut after[index], lane, course.velocity(index));
+                set(&mut after[index], lane, trajectory.velocity(index));
             }
         }
-        course.heat
+        trajectory.heat
     }
 
     /// The same, roughly, for a period with too many pieces.

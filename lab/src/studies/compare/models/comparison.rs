@@ -1,4 +1,4 @@
-//! All entrants on one model.
+//! Comparison of all entrants on one model.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -11,10 +11,10 @@ use crate::simulate::models::{Entrant, Tick, built};
 use crate::studies::compare::compared::{BREATH, Compared, RunError, Watch, watched};
 use crate::studies::compare::sheet::Sheet;
 
-/// All entrants on one model; shown, it is the table of `lyapunov compare`.
+/// All entrants on one model; its `Display` is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What the model is called: usually the path of its file.
+    /// The model's name, usually the path of its file.
     pub name: String,
     /// The model.
     pub model: Model,
@@ -70,12 +70,12 @@ impl Compared for Comparison {
 }
 
 impl Comparison {
-    /// What each entrant came to.
+    /// The score of each entrant.
     pub fn scores(&self) -> impl Iterator<Item = &Score> {
         self.outcomes.iter().map(|outcome| &outcome.score)
     }
 
-    /// Time in s and V of each entrant, at every tick, or of a long run the extremes of each of some thousand
+    /// Time in s and V of each entrant, at every tick, or for a long run the extremes of each of some thousand
     /// stretches.
     pub fn curves(&self) -> impl Iterator<Item = (Entrant, &[(f64, f64)])> {
         self.outcomes.iter().map(|outcome| (outcome.entrant, &outcome.curve[..]))

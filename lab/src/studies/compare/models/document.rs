@@ -1,4 +1,4 @@
-//! `compare.json` of models.
+//! JSON document of model comparisons: `compare.json`.
 
 use serde::Serialize;
 
@@ -7,13 +7,13 @@ use crate::measure::models::{BOUND, Score};
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// Of V at the start: what a bounded run stays within.
+    /// The largest V of a bounded run, as a multiple of V at the start.
     bound: f64,
     models: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
 }
 
-/// What is the same for all rows of a model.
+/// Values that all rows of a model share.
 #[derive(Serialize)]
 struct Circumstances<'a> {
     model: &'a str,
@@ -33,7 +33,7 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/any-plant.md says what is in it.
+/// The comparisons as JSON; docs/any-plant.md lists the keys.
 pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
         let stabilizer = comparison.model.stabilizer;

@@ -1,4 +1,4 @@
-//! The comparison of models of plants.
+//! Comparison of models of plants.
 
 mod comparison;
 mod document;

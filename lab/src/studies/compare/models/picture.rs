@@ -1,14 +1,14 @@
-//! V of all entrants over each other.
+//! Figure of V of all entrants, overlaid.
 
 use super::comparison::Comparison;
 use super::table::setting;
 use crate::measure::models::BOUND;
 use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 
-/// The decades that are shown below and above V at the start, at most.
+/// The most decades that are shown below and above V at the start.
 const DECADES: f64 = 4.0;
 
-/// V over time, as a share of what it was at the start, on a logarithmic axis.
+/// V over time, as a share of V at the start, on a logarithmic axis.
 pub(super) fn of(comparison: &Comparison) -> Figure {
     let end = comparison.model.duration.get();
     let mut panel = Panel::new("V, as a share of V at the start", "time, s", "V / V(0)")

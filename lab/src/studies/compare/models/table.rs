@@ -37,7 +37,7 @@ pub(super) fn setting(comparison: &Comparison) -> String {
     setting
 }
 
-/// What the columns are compared with.
+/// The values at the start that the columns are compared with.
 pub(super) fn start(comparison: &Comparison) -> String {
     let stabilizer = comparison.model.stabilizer;
     let cap = stabilizer.damping_cap.get();

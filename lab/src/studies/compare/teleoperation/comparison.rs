@@ -1,4 +1,4 @@
-//! All entrants on one teleoperator.
+//! Comparison of all entrants on one teleoperator.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -11,10 +11,10 @@ use crate::simulate::teleoperation::{Entrant, Tick, rig};
 use crate::studies::compare::compared::{BREATH, Compared, RunError, Watch, watched};
 use crate::studies::compare::sheet::Sheet;
 
-/// All entrants on one teleoperator; shown, it is the table of `lyapunov compare`.
+/// All entrants on one teleoperator; its `Display` is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What the file is called: usually its path.
+    /// The file's name, usually its path.
     pub name: String,
     /// The teleoperator.
     pub file: Teleoperator,
@@ -64,12 +64,12 @@ impl Compared for Comparison {
 }
 
 impl Comparison {
-    /// What each entrant came to.
+    /// The score of each entrant.
     pub fn scores(&self) -> impl Iterator<Item = &Score> {
         self.outcomes.iter().map(|outcome| &outcome.score)
     }
 
-    /// How master and slave moved under each entrant.
+    /// The motion of master and slave under each entrant.
     pub fn curves(&self) -> impl Iterator<Item = (Entrant, &Curves)> {
         self.outcomes.iter().map(|outcome| (outcome.entrant, &outcome.curves))
     }

@@ -1,4 +1,4 @@
-//! `compare.json` of teleoperators.
+//! JSON document of teleoperator comparisons: `compare.json`.
 
 use serde::Serialize;
 
@@ -8,13 +8,13 @@ use crate::measure::teleoperation::{BOUND, Score};
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// Of the energy at the start: what a bounded run stays within.
+    /// The largest energy of a bounded run, as a multiple of the energy at the start.
     bound: f64,
     teleoperators: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
 }
 
-/// What is the same for all rows of a teleoperator.
+/// Values that all rows of a teleoperator share.
 #[derive(Serialize)]
 struct Circumstances<'a> {
     teleoperator: &'a str,
@@ -22,7 +22,7 @@ struct Circumstances<'a> {
     delay_ticks: u16,
     spread_ticks: u16,
     loss: f64,
-    /// None: nothing is left to chance.
+    /// None: nothing is random.
     seed: Option<u64>,
     /// None: no limit.
     damping_cap: Option<f64>,
@@ -37,7 +37,7 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/teleoperation.md says what is in it.
+/// The comparisons as JSON; docs/teleoperation.md lists the keys.
 pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let teleoperators = comparisons.iter().map(|Comparison { name, file, .. }| {
         let cap = file.stabilizer.damping_cap.get();

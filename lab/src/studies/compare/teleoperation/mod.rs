@@ -1,4 +1,4 @@
-//! The comparison of teleoperators.
+//! Comparison of teleoperators.
 
 mod comparison;
 mod document;

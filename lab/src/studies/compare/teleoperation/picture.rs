@@ -1,13 +1,13 @@
-//! Master and slave over time, a panel for each entrant.
+//! Figure of master and slave over time, one panel per entrant.
 
 use super::comparison::Comparison;
 use super::table::setting;
 use lyapunov_figures::{Figure, Guide, Panel, Series};
 
-/// Millimetres of a metre.
+/// Millimetres per metre.
 const MILLI: f64 = 1e3;
 
-/// Positions over time, all panels over one range: that of the runs that are bounded, and of one and a half times the start.
+/// Positions over time, all panels over one range: that of the bounded runs, and of one and a half times the start.
 pub(super) fn of(comparison: &Comparison) -> Figure {
     let file = &comparison.file;
     let wall = file.slave.wall.map(|wall| MILLI * wall.position.get());

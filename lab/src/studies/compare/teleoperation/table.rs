@@ -21,7 +21,7 @@ pub(super) fn setting(file: &Teleoperator) -> String {
     setting
 }
 
-/// What the columns are compared with.
+/// The values at the start that the columns are compared with.
 pub(super) fn start(file: &Teleoperator) -> String {
     let cap = file.stabilizer.damping_cap.get();
     let cap =
@@ -35,7 +35,7 @@ pub(super) fn start(file: &Teleoperator) -> String {
     )
 }
 
-/// How the devices moved, and what it took.
+/// Two tables: the devices' motion, and the forces and energies at the ports.
 pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
     let motion = [
         Heading::word("stabilizer"),

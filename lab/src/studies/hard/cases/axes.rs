@@ -1,4 +1,4 @@
-//! Several axes: what one sum hides.
+//! Several axes under one observed energy or one for each axis.
 
 use lyapunov::{
     DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar, Stabilizer,
@@ -40,8 +40,8 @@ fn limit<T: Scalar>() -> Result<DampingLimit<T>, ParameterError> {
     DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
 }
 
-/// A hand that is thrown along x and let go along y; answers with how far it is off along y in the last quarter, in
-/// shares of the start.
+/// Run of a hand that is thrown along x and let go along y. Returns its largest distance along y in the last
+/// quarter, as a share of the start.
 fn close<T: Scalar>(
     first: usize,
     stabilizer: impl Stabilizer<Plane<T>>,
@@ -101,7 +101,7 @@ impl EveryScalar for Masking {
     }
 }
 
-/// The member on each axis.
+/// Measurements under `member` on each axis.
 fn per_axis<T: Scalar + Space>(
     member: StabilizerName,
     first: usize,
@@ -121,7 +121,7 @@ impl Trial for Masking {
     }
 
     fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
-        // What watches all axes at once is no member.
+        // No member of the family watches all axes at once.
         if !self.per_axis {
             return Ok(None);
         }
@@ -159,7 +159,7 @@ pub(super) fn cases() -> Vec<Case> {
         case(
             "masking: one sum",
             "the same port: both together give nothing away, and y grows on what x burnt",
-            // All of the energy at the start, 100 mJ of x and 10 mJ of y, in y.
+            // All energy of the start, 100 mJ in x and 10 mJ in y, ends in y.
             11_f64.sqrt(),
             false,
         ),

@@ -1,4 +1,4 @@
-//! Contacts that hardly are, never end, or are two.
+//! Contacts that only graze, never end, or come in pairs.
 
 use lyapunov::{
     OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
@@ -12,7 +12,7 @@ use crate::studies::hard::looped::Looped;
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;
 
-/// The hand swings from -8 mm about -4 mm: it reaches 0 and no further, up to the rounding.
+/// Hand that swings from -8 mm about -4 mm: it reaches 0 and no further, up to the rounding.
 const GRAZING: &str = "
 duration = 20.0
 servo_rate = 1000.0
@@ -23,7 +23,7 @@ environment.wall.stiffness = 1e5
 stabilizer.popc = {}
 ";
 
-/// A ball of 100 g that nothing brakes falls 10 um onto a wall.
+/// Ball of 100 g without damping that falls 10 um onto a wall.
 const BOUNCES: &str = "
 duration = 60.0
 servo_rate = 1000.0
@@ -34,7 +34,7 @@ effects.load.force = 0.981
 stabilizer.popc = {}
 ";
 
-/// A hand presses with 0.1 N; the surface lies between two counts.
+/// Hand that presses with 0.1 N on a surface between two counts.
 const CHATTER: &str = "
 duration = 20.0
 servo_rate = 1000.0
@@ -45,7 +45,7 @@ effects.encoder.resolution = 1e-5
 stabilizer.popc = {}
 ";
 
-/// Two walls of 20 kN/m, 2 mm apart, and nothing that brakes between them.
+/// Two walls of 20 kN/m, 2 mm apart, without damping between them.
 struct Facing;
 
 const GAP: f64 = 1e-3;
@@ -53,7 +53,7 @@ const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.1;
 const TICKS: u64 = 20_000;
 
-/// A wall on either side.
+/// A wall on each side.
 struct Walls<T> {
     right: Wall<T>,
     left: Wall<T>,
@@ -116,8 +116,8 @@ pub(super) fn cases() -> Vec<Case> {
         case(
             "endless small bounces",
             "10 um above a wall of 20 kN/m, nothing brakes: contacts of a few ticks, for ever",
-            // The weight's deflection, 49 um; the fall's energy beyond it, sqrt(49^2 + 2 49 10) = 58 um; and the way
-            // of two ticks, one before the wall knows and one before its force acts, 14 um each.
+            // The weight's deflection, 49 um; the deflection by the fall's energy, sqrt(49^2 + 2 49 10) = 58 um; and
+            // the travel of two ticks, 14 um each: one before the wall samples the contact, one before its force acts.
             0.135,
             0.0,
             BOUNCES,
@@ -125,7 +125,7 @@ pub(super) fn cases() -> Vec<Case> {
         case(
             "encoder chatter at rest",
             "the surface lies between two counts: one count more or less is 0.2 N and a velocity",
-            // Two counts.
+            // Two counts of the encoder.
             0.02,
             5e-6,
             CHATTER,
@@ -135,7 +135,7 @@ pub(super) fn cases() -> Vec<Case> {
             theme: "contact",
             hard: "2 mm apart, undamped, 20 kN/m at 1 kHz: each throws the hand at the other",
             quantity: Quantity::LATE_SWING,
-            // The gap, v sqrt(m / k) into the wall, and the way of the tick before the wall knows of it.
+            // The gap, v sqrt(m / k) into the wall, and the travel of the tick before the wall samples the contact.
             bound: 1e3 * GAP + 0.224 + 0.1,
             apart: None,
             trial: Box::new(Played(Facing)),

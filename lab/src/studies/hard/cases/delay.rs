@@ -1,13 +1,13 @@
-//! Forces that come late.
+//! Forces that act ticks late.
 
 use lyapunov::DampingLimit;
 
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;
 
-/// The share of `m / T` that the rule gives for `ticks` of delay.
+/// The damping cap, of `m / T`, that the rule gives for `ticks` of delay.
 fn cap(ticks: u32) -> f64 {
-    // Of a mass of 1 kg and a period of 1 s the limit is the share.
+    // With a mass of 1 kg and a period of 1 s the limit equals the cap.
     DampingLimit::at(0.5).map_or(0.0, |limit: DampingLimit<f64>| limit.delayed(ticks).most())
 }
 
@@ -33,7 +33,7 @@ pub(super) fn cases() -> Vec<Case> {
         theme: "delay",
         hard,
         quantity: Quantity::LATE_SWING,
-        // The start.
+        // The distance of the start.
         bound: 4.0,
         apart: None,
         trial: Box::new(Looped { text: scene(ticks), rest: 0.0, credit: 0.0 }),

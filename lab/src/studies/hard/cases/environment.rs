@@ -1,9 +1,9 @@
-//! Environments, credits, clocks and actuators that are not what one would like.
+//! Active environments, wrong credits, slow clocks and saturated actuators.
 
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;
 
-/// A damper of -3 N.s/m: it drives whatever moves.
+/// Damper of -3 N.s/m, which drives whatever moves.
 const ACTIVE: &str = "
 duration = 10.0
 servo_rate = 1000.0
@@ -14,7 +14,7 @@ environment.mass-spring-damper = { damping = -3.0, stiffness = 200.0 }
 stabilizer.popc = {}
 ";
 
-/// A wall that swings by itself and pumps the hand at its own frequency.
+/// Wall that swings by itself and pumps the hand at the hand's own frequency.
 const PUMPING: &str = "
 duration = 20.0
 servo_rate = 1000.0
@@ -25,7 +25,7 @@ environment.varying-spring = { stiffness = 500.0, amplitude = 450.0, frequency =
 stabilizer.popc = {}
 ";
 
-/// 50 kN/m at 1 kHz: the wall's virtual damper burns less than the paper's candidate credits.
+/// Wall of 50 kN/m at 1 kHz whose virtual damper dissipates less than the paper's candidate credits.
 const CREDIT: &str = "
 duration = 20.0
 servo_rate = 1000.0
@@ -47,7 +47,7 @@ effects.jitter = { deviation = 3e-4, seed = 6 }
 stabilizer.popc = {}
 ";
 
-/// The hand pushes with 5 N against a wall that may give 4 N.
+/// Hand that pushes with 5 N against a wall whose force saturates at 4 N.
 const SATURATED: &str = "
 duration = 10.0
 servo_rate = 1000.0
@@ -70,7 +70,7 @@ fn case(
         theme: "environment",
         hard,
         quantity: Quantity::LATE_SWING,
-        // The start.
+        // The distance of the start.
         bound: 4.0,
         apart: None,
         trial: Box::new(Looped { text: text.into(), rest, credit }),

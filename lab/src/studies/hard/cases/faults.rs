@@ -17,12 +17,12 @@ use crate::studies::hard::watched::Terms;
 pub(super) const PERIOD: f64 = 1e-3;
 pub(super) const MASS: f64 = 0.2;
 pub(super) const TICKS: u64 = 120;
-/// Of the wall, N/m.
+/// Stiffness of the wall, N/m.
 pub(super) const STIFFNESS: f64 = 8000.0;
-/// The hand: kg, N·s/m, N/m.
+/// Mass, damping and stiffness of the hand: kg, N·s/m, N/m.
 const HAND: [f64; 3] = [MASS, 0.05, 50.0];
 
-/// A hand that meets a wall of 8 kN/m at tick 10 and leaves it at about tick 26; lane `i` is a little slower.
+/// Hand that meets a wall of 8 kN/m at tick 10 and leaves it at about tick 26; each lane is a little slower.
 pub(super) fn hand<T: Scalar>(first: usize) -> Result<Body<T>, ParameterError> {
     let [mass, damping, stiffness] = HAND.map(T::of);
     let speed = T::from_lanes(|lane| 0.1 - 0.003 * (first + lane) as f64);
@@ -38,8 +38,8 @@ pub(super) fn limit<T: Scalar>() -> Result<DampingLimit<T>, ParameterError> {
     DampingLimit::of_mass(T::of(0.5), T::of(MASS), T::of(PERIOD))
 }
 
-/// How far the hand can swing, m: with the energy of the start and that of one tick without the wall's force, which is
-/// `v sqrt(K m)` at most, times `v T`.
+/// The largest swing of the hand, m: with the energy of the start and that of one tick without the wall's force, at
+/// most `v sqrt(K m)` times `v T`.
 pub(super) fn reach() -> f64 {
     let [mass, _, stiffness] = HAND;
     let (start, speed) = (1e-3, 0.1);
@@ -48,12 +48,13 @@ pub(super) fn reach() -> f64 {
     (2.0 * (energy + lost) / stiffness).sqrt()
 }
 
-/// A field of the sample is not finite at a tick, or from that tick on: run `6 k + i` spoils field `i` at tick `k`.
+/// Fault of the sample: a field that is not finite at one tick, or from that tick on. Run `6 k + i` spoils field `i`
+/// at tick `k`.
 #[derive(Clone, Copy)]
 struct Spoilt {
     value: f64,
     forever: bool,
-    /// The device's damping that is credited, N·s/m.
+    /// The credited damping of the device, N·s/m.
     credit: f64,
 }
 
@@ -86,7 +87,7 @@ impl Spoilt {
             let told = if spoilt { self.spoil(field, sample) } else { sample };
             sample = plant.advance(port.respond(&told));
         }
-        // Where the plant is in the end, whatever was told of it.
+        // The plant's true position, whatever the samples said.
         Ok(sample.position.magnitude())
     }
 }
@@ -114,7 +115,7 @@ impl Play for Spoilt {
     }
 }
 
-/// The same behind a guard, which is for one value at a time.
+/// The same behind a guard, which takes scalars only.
 struct Guarded(Spoilt);
 
 impl Guarded {

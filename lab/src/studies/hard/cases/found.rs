@@ -1,11 +1,11 @@
-//! What the random search found: loops that without a cap run to the end of the range, or hang on roundings.
+//! Loops that a random search found: without a cap they run to the end of the range, or depend on roundings.
 //!
-//! `lab/tests/hard/search.rs` made each from its seed, with `damping_cap = inf`. Here they have a cap of half of `m / T`.
+//! `lab/tests/hard/search.rs` made each from its seed, with `damping_cap = inf`. Here the cap is half of `m / T`.
 
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;
 
-/// `K T² / m = 18`, and the wall's answer acts two ticks late: a bounce, and 661 kg fly off at 3 m/s.
+/// Wall with `K T² / m = 18` whose force acts two ticks late: after one bounce, 661 kg fly off at 3 m/s.
 const LATE: &str = "
 duration = 2.2845031649528873e-2
 servo_rate = 1.7509277559186445e4
@@ -19,7 +19,7 @@ damping_cap = 0.5
 ticks = 2
 ";
 
-/// A fifth of the answers are lost, and nothing acts in their place.
+/// Loop in which a fifth of the forces are lost, and nothing acts in their place.
 const LOST: &str = "
 duration = 2.441341919497634e2
 servo_rate = 1.6384431726069317
@@ -36,7 +36,7 @@ policy = \"zero\"
 seed = 4100199770
 ";
 
-/// Tens of nanonewtons on 5 t at 0.2 Hz; where an answer is lost, the one before it acts on.
+/// Tens of nanonewtons on 5 t at 0.2 Hz; where a force is lost, the one before it acts on.
 const HELD: &str = "
 velocity = \"exact\"
 duration = 2.350915826724089e3
@@ -54,8 +54,8 @@ seed = 1979298255
 ";
 
 pub(super) fn cases() -> Vec<Case> {
-    // The start, and for all of the run the speed of the hand's first energy, `v² + k/m (x − rest)²` = speed². An
-    // observed port gives nothing out that it did not take, so nothing gets faster or farther.
+    // The start, plus for the whole run the speed of the hand's first energy, `v² + k/m (x − rest)²` = speed². An
+    // observed port gives out no more than it absorbed, so nothing moves faster or farther.
     let case = |name, hard, bound, credit, text: &str| Case {
         name,
         theme: "found",

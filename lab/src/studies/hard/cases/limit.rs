@@ -14,14 +14,14 @@ use crate::studies::hard::watched::Terms;
 const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.2;
 const TICKS: u64 = 10_000;
-/// Of the mass at first, m/s.
+/// Initial speed of the mass, m/s.
 const SPEED: f64 = 0.1;
 
-/// A free mass, moving, on a port that has given away 1 J before, a thousand times what moves: the damping is at its
-/// limit for ever.
+/// Free moving mass on a port with a debt of 1 J, a thousand times the mass's kinetic energy: the damping stays at
+/// its limit.
 struct Indebted {
     cap: f64,
-    /// The tick from which on the velocity is measured.
+    /// The first tick on which the velocity is measured.
     from: u64,
 }
 

@@ -1,4 +1,4 @@
-//! The catalogue, by theme.
+//! The cases of the catalogue, by theme.
 
 mod axes;
 mod contact;
@@ -15,7 +15,7 @@ mod time;
 
 use crate::studies::hard::case::Case;
 
-/// Every case, in the order in which they are told.
+/// Every case, in the order of the report.
 pub(super) fn all() -> Vec<Case> {
     [
         signals::cases(),

@@ -8,7 +8,7 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;
 
-/// What goes wrong at tick `k`, once.
+/// Fault of one reading, at tick `k`.
 #[derive(Clone, Copy, PartialEq)]
 enum Slip {
     /// The reading is that of the tick before.
@@ -17,11 +17,11 @@ enum Slip {
     Repeated,
     /// The loop is not called; the force holds.
     Dropped,
-    /// The reading comes with the next tick, and that one with it.
+    /// The reading is that of the tick before, here and on the next tick.
     Late,
 }
 
-/// What a program makes of positions that it reads: drives, from the reading before to this one.
+/// Maker of samples from positions that a program reads, each from the reading before to this one.
 struct Reader<T> {
     last: T,
     applied: T,
@@ -37,7 +37,7 @@ impl<T: Scalar> Reader<T> {
 }
 
 impl Play for Slip {
-    /// Run `k` slips at tick `k`. What is measured is the work that the readings made wrong, J.
+    /// Run `k` slips at tick `k`. Returns the error of the work booked from the readings, J.
     fn play<T: Scalar>(
         &self,
         index: u64,
@@ -109,8 +109,8 @@ pub(super) fn cases() -> Vec<Case> {
         bound,
         ..swing(name, "the same runs: the work booked against that of the true motion", slip)
     };
-    // A reading that is a tick off books one displacement, v T, under the force of another tick, which differs by no
-    // more than k v T and the largest correction, v m / 2 T; in mJ.
+    // A reading that is a tick off books one displacement, v T, under the force of another tick. The two forces differ
+    // by at most k v T plus the largest correction, v m / 2 T; in mJ.
     let speed = 0.1;
     let change = STIFFNESS * speed * PERIOD + 0.5 * speed * MASS / PERIOD;
     let slip = 1e3 * change * speed * PERIOD;

@@ -17,13 +17,14 @@ use crate::studies::hard::watched::{Terms, Watched};
 
 const TICKS: u64 = 4000;
 
-/// `K T² / m`, `B T / m` and `b T / m` stay; masses, or periods, are `2^(4 k)` of the usual, `k = −5 … 5`: 12 decades.
+/// Loop in other units: `K T² / m`, `B T / m` and `b T / m` stay; masses, or periods, are `2^(4 k)` of the usual,
+/// `k = −5 … 5`: 12 decades.
 struct Scaled {
-    /// Whether masses are scaled; else periods.
+    /// Whether masses are scaled, instead of periods.
     masses: bool,
 }
 
-/// Powers of two by which things are scaled.
+/// Powers of two by which masses or periods are scaled.
 const POWERS: [i32; 11] = [-20, -16, -12, -8, -4, 0, 4, 8, 12, 16, 20];
 
 impl Scaled {
@@ -37,7 +38,7 @@ impl Scaled {
         DampingLimit::of_mass(T::of(0.5), T::of(mass), T::of(period))
     }
 
-    /// The hand's start of 4 mm, at its own frequency.
+    /// Basis of a hand that starts at 4 mm and swings at its own frequency.
     fn basis(&self, power: i32) -> Basis {
         let (mass, period) = self.units(power);
         Basis::of_hand(mass, period, 0.004 * 0.0002_f64.sqrt() / period)
@@ -52,7 +53,7 @@ impl Scaled {
         self.spread::<T, _>(first, pledge, |power| member.set_by::<T>(&self.basis(power)))
     }
 
-    /// A hand on a wall: `K T² / m = 0.25`, `B T / m = 0.02`, `b T / m = 0.001`.
+    /// Late swing of a hand on a wall, m: `K T² / m = 0.25`, `B T / m = 0.02`, `b T / m = 0.001`.
     fn close<T: Scalar>(
         &self,
         power: i32,
@@ -77,7 +78,8 @@ impl Scaled {
         Ok(most)
     }
 
-    /// The late swing of the scaled runs over that of the usual one, less 1: the most over all powers.
+    /// Measurements of the scaled runs, the worst of all powers; their value is
+    /// `|late swing / usual late swing − 1|`.
     fn spread<T: Scalar, S: Stabilizer<T>>(
         &self,
         first: usize,

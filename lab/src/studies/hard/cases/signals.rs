@@ -11,17 +11,17 @@ const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.2;
 const TICKS: u64 = 400;
 
-/// Strokes to and fro at a speed, under efforts of a size that give energy away at first.
+/// Strokes back and forth at a given speed, under efforts of a given size that generate energy at first.
 struct Strokes {
-    /// m/s, in `f64` and in `f32`.
+    /// Speed in `f64` and in `f32`, m/s.
     speed: [f64; 2],
-    /// N, likewise.
+    /// Force in `f64` and in `f32`, N.
     force: [f64; 2],
-    /// The speed of every other ten ticks, at which the port really moves throughout, m/s; none: `speed`.
+    /// The true speed throughout, which only every other ten ticks report, m/s; none: `speed`.
     ordinary: Option<f64>,
 }
 
-/// The one of two numbers that is for `T`.
+/// The number for `T`, of one for `f64` and one for `f32`.
 fn sized<T: Scalar>(sizes: [f64; 2]) -> T {
     let single = T::epsilon().lane(0) > 1e-10;
     T::of(sizes[usize::from(single)])
@@ -40,21 +40,21 @@ impl Play for Strokes {
         stabilizer.stabilize(&PortSample::starting(period, position, T::zero()), T::zero());
         let mut applied = T::zero();
         for tick in 0..TICKS {
-            // Every lane strokes with a length of its own, and no two ticks are alike.
+            // Every lane has a stroke length of its own, and neighbouring ticks differ.
             let share = T::from_lanes(|lane| {
                 let turn = tick as usize / (first + lane + 3) % 2;
                 let length = 1.0 - 0.1 * (first + lane) as f64 + 0.03 * (tick % 7) as f64;
                 length * [1.0, -1.0][turn]
             });
-            // Ten ticks at an ordinary speed, where there is one, and ten at the hard one.
+            // Ten ticks report the ordinary speed, where there is one, and ten the hard one.
             let ordinary = self.ordinary.filter(|_| tick / 10 % 2 == 0).map(T::of);
             let velocity = ordinary.unwrap_or(speed) * share;
-            // What moves unseen moves on.
+            // The port moves at the ordinary speed, whatever the sample reports.
             let moved = self.ordinary.map_or(velocity, |speed| T::of(speed) * share);
             let displacement = moved * period;
             position += displacement;
             let sample = PortSample::new(period, position, velocity, displacement, applied);
-            // Along the motion, which gives energy away, and for the last three quarters half of it against.
+            // Along the motion at first, which generates energy; in the last three quarters half of that against it.
             let sign = T::choose(share.above(T::zero()), T::one(), -T::one());
             let away = if tick < TICKS / 4 { -1.0 } else { 0.5 };
             applied = force * sign * T::of(away);

@@ -1,4 +1,4 @@
-//! Walls far too stiff for their rate, and masses far apart.
+//! Walls far too stiff for their rate, and very small and very large masses.
 
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;
@@ -51,7 +51,7 @@ pub(super) fn cases() -> Vec<Case> {
         theme: "stiffness",
         hard,
         quantity: Quantity::LATE_SWING,
-        // The start.
+        // The distance of the start.
         bound: 4.0,
         apart: None,
         trial: Box::new(Looped { text: text.to_owned(), rest: 0.0, credit: 0.0 }),

@@ -1,4 +1,4 @@
-//! Long times and late ones.
+//! Long runs and late time stamps.
 
 use lyapunov::{
     DampingLimit, Held, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar,
@@ -21,7 +21,7 @@ use crate::studies::hard::tally::{Tally, larger};
 use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
 
-/// A stabilizer whose sum is kept in an `A`.
+/// A stabilizer that sums the observed energy in an `A`.
 type Summed<T, A> = Lolc<T, PortEnergy, Held, A>;
 
 fn popc<T: Scalar, A: Accumulator<T>>(mass: f64, period: f64) -> Result<Summed<T, A>, HardError> {
@@ -29,9 +29,9 @@ fn popc<T: Scalar, A: Accumulator<T>>(mass: f64, period: f64) -> Result<Summed<T
     Ok(Lolc::new(PortEnergy, limit).summed_in::<A>())
 }
 
-/// 1e8 ticks, of every eight five that absorb 2^-20 J and three that give it back.
+/// Run of 1e8 ticks: of every eight, five absorb 2^-20 J and three give it back.
 ///
-/// Every number is a power of two, so that what crossed the port is counted, not summed: 25 million times 2^-20 J.
+/// Every number is a power of two, so that the energy over the port is counted, not summed: 25 million times 2^-20 J.
 struct Counted;
 
 const MANY: u64 = 100_000_000;
@@ -74,7 +74,7 @@ impl Trial for Counted {
     }
 
     fn under(&self, _member: StabilizerName) -> Result<Option<Runs>, HardError> {
-        // It is about how a sum is kept, which is not a member's to choose.
+        // The case is about the ledger's summation, which a member does not choose.
         Ok(None)
     }
 
@@ -87,12 +87,12 @@ impl Trial for Counted {
     }
 }
 
-/// An hour at 10 kHz: a hand that goes to and fro onto a wall that is computed at 1 kHz.
+/// An hour at 10 kHz: a hand that moves back and forth onto a wall computed at 1 kHz.
 struct Hour;
 
 const HOUR: u64 = 36_000_000;
 
-/// Where the hand wants to be: ±8 mm, half a second each.
+/// Goal of the hand: ±8 mm, half a second each.
 #[derive(Clone, Copy)]
 struct ToAndFro;
 
@@ -150,7 +150,7 @@ impl Trial for Hour {
     }
 
     fn under(&self, _member: StabilizerName) -> Result<Option<Runs>, HardError> {
-        // It is about how a sum is kept, which is not a member's to choose.
+        // The case is about the ledger's summation, which a member does not choose.
         Ok(None)
     }
 
@@ -163,14 +163,14 @@ impl Trial for Hour {
     }
 }
 
-/// A loop that has run for 1e9 s at 1 kHz, led by a sine of 2 Hz, beside the same loop at its start.
+/// A loop after 1e9 s at 1 kHz, led by a sine of 2 Hz, compared with the same loop at its start.
 struct Late;
 
 const LATE: u64 = 1_000_000_000_000;
 const RATE: f64 = 1000.0;
 const TICKS: u64 = 4000;
 
-/// A course, later.
+/// A trajectory that starts at a later tick.
 #[derive(Clone, Copy)]
 struct From<C>(C, u64);
 
@@ -210,7 +210,7 @@ impl Late {
 }
 
 impl Late {
-    /// A late run and an early one under `member`.
+    /// Measurements of a late run under `member`, with its distance from an early run as the value.
     fn both<T: Scalar + Space>(
         &self,
         member: StabilizerName,
@@ -250,7 +250,7 @@ impl Play for Late {
     }
 }
 
-/// The same, with the naive one told what two time stamps are apart.
+/// The same, with periods from the difference of two time stamps for the naive stabilizer.
 struct Stamped(Played<Late>);
 
 impl Trial for Stamped {
@@ -310,7 +310,7 @@ pub(super) fn cases() -> Vec<Case> {
             "an hour at 10 kHz in f32",
             "3.6e7 ticks, 3600 contacts with a wall at 1 kHz: steps of 1e-7 m, works of nanojoules",
             Quantity::LATE_SWING,
-            // Let go at rest at -8 mm towards +8 mm, a hand that nothing brakes swings to 24 mm.
+            // Released at rest at -8 mm towards +8 mm, an undamped hand swings to 24 mm.
             24.0,
             long,
             Box::new(Hour),

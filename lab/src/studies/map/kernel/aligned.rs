@@ -1,14 +1,14 @@
-//! Lanes as they lie in memory.
+//! Lanes aligned to cache lines.
 
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use lyapunov::{Scalar, Signal};
 use num_traits::{One, Zero};
 
-/// Lanes that fill a line of the cache, and lie in one.
+/// Lanes that fill exactly one line of the cache.
 ///
-/// Those of [`lyapunov::lanes`] are aligned to 128 bits; what lies across two lines is read and written twice, and most of
-/// a step is reading and writing. All else is theirs.
+/// The lanes of [`lyapunov::lanes`] are aligned to 128 bits. Lanes across two lines are read and written twice, and
+/// most of a step is reading and writing. Everything else is theirs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct Aligned<T>(pub(super) T);

@@ -1,12 +1,12 @@
-//! Velocities over a period that stays the same.
+//! Backward-difference velocity over a constant period.
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
 use lyapunov::{Correction, Mask, OnePort, PortSample, Scalar};
 
 use super::aligned::Aligned;
 
-/// A scalar to whose products something can be added in one rounding. No step may do so, as its bits would depend on the
-/// instructions; here it makes a quotient that is the same with and without.
+/// A scalar with fused multiplication and addition, in one rounding. A step of the loop must not use it, because its
+/// bits would depend on the instructions; here it computes a quotient that is the same with and without it.
 pub(super) trait Fuse: Scalar {
     /// `self factor + term`, rounded once.
     fn fused(self, factor: Self, term: Self) -> Self;
@@ -41,7 +41,7 @@ macro_rules! lanes {
 
 lanes!(AutoF64x8, AutoF32x16);
 
-/// A period to divide by.
+/// Period as a divisor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Period<T> {
     period: T,
@@ -50,10 +50,10 @@ pub(super) struct Period<T> {
 }
 
 impl<T: Fuse> Period<T> {
-    /// `period` in all lanes. `fuses`: the processor multiplies and adds in one instruction, and that is faster than to
-    /// divide.
+    /// `period` in all lanes. `fuses`: the processor multiplies and adds in one instruction, and that is faster than a
+    /// division.
     pub(super) fn of(period: f64, fuses: bool) -> Self {
-        // Farther out, a step on the way may leave the range of the scalar.
+        // Farther out, an intermediate result may leave the range of the scalar.
         let is_fused = fuses && (1e-9..1e9).contains(&period);
         let period = T::of(period);
         Self { period, inverse: T::one() / period, is_fused }
@@ -61,10 +61,10 @@ impl<T: Fuse> Period<T> {
 
     /// `moved / period`, correctly rounded.
     ///
-    /// With the inverse known, a product is within two units of the quotient, and what it leaves over, computed in one
-    /// rounding, mends it (Markstein, IBM Journal of Research and Development 34(1), 1990; Brisebarre, Muller and Raina,
-    /// IEEE Transactions on Computers 53(8), 2004). Zeros, whose sign that loses, and what is near the ends of the range
-    /// are divided.
+    /// The product with the known inverse is within two units of the quotient, and its remainder, computed in one
+    /// rounding, corrects it (Markstein, IBM Journal of Research and Development 34(1), 1990; Brisebarre, Muller and
+    /// Raina, IEEE Transactions on Computers 53(8), 2004). Zeros, whose sign that would lose, and numbers near the ends
+    /// of the range are divided.
     #[inline(always)]
     pub(super) fn divide(&self, moved: T) -> T {
         if self.is_fused {
@@ -79,7 +79,7 @@ impl<T: Fuse> Period<T> {
     }
 }
 
-/// A port that is told velocities taken from displacements over one period each: a
+/// A port whose samples take their velocity from the displacement over one period: a
 /// [`BackwardDifference`](lyapunov::effects::BackwardDifference), bit for bit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Backward<P, T> {
@@ -92,7 +92,7 @@ impl<P, T> Backward<P, T> {
         Self { port, period }
     }
 
-    /// The port that is told them.
+    /// The port behind the difference.
     #[inline(always)]
     pub(super) fn port(&self) -> &P {
         &self.port
@@ -130,8 +130,8 @@ mod tests {
         (0..6).fold(odd, |guess, _| guess.wrapping_mul(2_u64.wrapping_sub(odd.wrapping_mul(guess))))
     }
 
-    /// Numbers whose quotient by `period` lies as near as can be to the middle between two numbers: with `t` the digits of
-    /// the period, the `x` of `x 2^54 = m t + k` for odd `m` and small `k`.
+    /// Numbers whose quotient by `period` lies as near as possible to the middle between two numbers: with `t` the
+    /// digits of the period, the `x` of `x 2^54 = m t + k` for odd `m` and small `k`.
     fn hardest(period: f64) -> Vec<f64> {
         const DIGITS: u64 = 1 << 52;
         let t = (period.to_bits() % DIGITS) | DIGITS;

@@ -1,11 +1,11 @@
-//! The numbers of a scene that may differ from lane to lane.
+//! Numbers of a scene that may differ from lane to lane.
 
 use crate::files::scene::{Draft, Stabilizer, Wall};
 
-/// Takes one number over from another scene.
+/// Copier of one number from another scene.
 pub(super) type Copy = fn(&mut Draft, &Draft);
 
-/// The numbers by their keys; those that set the course of a run (rates, ticks) are the same for all lanes of a group.
+/// The numbers by their keys. Those that set the ticks of a run (duration, rates) are the same in a group of lanes.
 const FIELDS: &[(&str, Copy)] = &[
     ("operator.mass", |to, from| to.operator.mass = from.operator.mass),
     ("operator.damping", |to, from| to.operator.damping = from.operator.damping),
@@ -49,7 +49,7 @@ fn cap(to: &mut Draft, from: &Draft) {
     }
 }
 
-/// How the number `key` is taken over, if lanes can differ in it.
+/// Copier of the number `key`; none if lanes cannot differ in it.
 pub(super) fn copier(key: &str) -> Option<Copy> {
     FIELDS.iter().find(|(known, _)| *known == key).map(|(_, copy)| *copy)
 }

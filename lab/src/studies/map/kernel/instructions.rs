@@ -1,11 +1,11 @@
-//! The instructions of the processor that this runs on.
+//! Vector instructions of the processor that the program runs on.
 
 use pulp::NullaryFnOnce;
 
-/// A set of vector instructions, known to be there.
+/// A set of vector instructions that the processor is known to have.
 #[derive(Clone, Copy, Debug)]
 pub enum Instructions {
-    /// What every processor of this kind has.
+    /// The instructions that every processor of this architecture has.
     Base,
     /// AVX2, 256 bits.
     #[cfg(target_arch = "x86_64")]
@@ -16,7 +16,7 @@ pub enum Instructions {
 }
 
 impl Instructions {
-    /// All that this processor has, the best first.
+    /// All sets that this processor has, the best first.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
@@ -39,7 +39,7 @@ impl Instructions {
         }
     }
 
-    /// Whether eight products and sums in `f64` are one instruction.
+    /// Whether one instruction computes eight products and sums in `f64`.
     pub(super) fn multiplies_and_adds_at_once(self) -> bool {
         match self {
             Self::Base => false,
@@ -50,8 +50,8 @@ impl Instructions {
         }
     }
 
-    /// Runs `job` compiled for these instructions. No multiplication is fused with an addition by that: the bits are
-    /// the same on all of them.
+    /// Runs `job` compiled for these instructions. The compiler fuses no multiplication with an addition, so the bits
+    /// are the same on all of them.
     pub(super) fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {
         match self {
             Self::Base => job.call(),

@@ -1,4 +1,4 @@
-//! What a rollout of the kernel is watched by.
+//! Meters of the kernel's rollouts.
 
 use lyapunov::{Mask, OnePort, PortSample, Scalar, Stabilizer};
 
@@ -9,24 +9,24 @@ use crate::measure::{Boundedness, Chatter, Energies, Settling};
 use crate::simulate::Criterion;
 use crate::studies::map::outcome::Measures;
 
-/// What is looked at along a rollout: no more than what is asked for, by type.
+/// Meter of a rollout; each type measures no more than is asked for.
 pub(super) trait Meter<T: Fuse> {
-    /// What a lane came to.
+    /// Result of a lane.
     type Reading: Copy + Send;
 
     fn new(lanes: Lanes<'_>) -> Self;
 
-    /// One more tick: the motion, and `applied`, the force from here on.
+    /// Adds one tick: the motion, and `applied`, the force from here on.
     fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>);
 
-    /// Whether nothing that follows matters any more.
+    /// Whether later ticks cannot change the result.
     fn is_decided(&self) -> bool;
 
-    /// What a lane came to; `sound`: its last row is finite.
+    /// Result of a lane; `sound`: its last row is finite.
     fn read(&self, lane: usize, sound: bool) -> Self::Reading;
 }
 
-/// Whether the runs are bounded, and no more.
+/// Meter of boundedness alone.
 pub(super) struct Verdicts<T: Scalar> {
     criteria: Vec<Criterion>,
     boundedness: Boundedness<T>,
@@ -66,7 +66,7 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
     }
 }
 
-/// Everything that is measured along a run that is bounded.
+/// Meter of all measures of a bounded run.
 pub(super) struct Everything<T> {
     rate: f64,
     ticks: f64,

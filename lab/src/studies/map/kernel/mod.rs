@@ -1,8 +1,9 @@
-//! Many cells at once: lanes of one generic rollout, on the vector instructions that the processor has.
+//! The kernel of a map: many cells at once, as lanes of one generic rollout on the processor's vector instructions.
 //!
-//! The rollout is made of the library's own parts: a [`Body`](lyapunov::bodies::Body), a [`Wall`](lyapunov::environments::Wall) behind a hold,
-//! backward differences and any of the stabilizers of a scene over held work. Every lane has the bits of a run by itself. Scenes with
-//! other parts are run one by one, see [`single`](super::single).
+//! The rollout consists of the library's own parts: a [`Body`](lyapunov::bodies::Body), a
+//! [`Wall`](lyapunov::environments::Wall) behind a hold, backward differences and any of the stabilizers of a scene
+//! over held work. Every lane equals a run by itself bit for bit. Scenes with other parts run one by one, see
+//! [`single`](super::single).
 
 mod aligned;
 mod backward;
@@ -36,10 +37,10 @@ use parts::Laned;
 use rollout::Rollouts;
 use seats::{Along, Seats};
 
-/// The most ticks of a run in `f32`: beyond, it cannot count them.
+/// The most ticks of a run in `f32`, which cannot count more.
 const COUNTED: u64 = 1 << 24;
 
-/// The rollouts of a map on lanes.
+/// Rollouts of a map on lanes.
 #[derive(Debug)]
 pub struct Kernel {
     along: Along,
@@ -47,17 +48,17 @@ pub struct Kernel {
     lanes: Lanes,
 }
 
-/// How many rollouts travel together.
+/// Number of rollouts that run side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lanes {
-    /// One at a time: what the lanes are measured against.
+    /// One at a time, the reference for the speed of the lanes.
     One,
     /// As many as fill a vector of 512 bits.
     Many,
 }
 
 impl Kernel {
-    /// The kernel for `grid`; none if its scene has parts that the kernel does not.
+    /// Kernel for `grid`; none if its scene has parts that the kernel does not.
     ///
     /// # Errors
     /// A value of an axis that the scene does not allow.
@@ -79,7 +80,7 @@ impl Kernel {
         Ok(fits.then_some(Self { along, instructions, lanes }))
     }
 
-    /// How many rollouts travel together.
+    /// Number of rollouts that run side by side.
     pub fn lanes(&self) -> usize {
         match (self.lanes, self.along.base.scalar) {
             (Lanes::One, _) => 1,
@@ -88,14 +89,14 @@ impl Kernel {
         }
     }
 
-    /// The instructions it runs on.
+    /// The vector instructions that the kernel uses.
     pub fn instructions(&self) -> Instructions {
         self.instructions
     }
 
-    /// Whether the run of each of `cells` under `basic_name` is bounded. A run whose fate is sealed is not run to its end.
+    /// Whether the run of each of `cells` under `basic_name` is bounded. A lost run is not run to its end.
     ///
-    /// `go_on` is asked now and then; none if it said so.
+    /// Polls `go_on` now and then; none if it returned false.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar.
@@ -108,9 +109,9 @@ impl Kernel {
         self.run(Run { kernel: self, basic_name, cells, go_on }, Judge)
     }
 
-    /// What the runs of `cells` under `basic_name` come to.
+    /// Measures of the runs of `cells` under `basic_name`.
     ///
-    /// `go_on` is asked now and then; none if it said so.
+    /// Polls `go_on` now and then; none if it returned false.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar.
@@ -123,8 +124,8 @@ impl Kernel {
         self.run(Run { kernel: self, basic_name, cells, go_on }, MeasureAll)
     }
 
-    /// Whether a quotient by the period is sooner had by multiplying and adding at once: with less lanes than eight a
-    /// division takes as long, and in `f32` many displacements are zero, which are divided.
+    /// Whether fused multiplication and addition computes a quotient by the period faster than a division. With fewer
+    /// than eight lanes a division takes as long, and in `f32` many displacements are zero, which are divided.
     fn fuses(&self) -> bool {
         let many = self.lanes == Lanes::Many && self.along.base.scalar == Width::F64;
         many && self.instructions.multiplies_and_adds_at_once()
@@ -179,17 +180,17 @@ struct Run<'a> {
     go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
-/// What the rollouts are watched by, on lanes of any scalar.
+/// Meter of rollouts, on lanes of any scalar.
 trait Watching: std::marker::Copy {
     type Reading: std::marker::Copy + Send;
     type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
 
-    /// Whether `run` hands on instructions that multiply and add at once.
+    /// Whether `run` uses instructions that multiply and add at once.
     const FUSES: bool;
 
     fn empty(self) -> Self::Reading;
 
-    /// Runs `job` compiled for as much of `instructions` as pays.
+    /// Runs `job` compiled for `instructions` if that is faster.
     fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
@@ -225,15 +226,15 @@ impl Watching for MeasureAll {
     }
 
     fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        // The sums of the chatter lie side by side in memory line by line, and wider vectors gather them one by one:
-        // they take four times as long.
+        // The sums of the chatter lie side by side in memory line by line. Wider vectors gather them one by one,
+        // which takes four times as long.
         let _ = instructions;
         job.call()
     }
 }
 
 impl Run<'_> {
-    /// The rollouts with the type that the stabilizer has.
+    /// Runs the rollouts with the type of the stabilizer.
     fn on<T: Fuse, W: Watching>(
         self,
         watching: W,
@@ -260,7 +261,7 @@ impl Run<'_> {
         let fuses = W::FUSES && self.kernel.fuses();
         let empty = watching.empty();
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
-        // One rollout at a time has nothing to gain from vectors.
+        // One rollout at a time gains nothing from vectors.
         if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
     }
 }

@@ -1,4 +1,4 @@
-//! The parts of a loop whose numbers differ from lane to lane.
+//! Parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
     Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar,
@@ -14,20 +14,20 @@ use super::backward::{Backward, Fuse, Period};
 use crate::files::scene::{self, Damping, Draft};
 use crate::simulate::family::Settings;
 
-/// The scenes of the lanes, alike in rates and duration; past the last one the last one again.
+/// Scenes of the lanes, alike in rates and duration; lanes beyond the last scene repeat it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lanes<'a>(pub(super) &'a [Draft]);
 
-/// The port of the kernel: a wall behind a hold, watched, and told velocities that are taken from displacements.
+/// The port of the kernel: a stabilized wall behind a hold, with velocities from backward differences.
 pub(super) type Watched<T, S> = Backward<Stabilized<ZeroOrderHold<Wall<T>, T>, S, T>, T>;
 
 impl<'a> Lanes<'a> {
-    /// What all scenes have in common.
+    /// A scene for the numbers that all scenes have in common.
     pub(super) fn common(self) -> &'a Draft {
         &self.0[0]
     }
 
-    /// A number of each scene.
+    /// One number of each scene, lane by lane.
     pub(super) fn each<T: Scalar>(self, number: impl Fn(&Draft) -> f64) -> T {
         T::from_lanes(|lane| number(self.of(lane)))
     }
@@ -36,7 +36,7 @@ impl<'a> Lanes<'a> {
         &self.0[lane.min(self.0.len() - 1)]
     }
 
-    /// The body with the numbers of each lane, taken from `last` where that is made of the same.
+    /// Body with the numbers of each lane, reused from `last` where that has the same parts.
     pub(super) fn body<T: Scalar>(self, last: &mut Bodies<T>) -> Result<Body<T>, ParameterError> {
         let parts = Impedance {
             mass: self.each(Draft::port_mass),
@@ -49,7 +49,7 @@ impl<'a> Lanes<'a> {
         Ok(body.resting_at(self.each(|it| it.operator.rest.get())).starting(position, velocity))
     }
 
-    /// The port with the numbers of each lane. `fuses`: as of a [`Period`].
+    /// Port with the numbers of each lane; `fuses` as in [`Period::of`].
     pub(super) fn port<T: Fuse, S: Laned<T>>(
         self,
         fuses: bool,
@@ -66,7 +66,7 @@ impl<'a> Lanes<'a> {
     }
 }
 
-/// The last body that was made: its exact motion is worked out once and not for each group of cells.
+/// The last body: its exact motion is computed once, not for each group of cells.
 #[derive(Debug)]
 pub(super) struct Bodies<T: Scalar>(Option<(Impedance<T>, T, Body<T>)>);
 

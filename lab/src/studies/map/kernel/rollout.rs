@@ -1,4 +1,4 @@
-//! Rollouts on lanes: the loop over the ticks.
+//! The loop over the ticks of rollouts on lanes.
 
 use lyapunov::{Mask, OnePort, ParameterError, Plant, PortSample, bodies::Body};
 use pulp::NullaryFnOnce;
@@ -8,16 +8,16 @@ use super::meter::Meter;
 use super::parts::{Bodies, Laned, Watched};
 use super::seats::Seats;
 
-/// Groups that run side by side, so that one computes while another waits for a quotient.
+/// Groups that run side by side: one computes while another waits for a quotient.
 const BESIDE: usize = 4;
 
-/// Ticks between two looks at what is decided.
+/// Ticks between two checks whether groups are decided.
 const STRETCH: u64 = 64;
 
-/// Rollouts of some cells, one lane each, watched by an `M`; a group of lanes that is decided makes room for the next.
+/// Rollouts of some cells, one lane each, measured by an `M`; a decided group of lanes makes room for the next.
 ///
-/// Everything on the way from here to the arithmetic is inlined always: what is called instead of inlined is compiled
-/// for the base set of instructions, whatever this is compiled for.
+/// Every function between here and the arithmetic is always inlined: a function that is called instead is compiled for
+/// the base set of instructions, whatever this is compiled for.
 pub(super) struct Rollouts<'a, T: Fuse, S, M: Meter<T>> {
     seats: Seats<'a>,
     readings: Vec<M::Reading>,
@@ -27,13 +27,13 @@ pub(super) struct Rollouts<'a, T: Fuse, S, M: Meter<T>> {
     ports: std::marker::PhantomData<S>,
 }
 
-/// A group of lanes on its way.
+/// A running group of lanes.
 struct Group<T: Fuse, S, M> {
     plant: Body<T>,
     port: Watched<T, S>,
     sample: PortSample<T>,
     meter: M,
-    /// Ticks to come.
+    /// The remaining ticks.
     left: u64,
     first: usize,
     count: usize,
@@ -44,7 +44,7 @@ impl<T: Fuse, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     fn tick(&mut self) {
         let effort = self.port.respond(&self.sample);
         self.meter.add(&self.sample, effort, &self.port);
-        // Number by number, as the period stays: a whole sample would be put together elsewhere and copied here.
+        // The period stays, and a whole sample would be built elsewhere and copied here.
         let next = self.plant.advance(effort);
         self.sample.position = next.position;
         self.sample.velocity = next.velocity;
@@ -53,7 +53,9 @@ impl<T: Fuse, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
         self.sample.work = next.work;
     }
 
-    /// The last tick, after which nothing moves; where its row is finite. Once a run, it need not be fast.
+    /// Runs the last tick, after which nothing moves. Returns the lanes whose row is finite.
+    ///
+    /// It runs once and need not be fast.
     #[inline(never)]
     fn finish(&mut self) -> T::Mask {
         let effort = self.port.respond(&self.sample);
@@ -91,7 +93,7 @@ impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         }
     }
 
-    /// Whether the group is done; then its readings are put down.
+    /// Whether the group is done; if so, stores its readings.
     #[inline(always)]
     fn settle(&mut self, group: &mut Group<T, S, M>) -> bool {
         let is_last = group.left == 1;
@@ -109,7 +111,7 @@ impl<T: Fuse, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> 
 
     #[inline(always)]
     fn call(mut self) -> Self::Output {
-        // One rollout at a time is one: what the lanes are measured against.
+        // With one lane there is one rollout at a time: the reference for the speed of the lanes.
         let beside = if T::LANES == 1 { 1 } else { BESIDE };
         let mut groups = Vec::with_capacity(beside);
         loop {

@@ -1,10 +1,10 @@
-//! From the cells of a map to lanes.
+//! Assignment of cells to lanes.
 
 use super::field::Copy;
 use super::parts::Lanes;
 use crate::files::scene::{Draft, Scene};
 
-/// Cells that wait for a lane, and the scenes that they make.
+/// Cells that wait for a lane, and their scenes.
 #[derive(Debug)]
 pub(super) struct Seats<'a> {
     pub(super) along: &'a Along,
@@ -13,7 +13,7 @@ pub(super) struct Seats<'a> {
     scenes: Vec<Draft>,
 }
 
-/// The scenes along both axes, and how a cell takes its two numbers from them.
+/// The scenes along both axes, with the copiers that take a cell's two numbers from them.
 #[derive(Debug)]
 pub(super) struct Along {
     pub(super) base: Draft,
@@ -22,7 +22,7 @@ pub(super) struct Along {
 }
 
 impl Along {
-    /// Makes the scene of `cell` out of that of another.
+    /// Turns the scene of another cell into that of `cell`.
     fn write(&self, cell: u64, scene: &mut Draft) {
         let columns = self.x.0.len();
         let (column, row) = (cell as usize % columns, cell as usize / columns);
@@ -40,7 +40,7 @@ impl<'a> Seats<'a> {
         self.cells.len()
     }
 
-    /// The next cells, at most `lanes` and alike in rates and duration, and the place of the first of them.
+    /// The next cells, at most `lanes` and alike in rates and duration, with the place of the first one.
     pub(super) fn next(&mut self, lanes: usize) -> Option<(usize, Lanes<'_>)> {
         let first = self.taken;
         let waiting = self.cells.get(first..)?;
@@ -50,7 +50,7 @@ impl<'a> Seats<'a> {
                 self.scenes.push(self.along.base.clone());
             }
             self.along.write(cell, &mut self.scenes[count]);
-            if count > 0 && course(&self.scenes[count]) != course(&self.scenes[0]) {
+            if count > 0 && trajectory(&self.scenes[count]) != trajectory(&self.scenes[0]) {
                 break;
             }
             count += 1;
@@ -60,7 +60,7 @@ impl<'a> Seats<'a> {
     }
 }
 
-/// What has to be the same for all lanes of a group.
-fn course(scene: &Draft) -> (f64, u64, u64) {
+/// Rate, ratio and ticks, which are the same for all lanes of a group.
+fn trajectory(scene: &Draft) -> (f64, u64, u64) {
     (scene.servo_rate.get(), scene.environment_ratio(), scene.ticks())
 }

@@ -1,4 +1,4 @@
-//! The stable area in stiffness and damping.
+//! Stable area in stiffness and damping.
 
 use lyapunov::ParameterError;
 
@@ -8,9 +8,9 @@ use super::measures::Measures;
 /// Walls on a grid: stiffnesses in even ratios from 1 to 50 kN/m, dampings in even steps from 0 to 100 N·s/m.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// How many stiffnesses.
+    /// The number of stiffnesses.
     pub stiffnesses: usize,
-    /// How many dampings.
+    /// The number of dampings.
     pub dampings: usize,
 }
 
@@ -26,10 +26,10 @@ impl Grid {
     }
 }
 
-/// For each start the share of the grid's walls with which the loop stays bounded and settles.
+/// Share of the grid's walls with which the loop stays bounded and settles, for each start.
 ///
 /// # Errors
-/// A number that no part takes.
+/// A number that a part rejects.
 pub fn stable_share(
     control: Control,
     grid: Grid,

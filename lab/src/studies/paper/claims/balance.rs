@@ -1,4 +1,4 @@
-//! Where the energy of a run went, by cause.
+//! Energy balance of a run, by cause.
 
 use lyapunov::{
     DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Stabilizer,
@@ -9,34 +9,34 @@ use lyapunov::{
 
 use super::ensemble::{Control, DURATION, START, Setting};
 
-/// Steps within a tick for what the dampers burn.
+/// Steps within a tick for the energy that the dampers dissipate.
 const FINE: usize = 40;
 
-/// Where the energy of one run from the paper's start went, J.
+/// Energy balance of one run from the paper's start, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Balance {
-    /// In the operator's spring at the start.
+    /// Stored in the operator's spring at the start.
     pub start: f64,
-    /// Burnt by the dampers of operator and device.
+    /// Dissipated by the dampers of operator and device.
     pub burnt: f64,
     /// Taken by the wall's force; negative where the loop generated energy.
     pub wall: f64,
     /// Taken by the controller's force.
     pub controller: f64,
-    /// In motion and spring at the end.
+    /// Stored in motion and spring at the end.
     pub end: f64,
 }
 
 impl Balance {
-    /// What the causes do not explain: the error of the fine integration.
+    /// Energy that the causes do not explain: the error of the fine integration.
     pub fn residual(&self) -> f64 {
         self.start - self.burnt - self.wall - self.controller - self.end
     }
 
-    /// Follows the energy of one run of `setting` over held work.
+    /// Energy balance of one run of `setting` over held work.
     ///
     /// # Errors
-    /// A number that no part takes.
+    /// A number that a part rejects.
     pub fn of(setting: &Setting) -> Result<Self, ParameterError> {
         let period = setting.period();
         let hand = Impedance { mass: 0.3, damping: 0.201, stiffness: 50.0 };

@@ -1,4 +1,4 @@
-//! Many starts of one loop at once, on lanes and cores.
+//! Ensemble: many starts of one loop at once, on lanes and cores.
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
@@ -17,7 +17,7 @@ pub const DURATION: f64 = 30.0;
 /// The paper's start, m.
 pub const START: f64 = -0.004;
 
-/// What stands at the port.
+/// Stabilizer at the port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Control {
     /// Nothing.
@@ -35,18 +35,18 @@ pub struct Setting {
     pub stiffness: f64,
     /// The wall's damping, N·s/m.
     pub damping: f64,
-    /// What stands at the port.
+    /// Stabilizer at the port.
     pub control: Control,
-    /// Whether the observed energies the paper's sampled work instead of held work.
+    /// Whether the observer books the paper's sampled work instead of held work.
     pub printed: bool,
-    /// The damping cap, of m / T.
+    /// The damping cap, as a share of m / T.
     pub cap: f64,
     /// The servo rate, Hz; the wall stays at 100 Hz.
     pub servo_rate: f64,
 }
 
 impl Setting {
-    /// The reading that this repository takes: held work, half of m / T, everything at 100 Hz.
+    /// Setting in this repository's reading of the paper: held work, half of m / T, everything at 100 Hz.
     pub fn read(stiffness: f64, damping: f64, control: Control) -> Self {
         Self { stiffness, damping, control, printed: false, cap: 0.5, servo_rate: 100.0 }
     }
@@ -61,14 +61,14 @@ impl Setting {
     }
 }
 
-/// One run, a number a tick, from tick 0 on.
+/// Trace of one run, one number per tick, from tick 0 on.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
-    /// Seconds between two ticks.
+    /// The period, s.
     pub period: f64,
     /// Position, m.
     pub x: Vec<f64>,
-    /// Velocity as the observer has it, m/s.
+    /// The velocity that the observer sees, m/s.
     pub v: Vec<f64>,
     /// The wall's force, N.
     pub force: Vec<f64>,
@@ -76,20 +76,20 @@ pub struct Trace {
     pub alpha: Vec<f64>,
     /// The observed energy, J.
     pub observed_energy: Vec<f64>,
-    /// What the tick booked into the sum, J: it is told where the sum is too large to show it.
+    /// The energy that the tick adds to the observed energy, J, also where the observed energy is too large to show it.
     pub booked: Vec<f64>,
 }
 
-/// `count` starts, evenly within 10 % of the paper's.
+/// The `count` starts, evenly spaced within 10 % of the paper's.
 pub fn starts(count: usize) -> Vec<f64> {
     let share = |index: usize| 2.0 * index as f64 / (count.max(2) - 1) as f64 - 1.0;
     (0..count).map(|index| START * (1.0 + 0.1 * share(index))).collect()
 }
 
-/// One trace a start.
+/// One trace for each start.
 ///
 /// # Errors
-/// A number of the setting that no part takes.
+/// A number of the setting that a part rejects.
 pub fn run(setting: &Setting, starts: &[f64]) -> Result<Vec<Trace>, ParameterError> {
     let chunks: Result<Vec<Vec<Trace>>, ParameterError> =
         starts.par_chunks(AutoF64x8::LANES).map(|chunk| lanes(setting, chunk)).collect();

@@ -1,23 +1,23 @@
-//! What a trace comes to, by the definitions of the report.
+//! Measures of a trace, by the definitions of the report.
 
 use super::ensemble::{START, Trace};
 
-/// A run counts as bounded if it never leaves this many times its start.
+/// Multiple of its start that a bounded run never leaves.
 const BOUND: f64 = 10.0;
 
-/// What one run comes to.
+/// Measures of one run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures {
-    /// How far out the run starts, in the paper's start. The loop is homogeneous: in exact arithmetic lengths and forces
-    /// go with it, energies with its square.
+    /// The start of the run over the paper's start. The loop is homogeneous: in exact arithmetic lengths and forces are
+    /// proportional to it, energies to its square.
     pub scale: f64,
     /// Whether `|x|` stays within ten times the start.
     pub bounded: bool,
-    /// From when on `|x|` stays within 5 % of the start, s.
+    /// Time from which on `|x|` stays within 5 % of the start, s.
     pub settled: Option<f64>,
     /// The largest force of the wall in the first contact, N.
     pub force_peak: f64,
-    /// The controller's largest force within 0.1 s after the first contact, N; negative against the wall's.
+    /// The controller's largest force within 0.1 s after the first contact, N; negative if against the wall's force.
     pub reply: f64,
     /// The largest observed energy, J.
     pub energy_peak: f64,
@@ -27,18 +27,18 @@ pub struct Measures {
     pub swing: f64,
     /// RMS velocity over the second after settling, m/s.
     pub jitter: Option<f64>,
-    /// Largest over median `|ΔL|` of active ticks, each as it was booked.
+    /// Largest over median `|ΔL|` of active ticks, each as booked.
     pub impulsiveness: Option<f64>,
-    /// Energy that the controller took: the work of its held force over the true displacement, J.
+    /// Energy taken by the controller: the work of its held force over the true displacement, J.
     pub taken: f64,
-    /// The same for each active tick, J.
+    /// The same per active tick, J.
     pub taken_per_sample: Option<f64>,
     /// Share of ticks on which the controller acts.
     pub active: f64,
 }
 
 impl Measures {
-    /// Measures `trace`.
+    /// Measures of `trace`.
     pub fn of(trace: &Trace) -> Self {
         let first = first_contact(trace);
         let settled = settled(trace);
@@ -68,7 +68,7 @@ fn largest(numbers: &[f64]) -> f64 {
     numbers.iter().copied().fold(0.0, f64::max)
 }
 
-/// The first ticks in a row on which the wall pushes.
+/// The first consecutive ticks on which the wall pushes.
 fn first_contact(trace: &Trace) -> Option<std::ops::Range<usize>> {
     let start = trace.force.iter().position(|&force| force > 0.0)?;
     let length = trace.force[start..].iter().position(|&force| force <= 0.0);
@@ -97,7 +97,8 @@ fn jitter(trace: &Trace, tick: usize) -> Option<f64> {
     Some((squares / second.len() as f64).sqrt())
 }
 
-/// The steps of the sum as they were booked: at rest they are far below the last digit of the sum they go into.
+/// Largest over median booked step of active ticks. The booked steps are needed because at rest they are far below the
+/// last digit of the observed energy.
 fn impulsiveness(trace: &Trace) -> Option<f64> {
     let ticks = trace.alpha.iter().zip(&trace.booked);
     let steps = ticks.filter(|(alpha, _)| **alpha > 0.0).map(|(_, booked)| booked.abs());
@@ -106,14 +107,14 @@ fn impulsiveness(trace: &Trace) -> Option<f64> {
     (median > 0.0).then(|| most / median)
 }
 
-/// The work that the controller's held force did over the true displacement.
+/// Work of the controller's held force over the true displacement.
 fn taken(trace: &Trace) -> f64 {
     (1..trace.x.len())
         .map(|tick| trace.alpha[tick - 1] * trace.v[tick - 1] * (trace.x[tick] - trace.x[tick - 1]))
         .sum()
 }
 
-/// The middle of the numbers; of an even count the mean of the two in the middle.
+/// Median of the numbers; of an even count the mean of the two in the middle.
 pub fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
     let mut sorted: Vec<f64> = numbers.collect();
     sorted.sort_by(f64::total_cmp);

@@ -1,9 +1,9 @@
-//! The claims of the paper's section IV, each with a verdict that is computed.
+//! The claims of the paper's section IV, each with a computed verdict.
 //!
 //! Every verdict rests on an ensemble of starts within 10 % of the paper's, because the loop at 8 kN/m is chaotic and a
 //! single late trace means nothing. A claim is reproduced where it holds for at least 95 % of the starts, not
-//! reproduced where it holds for at most 5 %, and undecided in between. The loop is homogeneous, so lengths and forces are
-//! compared with the paper's in proportion to the start, energies to its square.
+//! reproduced where it holds for at most 5 %, and undecided in between. The loop is homogeneous, so lengths and forces
+//! are compared with the paper's in proportion to the start, energies in proportion to its square.
 
 mod area;
 mod balance;

@@ -1,4 +1,4 @@
-//! Claim by claim.
+//! The claims, one by one.
 
 use lyapunov::ParameterError;
 use serde::Serialize;
@@ -7,7 +7,7 @@ use super::area::{Grid, stable_share};
 use super::ensemble::{Control, Setting, run};
 use super::measures::{Measures, median};
 
-/// What an ensemble says of a claim.
+/// Verdict of an ensemble on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Verdict {
     /// It holds for at least 95 % of the starts.
@@ -16,7 +16,7 @@ pub enum Verdict {
     /// It holds for at most 5 % of the starts.
     #[serde(rename = "not reproduced")]
     NotReproduced,
-    /// It holds for some, or most starts have nothing to judge it by.
+    /// It holds for some starts, or most starts have nothing to judge it by.
     #[serde(rename = "undecided")]
     Undecided,
 }
@@ -36,21 +36,21 @@ impl Verdict {
 /// A claim of the paper's section IV.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Claim {
-    /// A stable name.
+    /// A stable identifier.
     pub id: &'static str,
-    /// What the paper says.
+    /// The paper's statement.
     pub paper: &'static str,
     /// The median over the starts.
     pub measured: Option<f64>,
     /// The unit of `measured`.
     pub unit: &'static str,
-    /// What exactly was looked at.
+    /// The exact quantity that was looked at.
     pub reading: &'static str,
-    /// Starts for which it holds.
+    /// The number of starts for which the claim holds.
     pub held: usize,
-    /// Starts looked at.
+    /// The number of all starts.
     pub of: usize,
-    /// What follows.
+    /// The verdict.
     pub verdict: Verdict,
 }
 
@@ -75,17 +75,17 @@ pub(crate) fn number(value: f64) -> String {
     }
 }
 
-/// What is near to a force in the paper lies within this factor; to an energy, within its square.
+/// Factor within which a force is near one in the paper; an energy is near within its square.
 const NEAR: f64 = 1.15;
 
 fn is_near(measured: f64, paper: f64, factor: f64) -> bool {
     (paper / factor..=paper * factor).contains(&measured)
 }
 
-/// What a claim is judged by: a number and whether it holds, for each start; none where there is nothing to judge by.
+/// Evidence on a claim: for each start a number and whether the claim holds; none where there is nothing to judge by.
 type Evidence = Vec<(Option<f64>, Option<bool>)>;
 
-/// Without its number a start cannot be judged.
+/// Evidence of one start, which cannot be judged without its number.
 fn judged((number, holds): (Option<f64>, bool)) -> (Option<f64>, Option<bool>) {
     (number, number.map(|_| holds))
 }
@@ -113,7 +113,7 @@ impl Text {
     }
 }
 
-/// The runs that a reading of the paper's two walls comes to.
+/// Measures of the paper's two walls under one reading.
 pub(super) struct Loops {
     pub(super) plain8k: Vec<Measures>,
     pub(super) lolc8k: Vec<Measures>,
@@ -122,7 +122,7 @@ pub(super) struct Loops {
 }
 
 impl Loops {
-    /// Under the reading that `reading` makes of this repository's.
+    /// Loops under the reading that `reading` makes of this repository's.
     pub(super) fn of(
         starts: &[f64],
         reading: impl Fn(Setting) -> Setting,
@@ -151,12 +151,12 @@ impl Loops {
     }
 }
 
-/// What each start comes to.
+/// Measures of each start.
 pub(super) fn measured(setting: Setting, starts: &[f64]) -> Result<Vec<Measures>, ParameterError> {
     Ok(run(&setting, starts)?.iter().map(Measures::of).collect())
 }
 
-/// `more / less`, and whether it is above 1; of numbers that are missing nothing holds.
+/// Ratio `more / less`, and whether it is above 1, which is false where a number is missing.
 fn ratio(more: Option<f64>, less: Option<f64>) -> (Option<f64>, bool) {
     match (more, less) {
         (Some(more), Some(less)) if less != 0.0 => (Some(more / less), more > less),
@@ -168,7 +168,7 @@ fn ratio(more: Option<f64>, less: Option<f64>) -> (Option<f64>, bool) {
 /// The claims, each judged over `starts`, the stable area over `grid`.
 ///
 /// # Errors
-/// A number that no part takes.
+/// A number that a part rejects.
 pub fn claims(starts: &[f64], grid: Grid) -> Result<Vec<Claim>, ParameterError> {
     let loops = Loops::of(starts, |setting| setting)?;
     let popc_area = stable_share(Control::Popc, grid, starts)?;
@@ -184,7 +184,7 @@ fn each(runs: &[Measures], judge: impl Fn(&Measures) -> (Option<f64>, bool)) -> 
     runs.iter().map(|run| judged(judge(run))).collect()
 }
 
-/// A run that does not settle has no settling time, and fails a claim that it settles.
+/// Evidence that runs settle: one that does not has no settling time and fails the claim.
 fn settles(evidence: Evidence) -> Evidence {
     evidence.into_iter().map(|(time, _)| (time, Some(time.is_some()))).collect()
 }

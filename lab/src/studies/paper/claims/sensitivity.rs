@@ -1,4 +1,4 @@
-//! How the verdicts move with what the paper leaves open.
+//! Sensitivity of the verdicts to what the paper leaves open.
 
 use lyapunov::ParameterError;
 
@@ -6,7 +6,7 @@ use super::ensemble::{Control, Setting};
 use super::measures::{Measures, median};
 use super::rows::{Claim, Loops, measured};
 
-/// What an ensemble comes to under one reading of the paper.
+/// Result of an ensemble under one reading of the paper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// The reading in words.
@@ -17,11 +17,11 @@ pub struct Reading {
     pub bounded: f64,
     /// Share of the starts that settle.
     pub settled: f64,
-    /// Median settling time of those, s.
+    /// Median settling time of the starts that settle, s.
     pub settling_time: Option<f64>,
     /// Median share of ticks on which the controller acts.
     pub active: f64,
-    /// Median energy that the controller took, J.
+    /// Median energy taken by the controller, J.
     pub taken: f64,
 }
 
@@ -34,11 +34,11 @@ pub struct MovedClaim {
     pub claims: Vec<Claim>,
 }
 
-/// What the ensembles and the verdicts come to under other readings: caps from 0.25 to 1, servo rates from 100 Hz to
-/// 1 kHz, and the printed recursion.
+/// Ensembles and verdicts under other readings: caps from 0.25 to 1, servo rates from 100 Hz to 1 kHz, and the
+/// printed recursion.
 ///
 /// # Errors
-/// A number that no part takes.
+/// A number that a part rejects.
 pub fn sensitivity(starts: &[f64]) -> Result<(Vec<Reading>, Vec<MovedClaim>), ParameterError> {
     let (mut readings, mut moved) = (Vec::new(), Vec::new());
     for (name, change) in changes() {
@@ -52,7 +52,7 @@ pub fn sensitivity(starts: &[f64]) -> Result<(Vec<Reading>, Vec<MovedClaim>), Pa
         readings.push(read(&name, stiff(Control::Lolc), &loops.lolc50k));
         moved.push(MovedClaim { name, claims: loops.claims() });
     }
-    // One wall and one stabilizer after the other.
+    // Sorted by wall and stabilizer.
     readings.sort_by(|one, other| {
         let key = |reading: &Reading| (reading.setting.stiffness, reading.setting.control as u8);
         key(one).partial_cmp(&key(other)).unwrap_or(std::cmp::Ordering::Equal)

@@ -15,8 +15,8 @@ use lyapunov::{
 
 use crate::support::{Bits, CASES, hold, log_between, ordinary, unit};
 
-fn at(course: &impl Trajectory<f64>, tick: u64) -> f64 {
-    course.at(tick)
+fn at(trajectory: &impl Trajectory<f64>, tick: u64) -> f64 {
+    trajectory.at(tick)
 }
 
 /// A servo rate as in scenes, and an instant that is sometimes on a tick except for its rounding.
@@ -206,9 +206,9 @@ fn hostile_trajectories_stay_finite() {
                     at(&Samples::new(rows, rate).expect("samples"), n)
                 }),
             ];
-            for (kind, course) in courses.iter().enumerate() {
+            for (kind, trajectory) in courses.iter().enumerate() {
                 for tick in [0, 1, 1000, 1 << 53, u64::MAX] {
-                    let value = course(tick);
+                    let value = trajectory(tick);
                     assert!(value.is_finite(), "{kind}: {value} at {tick} {rate} {big} {speed}");
                 }
             }
@@ -220,26 +220,38 @@ fn hostile_trajectories_stay_finite() {
 fn invalid_trajectories_are_refused() {
     use Requirement::{AtLeast, Finite, InRange, NonNegative, Positive};
     let of = |refused: Result<f64, lyapunov::ParameterError>| {
-        let error = refused.expect_err("no course");
+        let error = refused.expect_err("no trajectory");
         (error.parameter, error.requirement)
     };
-    let course = |made: Result<f64, _>| of(made);
+    let trajectory = |made: Result<f64, _>| of(made);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let cases = [
-            (course(Constant::new(bad).map(|c| at(&c, 0))), ("value", Finite)),
-            (course(Step::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("from", Finite)),
-            (course(Step::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("to", Finite)),
-            (course(Step::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))), ("at", Finite)),
-            (course(Ramp::new(1.0, 1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("rate", NonNegative)),
-            (course(Sine::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("about", Finite)),
-            (course(Sine::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("amplitude", Finite)),
-            (course(Sine::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))), ("frequency", NonNegative)),
-            (course(Pulse::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("value", Finite)),
-            (course(Pulse::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("start", Finite)),
-            (course(Pulse::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))), ("duration", NonNegative)),
-            (course(Samples::new([(bad, 1.0)], 1.0).map(|c| at(&c, 0))), ("t", Finite)),
-            (course(Samples::new([(1.0, bad)], 1.0).map(|c| at(&c, 0))), ("value", Finite)),
-            (course(Samples::new([(1.0, 1.0)], bad).map(|c| at(&c, 0))), ("servo_rate", Positive)),
+            (trajectory(Constant::new(bad).map(|c| at(&c, 0))), ("value", Finite)),
+            (trajectory(Step::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("from", Finite)),
+            (trajectory(Step::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("to", Finite)),
+            (trajectory(Step::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))), ("at", Finite)),
+            (
+                trajectory(Ramp::new(1.0, 1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))),
+                ("rate", NonNegative),
+            ),
+            (trajectory(Sine::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("about", Finite)),
+            (trajectory(Sine::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("amplitude", Finite)),
+            (
+                trajectory(Sine::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))),
+                ("frequency", NonNegative),
+            ),
+            (trajectory(Pulse::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("value", Finite)),
+            (trajectory(Pulse::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("start", Finite)),
+            (
+                trajectory(Pulse::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))),
+                ("duration", NonNegative),
+            ),
+            (trajectory(Samples::new([(bad, 1.0)], 1.0).map(|c| at(&c, 0))), ("t", Finite)),
+            (trajectory(Samples::new([(1.0, bad)], 1.0).map(|c| at(&c, 0))), ("value", Finite)),
+            (
+                trajectory(Samples::new([(1.0, 1.0)], bad).map(|c| at(&c, 0))),
+                ("servo_rate", Positive),
+            ),
         ];
         for (found, expected) in cases {
             assert_eq!(found, expected);

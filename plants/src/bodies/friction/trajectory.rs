@@ -32,33 +32,33 @@ impl<'a, const S: usize> Trajectory<'a, S> {
     /// The motion from `state` through `interval` s.
     pub(super) fn run(system: &'a System<S>, state: [f64; S], interval: f64) -> Self {
         let (gain, log) = ([0.0; S], Log::default());
-        let mut course =
+        let mut trajectory =
             Self { system, state, elapsed: 0.0, remaining: interval, gain, heat: 0.0, log };
         let mut phase = match state[S - 1] {
-            0.0 => course.at_rest(),
+            0.0 => trajectory.at_rest(),
             velocity => Phase::Sliding(velocity.signum()),
         };
         if state[S - 1] == 0.0 && phase != Phase::Stuck && interval > 0.0 {
-            course.log.note(0.0, Slip);
+            trajectory.log.note(0.0, Slip);
         }
         for _ in 0..PIECES {
-            if course.remaining <= 0.0 {
+            if trajectory.remaining <= 0.0 {
                 break;
             }
             let next = match phase {
-                Phase::Stuck => course.stick(),
-                Phase::Sliding(sense) => course.slide(sense),
+                Phase::Stuck => trajectory.stick(),
+                Phase::Sliding(sense) => trajectory.slide(sense),
             };
             match next {
                 Some(next) => phase = next,
                 None => break,
             }
         }
-        if course.remaining > 0.0 {
-            course.log = Log::default();
-            course.log.note(0.0, Cut);
+        if trajectory.remaining > 0.0 {
+            trajectory.log = Log::default();
+            trajectory.log.note(0.0, Cut);
         }
-        course
+        trajectory
     }
 
     /// Whether it reached the end of the period.

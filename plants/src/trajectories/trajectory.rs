@@ -5,7 +5,7 @@ use lyapunov_core::Signal;
 /// A value that follows time in ticks of the servo rate, `t_n = n / servo_rate`.
 ///
 /// The trajectories of this crate are computed in `f64` and rounded to the scalar once, alike in every lane. Every
-/// `Fn(u64) -> V` is a trajectory; pass one in a box or behind a reference as `|tick| course.at(tick)`.
+/// `Fn(u64) -> V` is a trajectory; pass one in a box or behind a reference as `|tick| trajectory.at(tick)`.
 ///
 /// ```
 /// use lyapunov_plants::{Trajectory, Step};
