@@ -2,7 +2,7 @@
 
 use lyapunov_core::{Accumulator, Scalar};
 
-/// Books `change` where the sum has room for it; tells where.
+/// Books `change` where the sum has room for it; returns where it did.
 #[inline(always)]
 pub(crate) fn book<T: Scalar>(sum: &mut impl Accumulator<T>, change: T) -> T::Mask {
     let booked = (sum.value() + change).finite();

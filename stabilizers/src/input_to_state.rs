@@ -1,9 +1,9 @@
-//! An environment that is asked a little before the device is there.
+//! Input-to-state stable port: an environment that is asked a little before the device is there.
 
 use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// The input-to-state stable approach, as in Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) and
-/// Jafari, Nabeel and Ryu (IEEE Transactions on Robotics, 2017): a port around the environment.
+/// The input-to-state stable approach, as in Jafari and Ryu (IEEE International Conference on Robotics and Automation,
+/// 2015) and Jafari, Nabeel and Ryu (IEEE Transactions on Robotics, 2017): a port around the environment.
 ///
 /// ```text
 /// q(k) = x(k) − f(k−1) / μ                          what the environment is asked at, and v' = v − ḟ / μ
@@ -11,18 +11,18 @@ use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement
 /// F(k) = f(k) + τ (f(k) − f(k−1)) / T               what is given
 /// ```
 ///
-/// with `μ` (N/m) a bound of the environment's slope, `0 ≤ df/dq ≤ μ`, and `τ` (s) the feed-forward of its rate, which is limited by
-/// noise. (Equations as in two public implementations.) A spring `K` is felt as `K` and `μ` in series, `K' = K μ / (K + μ)`,
-/// with a damper `τ K'`: it adds damping, and so it settles what a bounding law only bounds.
+/// with `μ` (N/m) a bound of the environment's slope, `0 ≤ df/dq ≤ μ`, and `τ` (s) the feed-forward of its rate, which
+/// is limited by noise. (Equations as in two public implementations.) A spring `K` is felt as `K` and `μ` in series,
+/// `K' = K μ / (K + μ)`, with a damper `τ K'`: it adds damping, and so it settles what a bounding law only bounds.
 ///
-/// **Guarantee** (derived here), in continuous time, from rest, of a monotone environment without memory that stores `W`:
-/// `∫ F v = W(q) + f² / (2 μ) + τ ∫ ḟ q̇ + (τ / μ) ∫ ḟ²`, in which no term is below 0. **Assumed** is that the slope never
-/// exceeds `μ`: from `μ = K` on downwards the recursion with `f(k−1)` swings by itself. A hold and a delay keep no more than
-/// the rule of a sampled spring and damper, `K' T² / m < 2 β (2 − β) / (2 + β)` with `β = τ K' T / m`, so energy may be
-/// generated, by a bounded amount while the loop is stable, and not by 0.
+/// **Guarantee** (derived here), in continuous time, from rest, of a monotone environment without memory that stores
+/// `W`: `∫ F v = W(q) + f² / (2 μ) + τ ∫ ḟ q̇ + (τ / μ) ∫ ḟ²`, in which no term is below 0. **Assumed** is that the
+/// slope never exceeds `μ`: from `μ = K` on downwards the recursion with `f(k−1)` swings by itself. A hold and a delay
+/// keep no more than the rule of a sampled spring and damper, `K' T² / m < 2 β (2 − β) / (2 + β)` with
+/// `β = τ K' T / m`, so energy may be generated, by a bounded amount while the loop is stable, and not by 0.
 ///
-/// Run it at the environment's rate, inside a hold if the servo is faster: there the rate term would be an impulse of one tick.
-/// `T` is the period of its own calls.
+/// Run it at the environment's rate, inside a hold if the servo is faster: there the rate term would be an impulse of
+/// one tick. `T` is the period of its own calls.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, OnePort};
@@ -63,8 +63,8 @@ impl<P, V: Signal> InputToState<P, V> {
         Self::with(port, slope, V::Scalar::of(0.0), feed)
     }
 
-    /// `port` whose slope is watched: `μ ← max(μ, s |Δf| / |Δq|)`, with `share` s; until something is seen `q = x`. The published
-    /// `s` is 1.7.
+    /// `port` whose slope is watched: `μ ← max(μ, s |Δf| / |Δq|)`, with `share` s; until something is seen `q = x`. The
+    /// published `s` is 1.7.
     ///
     /// # Errors
     /// `share` not above 1 and finite, where the recursion would swing; `feed` below 0, infinite or NaN.

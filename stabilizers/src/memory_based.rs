@@ -1,4 +1,4 @@
-//! Forces on the way out no larger than those kept from the way in.
+//! Memory-based passivation: forces on the way out no larger than those kept from the way in.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Stabilizer,
@@ -7,8 +7,8 @@ use lyapunov_core::{
 use crate::StabilizerExt;
 use crate::booked::book;
 
-/// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the pressing path
-/// is kept by position, and the releasing path may not be above it.
+/// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the
+/// pressing path is kept by position, and the releasing path may not be above it.
 ///
 /// ```text
 /// inwards  (Δx > 0): every cell of width h that [x − Δx, x] touches gets M = max(0, force that applied);   F = f
@@ -16,17 +16,17 @@ use crate::booked::book;
 /// at rest            F = f
 /// ```
 ///
-/// One axis, one side: the environment lies beyond a surface and pushes against `+x`; before the surface `M = 0`. The last of the
-/// `N` cells reaches on without an end. `d` is the delay of the force in ticks.
+/// One axis, one side: the environment lies beyond a surface and pushes against `+x`; before the surface `M = 0`. The
+/// last of the `N` cells reaches on without an end. `d` is the delay of the force in ticks.
 ///
-/// **Guarantee** (derived here, as is the look ahead; the paper's own text was not at hand): place by place no more comes out
-/// than went in, but for the `1 + d` ticks in which a motion turns round, whose force was given before it did. **Assumed** is
-/// that the next displacements are no larger than the last; with too short a look ahead it leaks, and a delay of one tick
-/// needs two. Take cells of about one tick's motion. [`PathMemory`](crate::PathMemory) keeps energies instead, whatever the
-/// motion.
+/// **Guarantee** (derived here, as is the look ahead; the paper's own text was not at hand): place by place no more
+/// comes out than went in, but for the `1 + d` ticks in which a motion turns round, whose force was given before it
+/// did. **Assumed** is that the next displacements are no larger than the last; with too short a look ahead it leaks,
+/// and a delay of one tick needs two. Take cells of about one tick's motion. [`PathMemory`](crate::PathMemory) keeps
+/// energies instead, whatever the motion.
 ///
-/// It needs no velocity and adds no damping. `sum` is the work of the port; what it gave more than it took is told as shortfall.
-/// Each tick visits all cells, so that it takes the same time wherever the motion is.
+/// It needs no velocity and adds no damping. The observed energy is the work of the port; what it gave more than it
+/// took is reported as shortfall. Each tick visits all cells, so that it takes the same time wherever the motion is.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Stabilizer};

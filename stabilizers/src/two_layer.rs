@@ -1,4 +1,4 @@
-//! A layer of energy below a layer of performance.
+//! Two-layer architecture: a layer of energy below a layer of performance.
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
@@ -17,25 +17,25 @@ pub struct Sharing<T> {
     pub share: T,
 }
 
-/// One end of the two-layer architecture, after Franken, Stramigioli, Misra, Secchi and Macchelli (IEEE Transactions on Robotics
-/// 27(4), 2011): whatever force is wished for above, only what is in this end's tank is given.
+/// One end of the two-layer architecture, after Franken, Stramigioli, Misra, Secchi and Macchelli (IEEE Transactions on
+/// Robotics 27(4), 2011): whatever force is wished for above, only what is in this end's tank is given.
 ///
 /// ```text
 /// H += received + F(n−1) · Δx;     packet = share · max(H, 0);     H −= packet
 /// |F_wished| ≤ max(H, 0) / (|v| T);     master only:  F += d v,  d = gain · max(0, level − H)
 /// ```
 ///
-/// `H` in J is the `sum` that is told, `F` the force against the motion as everywhere. Both ends exert forces; the master's
-/// damper `d` fills the tanks from the hand, and everything is paid by it.
+/// `H` in J is the observed energy, `F` the force against the motion as everywhere. Both ends exert forces; the
+/// master's damper `d` fills the tanks from the hand, and everything is paid by it.
 ///
-/// **Guarantee** (equations derived here; the paper's own text was not at hand): both tanks and what is under way never hold
-/// more than the hands put in. `H ≥ 0` up to one tick's wrong guess of the displacement, which is told as shortfall.
-/// **Assumed** are true measurements and a velocity that tells the next displacement. The paper sends packets; here the
-/// [sum](Self::sent) of them is sent, so that a message that is lost, old or repeated cannot make energy, and one that comes
-/// later makes up for a loss.
+/// **Guarantee** (equations derived here; the paper's own text was not at hand): both tanks and what is under way never
+/// hold more than the hands put in. `H ≥ 0` up to one tick's wrong guess of the displacement, which is reported as
+/// shortfall. **Assumed** are true measurements and a velocity that predicts the next displacement. The paper sends
+/// packets; here the [sum](Self::sent) of them is sent, so that a message that is lost, old or repeated cannot make
+/// energy, and one that comes later makes up for a loss.
 ///
-/// Parameters of a public course: level 1 J, gain 2 (N·s/m)/J, share 0.1, 0.5 to 5 J at the start, at 1 kHz with 10 ticks of
-/// delay. Choose `gain · level` well below the mass over the period, as for any held damper.
+/// Parameters of a public course: level 1 J, gain 2 (N·s/m)/J, share 0.1, 0.5 to 5 J at the start, at 1 kHz with 10
+/// ticks of delay. Choose `gain · level` well below the mass over the period, as for any held damper.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Stabilizer};
@@ -86,7 +86,7 @@ impl<T: Scalar> TwoLayer<T> {
 }
 
 impl<T: Scalar, A: Accumulator<T>> TwoLayer<T, A> {
-    /// Takes what the other end tells of its [`sent`](Self::sent) energy, J; to be called before a tick.
+    /// Takes the other end's [`sent`](Self::sent) energy, J; to be called before a tick.
     #[inline]
     pub fn receive(&mut self, energy: T) {
         let newer = energy.above(self.received) & energy.finite();

@@ -1,4 +1,4 @@
-//! Where the next force of an energy-bounded axis may be.
+//! Band of an energy-bounded axis: the forces that may come next.
 
 use lyapunov_core::Scalar;
 

@@ -1,4 +1,4 @@
-//! Forces that hand back no more than the device's damper burns.
+//! Energy bounding: forces that hand back no more than the device's damper dissipates.
 
 mod band;
 
@@ -11,27 +11,28 @@ use crate::StabilizerExt;
 use crate::booked::book;
 use band::{Band, Published, Tight};
 
-/// The energy-bounding algorithm, after Kim and Ryu (International Journal of Robotics Research 29(6), 2010): the force changes by
-/// `β Δx`, and `β` is clipped so that the sample and hold gives no more than the device's damping burns.
+/// The energy-bounding algorithm, after Kim and Ryu (International Journal of Robotics Research 29(6), 2010): the force
+/// changes by `β Δx`, and `β` is clipped so that the sample and hold gives no more than the device's damping
+/// dissipates.
 ///
 /// ```text
 /// Δx(k) = 0:  F(k) = F(k−1)                       else  β = (f(k) − F(k−1)) / Δx(k),  r = F(k−1) / Δx(k)
 /// γmin ≤ β ≤ min(c1, γmax),   γ = c2 − r ± √(c2² + r²);     F(k) = F(k−1) + β Δx(k)
 /// ```
 ///
-/// Each axis by itself, in N, m and N/m. It is worked out in forces, without the division: with `S = √(F² + (c2 Δx)²)` the force is
-/// `f` clipped to `c2 Δx ± S`, and by `F + c1 Δx` inwards from above, outwards from below.
+/// Each axis by itself, in N, m and N/m. It is worked out in forces, without the division: with `S = √(F² + (c2 Δx)²)`
+/// the force is `f` clipped to `c2 Δx ± S`, and by `F + c1 Δx` inwards from above, outwards from below.
 ///
 /// **Guarantee** (derived here; the paper's own text was not at hand): `γ` is exactly
-/// `(F(k)² − F(k−1)²) / (2 c2) ≤ F(k) Δx`, and `β ≤ c1` gives `F(k−1) Δx ≥ F(k) Δx − c1 Δx²`. So with `c1 ≤ b / T` port and
-/// damper together, `Σ F Δx + b Δx² / T`, never fall below `(F(n)² − F(0)²) / (2 c2)`, whatever the motion and whatever the
-/// environment. That energy is the `sum` that is told. **Assumed** are a viscous damping `b` that is surely there, and a
-/// force that acts over the next period as it was given. For one that acts `d` ticks late take
+/// `(F(k)² − F(k−1)²) / (2 c2) ≤ F(k) Δx`, and `β ≤ c1` gives `F(k−1) Δx ≥ F(k) Δx − c1 Δx²`. So with `c1 ≤ b / T` port
+/// and damper together, `Σ F Δx + b Δx² / T`, never fall below `(F(n)² − F(0)²) / (2 c2)`, whatever the motion and
+/// whatever the environment. That energy is the reported observed energy. **Assumed** are a viscous damping `b` that is
+/// surely there, and a force that acts over the next period as it was given. For one that acts `d` ticks late take
 /// [`delayed`](Self::delayed); with `c1 = b / T` a tick too late an adversary does take energy out.
 ///
-/// `c1` is the steepest wall that is felt, `c2` how fast energy may be handed back. It needs no velocity and adds no damping: it
-/// bounds a swing and need not end it. While nothing moves the force stays, so that what was not reached at rest is
-/// never reached.
+/// `c1` is the steepest wall that is felt, `c2` how fast energy may be handed back. It needs no velocity and adds no
+/// damping: it bounds a swing and need not end it. While nothing moves the force stays, so that what was not reached at
+/// rest is never reached.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Stabilizer};
@@ -77,8 +78,8 @@ impl<V: Signal> EnergyBounding<V> {
 
     /// `c1 = c2 = b / (T (1 + d))`, for a force that acts `ticks` d periods late; derived here.
     ///
-    /// While a force waits the motion goes on, and `β` must not fall below `−c1` either: then each late tick costs at most
-    /// `c1 Σ Δx²`.
+    /// While a force waits the motion goes on, and `β` must not fall below `−c1` either: then each late tick costs at
+    /// most `c1 Σ Δx²`.
     ///
     /// # Errors
     /// As [`of_damping`](Self::of_damping).
@@ -97,7 +98,8 @@ impl<V: Signal> EnergyBounding<V> {
 
 impl<V: Signal> EnergyBounding<V, Tight<V::Scalar>> {
     /// The form with one constant, `|F(k)| ≤ |F(k−1) + c Δx|` with `c = 2 b / T`: the largest set of forces for which
-    /// `F² / (2 c)` is a storage, and twice as stiff. Derived here; it keeps the same guarantee with `c` in place of `c2`.
+    /// `F² / (2 c)` is a storage, and twice as stiff. Derived here; it keeps the same guarantee with `c` in place of
+    /// `c2`.
     ///
     /// # Errors
     /// As [`of_damping`](Self::of_damping).

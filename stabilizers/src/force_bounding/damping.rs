@@ -7,7 +7,7 @@ use crate::factors::Factors;
 
 /// A viscous damping `D` that the device surely has.
 pub trait DeviceDamping<V: Signal> {
-    /// What it burns at least over a displacement, `Δxᵀ (D / T) Δx`, J.
+    /// Least energy that it dissipates over a displacement, `Δxᵀ (D / T) Δx`, J.
     fn burnt(&self, moved: V, period: V::Scalar) -> V::Scalar;
 
     /// The size of an effort, with the gain `g` in `fᵀ D⁻¹ f = size² / g`.

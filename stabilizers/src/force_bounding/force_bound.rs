@@ -1,4 +1,4 @@
-//! Force bounding that keeps what free motion burnt.
+//! Force bounding that keeps what free motion dissipated.
 
 use lyapunov_core::{ParameterError, Plain, Scalar};
 
@@ -6,9 +6,9 @@ use super::{EveryAxis, ForceBounding, KeptCredit};
 
 /// Force bounding without its reset: `|F(n)| ≤ √(4 b E(n) / T)`, `E(n) = E₀ + Σ (f_act(n−1) · Δx(n) + b |Δx(n)|² / T)`.
 ///
-/// Derived here as the largest force that keeps `E` at or above 0 ([`ForceBounding`] tells why), it is the published law but
-/// for the reset: `E` starts at a budget `E₀` ([`budgeted`](ForceBounding::budgeted)), and what a long free motion burnt
-/// allows a burst later, for which see [`StabilizerExt::bounded`](crate::StabilizerExt::bounded) and
+/// Derived here as the largest force that keeps `E` at or above 0 ([`ForceBounding`] says why), it is the published law
+/// but for the reset: `E` starts at a budget `E₀` ([`budgeted`](ForceBounding::budgeted)), and what a long free motion
+/// dissipated allows a burst later, for which see [`StabilizerExt::bounded`](crate::StabilizerExt::bounded) and
 /// [`StabilizerExt::reset_at`](crate::StabilizerExt::reset_at).
 ///
 /// ```

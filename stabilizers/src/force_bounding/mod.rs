@@ -1,4 +1,4 @@
-//! Forces no larger than the device's own damper can pay for.
+//! Force bounding: forces no larger than the device's own damper can pay for.
 
 mod damping;
 mod force_bound;
@@ -22,8 +22,8 @@ use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
 use reset::Reset;
 
-/// The force-bounding approach, as in Kim, Baek and Ryu (IEEE/ASME Transactions on Mechatronics 20(3), 2015): a force is bounded by
-/// what the device's damping has burnt in this contact.
+/// The force-bounding approach, as in Kim, Baek and Ryu (IEEE/ASME Transactions on Mechatronics 20(3), 2015): a force
+/// is bounded by what the device's damping has dissipated in this contact.
 ///
 /// ```text
 /// F(n−1) = 0:  E(n−1) = 0
@@ -31,17 +31,17 @@ use reset::Reset;
 /// |F(n)| ≤ √(4 E(n) / (uᵀ (D / T)⁻¹ u)),   u = f / |f|;      on one axis √(4 b E / T)
 /// ```
 ///
-/// `E` in J, `D` the damping in N·s/m, the direction of the effort is kept and nothing is added. (Equations as in a public
-/// implementation of the law for several degrees of freedom.) Free motion buys nothing: a first touch at `v` is bounded by
-/// `2 b |v|`.
+/// `E` in J, `D` the damping in N·s/m, the direction of the effort is kept and nothing is added. (Equations as in a
+/// public implementation of the law for several degrees of freedom.) Free motion buys nothing: a first touch at `v` is
+/// bounded by `2 b |v|`.
 ///
-/// **Guarantee**: port and damper together, `E`, are at least 0 for every motion, and where the force is at its bound the
-/// displacement `Δx = −F T / (2 b)` leaves exactly 0; so no larger force would do. **Assumed** are a viscous damping that is
-/// surely there, `b ∫ v² dt ≥ b Δx² / T`, and a force that acts over the next period as it was given.
+/// **Guarantee**: port and damper together, `E`, are at least 0 for every motion, and where the force is at its bound
+/// the displacement `Δx = −F T / (2 b)` leaves exactly 0; so no larger force would do. **Assumed** are a viscous
+/// damping that is surely there, `b ∫ v² dt ≥ b Δx² / T`, and a force that acts over the next period as it was given.
 ///
 /// A force that acts `d` ticks late is in the pipe, and what it may take, `F² T / (4 b)` at most, is set aside first
-/// ([`delayed`](Self::delayed); derived here). Then the guarantee holds at any `d`. Without it `E` may fall below 0, which
-/// is told as shortfall.
+/// ([`delayed`](Self::delayed); derived here). Then the guarantee holds at any `d`. Without it `E` may fall below 0,
+/// which is reported as shortfall.
 ///
 /// It needs no velocity and adds no damping: it bounds a swing and need not end it.
 ///
@@ -83,7 +83,8 @@ impl<T: Scalar, const M: usize> ForceBounding<T, DampingMatrix<T, M>> {
     /// For a device with the symmetric `damping` matrix, N·s/m, whose lower triangle is read.
     ///
     /// # Errors
-    /// A matrix that is not finite or not above 0 in every direction: a pivot `dᵢ` of `D = L diag(d) Lᵀ` that is not above 0.
+    /// A matrix that is not finite or not above 0 in every direction: a pivot `dᵢ` of `D = L diag(d) Lᵀ` that is not
+    /// above 0.
     pub fn of_matrix(damping: SMatrix<T, M, M>) -> Result<Self, ParameterError> {
         Self::over(DampingMatrix::new(damping)?)
     }
@@ -102,7 +103,7 @@ impl<T: Scalar, D, R, A: Accumulator<T>, const N: usize> ForceBounding<T, D, R, 
         Ok(ForceBounding { damping, energy, pipe: Pipe::new(ticks)?, reset })
     }
 
-    /// The same bound without the reset: what free motion burns is kept, and may buy a burst.
+    /// The same bound without the reset: what free motion dissipates is kept, and may buy a burst.
     pub fn keeping(self) -> ForceBounding<T, D, KeptCredit, A, N> {
         let Self { damping, energy, pipe, .. } = self;
         ForceBounding { damping, energy, pipe, reset: PhantomData }
@@ -132,7 +133,7 @@ where
 
 impl<T, D, R, A, const N: usize> StabilizerExt for ForceBounding<T, D, R, A, N> {}
 
-/// What is set aside for the forces under way is not forgotten.
+/// The energy set aside for forces under way stays.
 impl<T, D, R, A, const N: usize> LimitCredit<T> for ForceBounding<T, D, R, A, N>
 where
     T: Scalar,

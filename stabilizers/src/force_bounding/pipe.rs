@@ -1,4 +1,4 @@
-//! What is committed and does not act yet.
+//! Pipe of forces under way: energy that is committed and does not act yet.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
@@ -17,7 +17,7 @@ impl<T: Scalar, const N: usize> Pipe<T, N> {
         Ok(Self { costs: [T::of(0.0); N], ticks: ticks as usize, next: 0 })
     }
 
-    /// What all of it may take.
+    /// Energy that all of them may take.
     #[inline(always)]
     pub(super) fn committed(&self) -> T {
         self.costs.iter().fold(T::of(0.0), |sum, cost| sum + *cost)

@@ -1,4 +1,4 @@
-//! What free motion leaves on the account.
+//! Reset of the account by free motion.
 
 /// Whether free motion is forgotten.
 pub trait Reset {
@@ -14,7 +14,7 @@ impl Reset for FreshContact {
     const FORGETS: bool = true;
 }
 
-/// What free motion burnt stays on the account.
+/// What free motion dissipated stays on the account.
 #[derive(Clone, Copy, Debug)]
 pub struct KeptCredit;
 

@@ -2,12 +2,12 @@
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
-/// The constraint `a + b · u ≤ 0` on an input `u`: of a control Lyapunov function `V` with `ẋ = f + g u`, `a = L_f V + …` is the drift and
-/// `b = L_g V` the gain.
+/// The constraint `a + b · u ≤ 0` on an input `u`: of a control Lyapunov function `V` with `ẋ = f + g u`,
+/// `a = L_f V + …` is the drift and `b = L_g V` the gain.
 ///
-/// What a quadratic program gives for one such constraint has a closed form, and so has Sontag's universal formula (Sontag,
-/// Systems and Control Letters 13, 1989; the least norm after Freeman and Kokotović, Robust Nonlinear Control Design, 1996). An
-/// [`Input`] tells where there is none: `b = 0` while `a > 0`.
+/// What a quadratic program gives for one such constraint has a closed form, and so has Sontag's universal formula
+/// (Sontag, Systems and Control Letters 13, 1989; the least norm after Freeman and Kokotović, Robust Nonlinear Control
+/// Design, 1996). An [`Input`] says where there is none: `b = 0` while `a > 0`.
 ///
 /// ```
 /// use lyapunov_stabilizers::Constraint;
@@ -41,8 +41,8 @@ impl<V: Signal> Constraint<V> {
         self.nearest(V::zero(), |gain| gain)
     }
 
-    /// Sontag's input: `u = −(a + √(a² + (b · b)²)) b / (b · b)`, and 0 at `b = 0`. It meets the constraint with a margin that
-    /// grows with `|a|` and `|b|`, and is smooth where `V` is.
+    /// Sontag's input: `u = −(a + √(a² + (b · b)²)) b / (b · b)`, and 0 at `b = 0`. It meets the constraint with a
+    /// margin that grows with `|a|` and `|b|`, and is smooth where `V` is.
     #[inline]
     pub fn sontag(&self) -> Input<V> {
         let zero = V::Scalar::of(0.0);
@@ -54,7 +54,8 @@ impl<V: Signal> Constraint<V> {
         self.met(self.gain.scale(-rate), V::zero(), square)
     }
 
-    /// The input nearest to `wished`, `u = w − max(0, a + b · w) R⁻¹ b / (b · R⁻¹ b)`, in the norm of the weights `R` of the axes.
+    /// The input nearest to `wished`, `u = w − max(0, a + b · w) R⁻¹ b / (b · R⁻¹ b)`, in the norm of the weights `R`
+    /// of the axes.
     ///
     /// # Errors
     /// A weight not above 0 and finite.

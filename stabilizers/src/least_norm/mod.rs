@@ -1,4 +1,4 @@
-//! The least change that keeps a scalar constraint.
+//! Least-norm filter: the least change that keeps a scalar constraint.
 
 mod constraint;
 
@@ -11,21 +11,22 @@ use lyapunov_core::{
 
 use crate::{DampingLimit, LimitCredit, StabilizerExt};
 
-/// A safety filter on an energy: the least correction that keeps the next observer sum above a share of this one, which is what a
-/// quadratic program over a control Lyapunov or barrier function gives with one constraint.
+/// A safety filter on an energy: the least correction that keeps the next observed energy above a share of this one,
+/// which is what a quadratic program over a control Lyapunov or barrier function gives with one constraint.
 ///
 /// ```text
 /// L(n) + F · v T ≥ (1 − γ) L(n),   0 < γ ≤ 1   ⇒   F = f + α v,   α = min(−min(0, γ L + f · v T) / (v² T), limit)
 /// ```
 ///
-/// `L` in J is the observer sum of the candidate, [`PortEnergy`](lyapunov_core::PortEnergy) or more; the correction is the
-/// [least norm](Constraint::least_norm) for the drift `−(γ L + f · v T)` and the gain `−v T`. `γ = 1` spends all in one tick, a
-/// smaller one slows the decrease. [`Popc`](crate::Popc) is this without the look ahead: it waits until `L < 0`, this one also
-/// gives less than is asked on the way out.
+/// `L` in J is the observed energy of the candidate, [`PortEnergy`](lyapunov_core::PortEnergy) or more; the correction
+/// is the [least norm](Constraint::least_norm) for the drift `−(γ L + f · v T)` and the gain `−v T`. `γ = 1` spends all
+/// in one tick, a smaller one slows the decrease. [`Popc`](crate::Popc) is this without the look ahead: it waits until
+/// `L < 0`, this one also gives less than is asked on the way out.
 ///
-/// **Guarantee** (textbook, derived here): `L(n+1) ≥ (1 − γ) L(n)`, so `L ≥ 0` from `L(0) ≥ 0` on. **Assumed** are a next
-/// displacement `v T`, a prompt force and a limit that does not bite; else `L` is off by `|F| |Δx − v T|`. At `v = 0` nothing can be
-/// done. Where the constraint cannot be met, or a debt not be served, the larger of the two is told as shortfall.
+/// **Guarantee** (textbook, derived here): `L(n+1) ≥ (1 − γ) L(n)`, so `L ≥ 0` from `L(0) ≥ 0` on. **Assumed** are a
+/// next displacement `v T`, a prompt force and a limit that does not bite; else `L` is off by `|F| |Δx − v T|`. At
+/// `v = 0` nothing can be done. Where the constraint cannot be met, or a debt not be served, the larger of the two is
+/// reported as shortfall.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
@@ -46,7 +47,8 @@ pub struct LeastNorm<T, C, A = Plain<T>> {
 }
 
 impl<T: Scalar, C> LeastNorm<T, C> {
-    /// A filter that lets the sum of `candidate` fall by at most the share `decay` γ a tick, by at most `limit`.
+    /// A filter that lets the observed energy of `candidate` fall by at most the share `decay` γ a tick, by at most
+    /// `limit`.
     ///
     /// # Errors
     /// `decay` not above 0, or above 1.

@@ -1,4 +1,4 @@
-//! Energy that follows a reference.
+//! Reference energy following.
 
 mod reference_damper;
 
@@ -8,24 +8,25 @@ use lyapunov_core::{Held, Plain, PortEnergy};
 
 use crate::Lolc;
 
-/// POPC with reference energy following, after Ryu, Preusche, Hannaford and Hirzinger (IEEE Transactions on Control Systems
-/// Technology 13(5), 2005): it acts as soon as the port's energy leaves what an ideal environment would have taken in, and
-/// does not wait for 0.
+/// POPC with reference energy following, after Ryu, Preusche, Hannaford and Hirzinger (IEEE Transactions on Control
+/// Systems Technology 13(5), 2005): it acts as soon as the port's energy leaves what an ideal environment would have
+/// taken in, and does not wait for 0.
 ///
 /// ```text
 /// L(n) = Σ f_act Δx − (S(x(n)) − S(x(0))) − R(n),   α = −L / (v² T) where L < 0, as in Lolc
 /// ```
 ///
-/// in joules, with `S` what the ideal environment stores, a [`StorageFunction`](lyapunov_core::StorageFunction), and `R` what it burns, a
-/// [`ReferenceDamper`]; a wall with damping needs both, as `(PortEnergy, (storage, damper))`. A held spring gives back more than it took
-/// from the turning point on. POPC sees that when the whole of what was absorbed is used up, at the end of the contact, and
-/// serves it there at once; with the reference it is seen on the tick on which it happens.
+/// in joules, with `S` what the ideal environment stores, a [`StorageFunction`](lyapunov_core::StorageFunction), and
+/// `R` what it dissipates, a [`ReferenceDamper`]; a wall with damping needs both, as `(PortEnergy, (storage, damper))`.
+/// A held spring gives back more than it took from the turning point on. POPC sees that when the whole of what was
+/// absorbed is used up, at the end of the contact, and serves it there at once; with the reference it is seen on the
+/// tick on which it happens.
 ///
-/// **Guarantee** (derived here; the paper's own text was not at hand): what the port gives above what the ideal environment
-/// would have given is told as debt and served up to the limit, after the fact. On a held spring `K`, which lacks `K Δx² / 2` a
-/// tick, at a constant speed `α = K T / 2` from the second tick on: the law is the damper that pays the hold. **Assumed** is
-/// that the reference is what an ideal environment stores and burns: one that is too large makes the controller act without
-/// need.
+/// **Guarantee** (derived here; the paper's own text was not at hand): what the port gives above what the ideal
+/// environment would have given is reported as debt and served up to the limit, after the fact. On a held spring `K`,
+/// which lacks `K Δx² / 2` a tick, at a constant speed `α = K T / 2` from the second tick on: the law is the damper
+/// that pays the hold. **Assumed** is that the reference is what an ideal environment stores and dissipates: one that
+/// is too large makes the controller act without need.
 ///
 /// ```
 /// use lyapunov_core::{PortEnergy, StorageFunction};

@@ -1,12 +1,13 @@
-//! What the damper of an ideal environment burns.
+//! Damper of an ideal environment: the energy that it dissipates.
 
 use lyapunov_core::{LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal};
 
-/// A term of a reference: `−ΔV = −b |Δp|² / T`, what a damper `b` (N·s/m) on the deformation `p(x)` (m) burns at least over a tick, J.
+/// A term of a reference: `−ΔV = −b |Δp|² / T`, what a damper `b` (N·s/m) on the deformation `p(x)` (m) dissipates at
+/// least over a tick, J.
 ///
-/// Whatever the motion within the tick, `b ∫ |ṗ|² dt ≥ b |Δp|² / T`, so that the reference asks for no more than an ideal
-/// environment takes. Of a wall `p` is the depth, 0 outside. A deformation that is not finite is passed over, and so is one
-/// that the term has no room for.
+/// Whatever the motion within the tick, `b ∫ |ṗ|² dt ≥ b |Δp|² / T`, so that the reference asks for no more than an
+/// ideal environment takes. Of a wall `p` is the depth, 0 outside. A deformation that is not finite is passed over, and
+/// so is one that the term has no room for.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceDamper<F, V: Signal> {
     damping: V::Scalar,

@@ -4,20 +4,20 @@ use lyapunov_core::{ParameterError, Scalar, Signal};
 
 use super::{BoundedValve, OpenValve, TankLimits, Valve};
 
-/// The tank of Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), with its state in joules: it is filled by what is
-/// dissipated elsewhere, and what a wished input `w` extracts at the flow `y` is drawn from it.
+/// The tank of Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), with its state in joules: it is filled
+/// by what is dissipated elsewhere, and what a wished input `w` extracts at the flow `y` is drawn from it.
 ///
 /// ```text
 /// published, in continuous time   E = x² / 2,   ẋ = σ D / x + u_t,   u = w,   u_t = −w · y / x,   σ = 1 where E ≤ ceiling
 /// here, each period               E += T (σ D − u · y),   u = what the valve lets through of w
 /// ```
 ///
-/// `x u_t = −u · y` is the power of the tank's port, whatever `x` is, so that the root is not needed: explicit steps of `x` create
-/// `(T P / x)² / 2` a tick, and at 0 it has no derivative.
+/// `x u_t = −u · y` is the power of the tank's port, whatever `x` is, so that the root is not needed: explicit steps of
+/// `x` create `(T P / x)² / 2` a tick, and at 0 it has no derivative.
 ///
 /// **Guarantee**: what is stored elsewhere and `E` together are passive. With the [`BoundedValve`]
-/// `floor ≤ E ≤ ceiling` always, if `y` is the mean flow of the period; the [`OpenValve`] is the published one, which may
-/// overdraw and overfill by a tick. **Assumed** is that `D ≥ 0` was really dissipated.
+/// `floor ≤ E ≤ ceiling` always, if `y` is the mean flow of the period; the [`OpenValve`] is the published one, which
+/// may overdraw and overfill by a tick. **Assumed** is that `D ≥ 0` was really dissipated.
 ///
 /// Published sizes: `ceiling = 10 J, floor = 0.1 J`.
 ///

@@ -44,17 +44,18 @@ impl<T: Scalar> TankLimits<T> {
 /// E(n) = min(E(n−1) − ΔV(n), ceiling),   P = −f · v,   F = f min(1, min(power, (E(n) − floor) / T) / P) where P > 0
 /// ```
 ///
-/// `E` in J and not its square root: the published state `√(2 E)` has no derivative at 0, and in explicit steps it creates
-/// energy ([`EnergyTank`]). Efforts that absorb pass unchanged. `sum` tells `E − floor`, and the damping told is 0.
+/// `E` in J and not its square root: the published state `√(2 E)` has no derivative at 0, and in explicit steps it
+/// creates energy ([`EnergyTank`]). Efforts that absorb pass unchanged. The observed energy is `E − floor`, and the
+/// reported damping is 0.
 ///
-/// **Guarantee**: the port gives at most what it took and what was in the tank at the start, `start − floor`, if the next
-/// period's motion is as fast as the velocity says; the valve hands out no more than is in the tank, and the tank holds no
-/// more than its ceiling. **Assumed** is that velocity: where the motion is faster the account may fall below the floor. That much
-/// is told as shortfall, and nothing is given until it is made up; the tank does not brake. A ceiling keeps a long
-/// dissipation from paying for anything; a power limit keeps what is stored from coming at once.
+/// **Guarantee**: the port gives at most what it took and what was in the tank at the start, `start − floor`, if the
+/// next period's motion is as fast as the velocity says; the valve hands out no more than is in the tank, and the tank
+/// holds no more than its ceiling. **Assumed** is that velocity: where the motion is faster the account may fall below
+/// the floor. That much is reported as shortfall, and nothing is given until it is made up; the tank does not brake. A
+/// ceiling keeps a long dissipation from paying for anything; a power limit keeps what is stored from coming at once.
 ///
-/// Tanks are as in Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), where the port's dissipation fills them;
-/// here it is the port's whole work, and the bounded valve is derived. Califano, Rashad, Secchi and Stramigioli
+/// Tanks are as in Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), where the port's dissipation fills
+/// them; here it is the port's whole work, and the bounded valve is derived. Califano, Rashad, Secchi and Stramigioli
 /// (arXiv 2211.17033, 2022) discuss what tanks guarantee and what not.
 ///
 /// ```

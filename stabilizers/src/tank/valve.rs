@@ -33,7 +33,8 @@ impl<T: Scalar> Valve<T> for OpenValve {
     }
 }
 
-/// A bounded valve: what extracts is made smaller to `min(power, (E − floor) / T)`, and what would overflow is let go. Derived here.
+/// A bounded valve: what extracts is made smaller to `min(power, (E − floor) / T)`, and what would overflow is let go.
+/// Derived here.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BoundedValve;
 

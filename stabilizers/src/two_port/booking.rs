@@ -1,11 +1,11 @@
-//! When a tick's work is booked.
+//! Booking of a tick's work, at once or on the next tick.
 
 use lyapunov_core::{Accumulator, Held, Sampled, Scalar, Signal, Work};
 
 use super::TwoPortSide;
 use crate::Lolc;
 
-/// Whether the work of an effort is booked on the tick that asks for it, or on the next, which tells what it was.
+/// Whether the work of an effort is booked on the tick that asks for it, or on the next, which reports what it was.
 pub trait Booking: Work {
     /// On the tick that asks for it.
     const AT_ONCE: bool;
@@ -21,7 +21,7 @@ impl Booking for Sampled {
 
 /// An account that a [`DriftCompensated`](super::DriftCompensated) port pays from.
 pub trait Spending<T: Scalar> {
-    /// Books what the compensation of this tick is about to give, J, where no later sample tells it.
+    /// Books what the compensation of this tick is about to give, J, where no later sample reports it.
     fn spend(&mut self, energy: T);
 }
 

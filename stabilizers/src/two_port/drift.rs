@@ -9,22 +9,23 @@ use super::booking::{Booking, Spending};
 
 /// Stabilizer of an admittance port that compensates the position drift of its corrections.
 ///
-/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at most
-/// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
-/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what absorbs is
-/// added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within the period gives
-/// energy that the last force does not tell of, and without it compensation makes debts. A speed of 0 changes no bit.
+/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at
+/// most `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
+/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what
+/// absorbs is added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within
+/// the period gives energy that the last force does not show, and without it compensation makes debts. A speed of 0
+/// changes no bit.
 ///
-/// What it gives is booked, or the same surplus would be spent on every tick: a held account is told by the next sample, a
-/// [sampled](TwoPortSide::sampled) one at once. So the account does not fall below 0 by compensation while the force is as
-/// measured.
+/// What it gives is booked, or the same surplus would be spent on every tick: a held account reads it in the next
+/// sample, a [sampled](TwoPortSide::sampled) one at once. So the account does not fall below 0 by compensation while
+/// the force is as measured.
 ///
-/// With `z = 0` this is the compensation of Artigas, Ryu and Preusche (IEEE/RSJ International Conference on Intelligent Robots
-/// and Systems, 2010) and of Chawda, Ly Van Quang, O'Malley and Ryu (IEEE Haptics Symposium, 2014), as in public code that
-/// implements it; the answer `z` is derived here.
+/// With `z = 0` this is the compensation of Artigas, Ryu and Preusche (IEEE/RSJ International Conference on Intelligent
+/// Robots and Systems, 2010) and of Chawda, Ly Van Quang, O'Malley and Ryu (IEEE Haptics Symposium, 2014), as in public
+/// code that implements it; the answer `z` is derived here.
 ///
-/// The sample is a [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and out are flows. The
-/// correction that it tells of is the stabilizer's alone.
+/// The sample is a [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and
+/// out are flows. The reported correction is the stabilizer's alone.
 #[derive(Clone, Copy, Debug)]
 pub struct DriftCompensated<S, V: Signal> {
     stabilizer: S,

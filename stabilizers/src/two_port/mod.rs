@@ -1,4 +1,4 @@
-//! Two loops joined by a channel.
+//! Two-port control: two loops joined by a channel.
 
 mod booking;
 mod drift;
@@ -14,34 +14,34 @@ use crate::{DampingLimit, LimitCredit, Lolc, StabilizerExt};
 use booking::Booking;
 use one_way::OneWay;
 
-/// One side of the two-port time-domain passivity controller of Ryu, Artigas and Preusche, for teleoperation over a channel with
-/// delay.
+/// One side of the two-port time-domain passivity controller of Ryu, Artigas and Preusche, for teleoperation over a
+/// channel with delay.
 ///
-/// Neither side knows in time what crosses the other port, so their energies must not be added up. Each side splits what the
-/// effort of its channel does before it is corrected, `p(n) = f_asked Δx`, by direction, keeps what the correction does beside
-/// it, and sends `in` along with its signals:
+/// Neither side knows in time what crosses the other port, so their energies must not be added up. Each side splits
+/// what the effort of its channel does before it is corrected, `p(n) = f_asked Δx`, by direction, keeps what the
+/// correction does beside it, and sends `in` along with its signals:
 ///
 /// ```text
 /// in(n) = Σ max(p, 0),   out(n) = Σ max(−p, 0),   burnt(n) = Σ (f_act − f_asked) Δx
 /// W(n) = in of the other side as received − out(n) + burnt(n)
 /// ```
 ///
-/// `W` is the `sum` that is told, and where it is below 0 the debt is served as in [`Lolc`], with the same limit and the same
-/// shortfall. What a side burns pays its own debt, once, and is not told to the other side: that one may give what came
-/// in, and nothing twice. A correction that pushes, as the damper of the last tick does where the motion turns round, counts
-/// against its own side.
+/// `W` is the observed energy, and where it is below 0 the debt is served as in [`Lolc`], with the same limit and the
+/// same shortfall. What a side dissipates pays its own debt, once, and is not sent to the other side: that one may give
+/// what came in, and nothing twice. A correction that pushes, as the damper of the last tick does where the motion
+/// turns round, counts against its own side.
 ///
-/// **Guarantee**: `in₁ + in₂ − out₁ − out₂ + burnt₁ + burnt₂ ≥ W₁ + W₂`, the left being the work of both ports, for any delay,
-/// jitter or loss: the sums that are sent never fall, so a late, old or lost message tells too little and never too much. It
-/// is at least 0 where no limit bites. **Assumed** is only that both tell the truth.
+/// **Guarantee**: `in₁ + in₂ − out₁ − out₂ + burnt₁ + burnt₂ ≥ W₁ + W₂`, the left being the work of both ports, for any
+/// delay, jitter or loss: the sums that are sent never fall, so a late, old or lost message reports too little and
+/// never too much. It is at least 0 where no limit bites. **Assumed** is only that both report the truth.
 ///
-/// The paper (Mechatronics 20(7), 2010) books sampled power, and so does [`sampled`](Self::sampled), as in public code that
-/// implements it; the held account above is derived here from the same split.
+/// The paper (Mechatronics 20(7), 2010) books sampled power, and so does [`sampled`](Self::sampled), as in public code
+/// that implements it; the held account above is derived here from the same split.
 ///
 /// At the master motion comes in and a force goes out, and a sample is a sample. At the slave a force comes in and a
-/// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a velocity, which leaves a
-/// position error behind; [`DriftCompensated`] takes it back. Energies that only grow need digits: in `f32` they stop
-/// growing after a while, which is safe and useless, so take `f64`.
+/// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a
+/// velocity, which leaves a position error behind; [`DriftCompensated`] takes it back. Energies that only grow need
+/// digits: in `f32` they stop growing after a while, which is safe and useless, so take `f64`.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Stabilizer};
@@ -52,7 +52,7 @@ use one_way::OneWay;
 /// master.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 3.0), 3.0); // absorbs 0.3 mJ
 /// slave.stabilize(&PortSample::starting(1e-3, 0.0, -0.1), 2.0);
 /// let pushes = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // gives 0.2 mJ
-/// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not told yet: a debt
+/// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not received yet: a debt
 /// slave.receive(master.absorbed());
 /// assert_eq!(slave.stabilize(&pushes, 2.0).alpha, 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -70,7 +70,8 @@ impl<V: Signal> TwoPortSide<V> {
 }
 
 impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> TwoPortSide<V, W, A> {
-    /// The same side over the published, sampled work, `p(n) = f v T`, whose correction is believed to burn `α v² T` at once.
+    /// The same side over the published, sampled work, `p(n) = f v T`, whose correction is taken to dissipate `α v² T`
+    /// at once.
     pub fn sampled(self) -> TwoPortSide<V, Sampled, A> {
         TwoPortSide { controller: self.controller.sampled() }
     }
@@ -80,7 +81,7 @@ impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> TwoPortSide<V, W, A> {
         TwoPortSide { controller: self.controller.summed_in() }
     }
 
-    /// Takes what the other side tells of its [`absorbed`](Self::absorbed) energy, J; to be called before a tick.
+    /// Takes the other side's [`absorbed`](Self::absorbed) energy, J; to be called before a tick.
     #[inline]
     pub fn receive(&mut self, energy: V::Scalar) {
         self.controller.candidate_mut().receive(energy);

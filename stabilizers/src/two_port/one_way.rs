@@ -2,8 +2,8 @@
 
 use lyapunov_core::{LyapunovCandidate, PortSample, Scalar, Signal};
 
-/// What this side has been told that the other absorbed, less what its channel gave, and what the correction burnt: the
-/// candidate of a [`TwoPortSide`](super::TwoPortSide).
+/// Energy that the other side reported as absorbed, less what the channel gave, plus what the correction dissipated:
+/// the candidate of a [`TwoPortSide`](super::TwoPortSide).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OneWay<V: Signal> {
     received: V::Scalar,

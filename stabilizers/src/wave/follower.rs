@@ -1,19 +1,21 @@
-//! A slave behind a wave.
+//! Slave behind a wave.
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
 use super::WaveTransform;
 
-/// A slave's controller, a spring `K` (N/m) and a damper `B` (N·s/m), driven by a wave: it solves for the flow that it is commanded.
+/// A slave's controller, a spring `K` (N/m) and a damper `B` (N·s/m), driven by a wave: it solves for the flow that it
+/// is commanded.
 ///
 /// ```text
 /// v = (√(2 b) u + B v_s − K e) / (b + B),   F = B (v − v_s) + K e,   w = (b v − F) / √(2 b)
 /// ```
 ///
-/// `e` is the error of the spring (commanded position minus the slave's), `v_s` the slave's own velocity and `F` the force on the
-/// slave. With `B = b` it is **matched**: at rest and without error nothing comes back, `w = 0`; every other `B` reflects a
-/// share `(b − B) / (b + B)` of the wave. Derived here from the transform; impedance matching is due to Niemeyer and Slotine
-/// (International Journal of Robotics Research 23(9), 2004). Passive as the transform is, for `K, B ≥ 0`.
+/// `e` is the error of the spring (commanded position minus the slave's), `v_s` the slave's own velocity and `F` the
+/// force on the slave. With `B = b` it is **matched**: at rest and without error nothing comes back, `w = 0`; every
+/// other `B` reflects a share `(b − B) / (b + B)` of the wave. Derived here from the transform; impedance matching is
+/// due to Niemeyer and Slotine (International Journal of Robotics Research 23(9), 2004). Passive as the transform is,
+/// for `K, B ≥ 0`.
 ///
 /// ```
 /// use lyapunov_stabilizers::{WaveFollower, WaveTransform};

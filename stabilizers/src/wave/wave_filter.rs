@@ -1,12 +1,12 @@
-//! A filter of waves.
+//! Filter of waves.
 
 use lyapunov_core::{ParameterError, Requirement, Signal};
 
 /// A low pass in the path of a wave: `s += a (u − s)`, `0 < a ≤ 1`, in √W; `s` is sent.
 ///
 /// **Guarantee** (after Niemeyer and Slotine; derived here): its gain is at most 1 at all frequencies, so that
-/// `Σ s² ≤ Σ u²` from `s = 0` on, and a passive channel stays passive with it. What it takes off the waves is position, too: send the
-/// integral of `u` beside it, or correct within the surplus `Σ (u² − s²) / 2`. A lost wave is one of 0.
+/// `Σ s² ≤ Σ u²` from `s = 0` on, and a passive channel stays passive with it. What it takes off the waves is position,
+/// too: send the integral of `u` beside it, or correct within the surplus `Σ (u² − s²) / 2`. A lost wave is one of 0.
 ///
 /// A wave that is not finite is passed over.
 ///
