@@ -143,10 +143,14 @@ pub mod models {
 /// Family around [`Lolc`] and [`Popc`]: adaptors that refine them, and other stabilizers.
 pub mod stabilizers {
     pub use lyapunov_stabilizers::{
-        AlongDirection, AxisWeights, BoundedCredit, ContactReset, CoupledPort, DirectedDamping,
-        DriftCompensated, ForceBound, InertiaMetric, LimitCredit, Metric, NoStabilizer, PathMemory,
-        PerAxis, RateLimit, ReferenceFollowing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
-        TankLimits, TwoPortSide, VelocityThreshold, VirtualCoupling, WaveTransform, WindowedCredit,
+        AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint, ContactReset,
+        CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
+        EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
+        InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, MemoryBased,
+        Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit, ReferenceDamper,
+        ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
+        TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, WaveFilter,
+        WaveFollower, WaveTransform, WindowedCredit,
     };
 }
 

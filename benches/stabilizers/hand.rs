@@ -229,9 +229,9 @@ macro_rules! hand {
                 #[inline(always)]
                 fn tick(&mut self, seen: &Sample<N>) -> Told<N> {
                     let work = total(&seen.work);
-                    let kept = if self.energy < self.room { self.energy } else { self.room };
-                    let booked = (kept + work).is_finite();
-                    self.energy = kept + if booked { work } else { 0.0 };
+                    let booked = (self.energy + work).is_finite();
+                    let filled = self.energy + if booked { work } else { 0.0 };
+                    self.energy = if filled < self.room { filled } else { self.room };
                     let sum = self.energy;
                     let available = if sum > 0.0 { sum } else { 0.0 } / seen.period;
                     let most = if available < self.power { available } else { self.power };

@@ -21,6 +21,9 @@ use lyapunov::{
         AxisWeights, CoupledPort, DirectedDamping, ForceBound, PathMemory, ReferenceFollowing,
         SlopeBound, StabilizerExt, Tank, TankLimits, TwoPortSide, VirtualCoupling, WindowedCredit,
     },
+    stabilizers::{
+        EnergyBounding, ForceBounding, InputToState, LeastNorm, MemoryBased, Sharing, TwoLayer,
+    },
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -143,16 +146,31 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     time::<V>(criterion, ("force-bound", port), ForceBound::new(of(BOUND_DAMPING)).expect(fine));
     time::<V>(criterion, ("slope-bound", port), SlopeBound::<V>::new(of(1e3)).expect(fine));
     time::<V>(criterion, ("tank", port), Tank::new(PortEnergy, store).expect(fine));
+    let slope = of(BOUND_DAMPING / PERIOD);
+    let bounding = EnergyBounding::<V>::new(slope, slope).expect(fine);
+    time::<V>(criterion, ("energy-bounding", port), bounding);
+    let bounding = ForceBounding::of_damping(of(BOUND_DAMPING)).expect(fine);
+    time::<V>(criterion, ("force-bounding", port), bounding);
+    let least = LeastNorm::new(PortEnergy, limit, of(1.0)).expect(fine);
+    time::<V>(criterion, ("least-norm", port), least);
+    let sharing = Sharing { start: of(1e-3), share: of(0.1) };
+    let master = TwoLayer::master(sharing, of(5e-3), of(200.0)).expect(fine);
+    time::<V>(criterion, ("two-layer", port), master);
     time::<V>(criterion, ("aimed", port), DirectedDamping::new(popc, weights, limit));
     time::<V>(criterion, ("two-port-side", port), TwoPortSide::new(limit));
     let coupling = VirtualCoupling { stiffness: of(1e3), damping: of(0.1), drag: of(5.0) };
     let coupled = CoupledPort::new(Spring::<V>::new(of(1e4)).expect(fine), coupling).expect(fine);
     time::<V>(criterion, ("coupling", port), Port(coupled));
+    let spring = Spring::<V>::new(of(1e4)).expect(fine);
+    let asked = InputToState::new(spring, of(1.7e4), of(5e-3)).expect(fine);
+    time::<V>(criterion, ("iss", port), Port(asked));
 }
 
 fn line<T: Scalar>(criterion: &mut Criterion, port: &str) {
     let memory = PathMemory::<T, 64>::beyond(T::of(-0.005), T::of(0.01)).expect("what is built");
     time::<T>(criterion, ("path-memory-64", port), memory);
+    let memory = MemoryBased::<T, 64>::beyond(T::of(-0.005), T::of(0.01)).expect("what is built");
+    time::<T>(criterion, ("memory-based-64", port), memory);
 }
 
 fn all(criterion: &mut Criterion) {

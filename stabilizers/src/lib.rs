@@ -4,18 +4,26 @@
 //! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
 //! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
 //! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit or a gentler correction.
+//! [`LeastNorm`] looks one period ahead.
 //!
-//! [`ForceBound`], [`SlopeBound`], [`PathMemory`] and [`Tank`] add no damping; they reduce efforts whose energy is not
-//! covered. A [`CoupledPort`] couples the device to a port through a spring and a damper. Two [`TwoPortSide`]s stand at
-//! the ends of a channel, and a [`WaveTransform`] codes the signals that go through it.
+//! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping;
+//! they reduce efforts whose energy is not covered. Around an environment stand [`CoupledPort`], a spring and a damper,
+//! and [`InputToState`], which asks it a little before the device is there. At the ends of a channel stand two
+//! [`TwoPortSide`]s, two [`TwoLayer`]s, or a [`WaveTransform`] that codes the signals that go through it.
 #![no_std]
 
+mod booked;
 mod coupled_port;
 mod credit;
 mod damping_limit;
 mod directed_damping;
-mod force_bound;
+mod energy_bounding;
+mod factors;
+mod force_bounding;
+mod input_to_state;
+mod least_norm;
 mod lolc;
+mod memory_based;
 mod no_stabilizer;
 mod path_memory;
 mod per_axis;
@@ -25,6 +33,7 @@ mod shaping;
 mod slope_bound;
 mod stabilizer_ext;
 mod tank;
+mod two_layer;
 mod two_port;
 mod wave;
 
@@ -32,16 +41,23 @@ pub use coupled_port::{CoupledPort, VirtualCoupling};
 pub use credit::{BoundedCredit, ContactReset, LimitCredit, WindowedCredit};
 pub use damping_limit::DampingLimit;
 pub use directed_damping::{AlongDirection, AxisWeights, DirectedDamping, InertiaMetric, Metric};
-pub use force_bound::ForceBound;
+pub use energy_bounding::EnergyBounding;
+pub use force_bounding::{
+    DampingMatrix, DeviceDamping, EveryAxis, ForceBound, ForceBounding, FreshContact, KeptCredit,
+};
+pub use input_to_state::InputToState;
+pub use least_norm::{Constraint, Input, LeastNorm};
 pub use lolc::Lolc;
+pub use memory_based::MemoryBased;
 pub use no_stabilizer::NoStabilizer;
 pub use path_memory::PathMemory;
 pub use per_axis::PerAxis;
 pub use popc::Popc;
-pub use reference_following::ReferenceFollowing;
+pub use reference_following::{ReferenceDamper, ReferenceFollowing};
 pub use shaping::{RateLimit, SoftStart, Spread, VelocityThreshold};
 pub use slope_bound::SlopeBound;
 pub use stabilizer_ext::StabilizerExt;
-pub use tank::{Tank, TankLimits};
+pub use tank::{BoundedValve, EnergyTank, OpenValve, Tank, TankLimits, Valve};
+pub use two_layer::{Sharing, TwoLayer};
 pub use two_port::{DriftCompensated, TwoPortSide};
-pub use wave::WaveTransform;
+pub use wave::{Following, WaveFilter, WaveFollower, WaveTransform};

@@ -89,6 +89,14 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     }
 }
 
+impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
+    /// Adds `energy` joules, which may be below 0.
+    #[inline]
+    pub(crate) fn credit(&mut self, energy: T) {
+        self.observer.ledger.credit(energy);
+    }
+}
+
 impl<T, C, W, A> Lolc<T, C, W, A> {
     pub(crate) fn candidate(&self) -> &C {
         &self.observer.candidate

@@ -1,17 +1,17 @@
-//! Path memory: forces on the way out no larger than those on the way in.
+//! Forces on the way out no larger than those on the way in.
 
 use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar, Stabilizer};
 
 use crate::StabilizerExt;
 
-/// Memory-based passivation: the energy of pressing in is stored place by place, and letting go gives no more there. One
-/// axis, one side: the environment lies beyond a surface and pushes against `+x`, like a wall.
+/// A memory of energies: what pressing in took is kept place by place, and letting go gives no more there. One axis,
+/// one side: the environment lies beyond a surface and pushes against `+x`, like a wall.
 ///
-/// The depth beyond the surface is divided into `N` cells, each with a force `Mᵢ ≥ 0`. A motion inwards under the mean force
-/// `F = work / Δx` writes `max(0, F)` into the cells that it enters, and where it starts within a cell the smaller of that
-/// and what is there. So on each stretch of the way no more than was taken there is in memory, and
-/// `A(a, b) = Σ Mᵢ |cell i ∩ [a, b]|` is what a motion from `b` out to `a` may give. What it gave more is a debt, paid off by
-/// what later motions outwards give less:
+/// The depth beyond the surface is divided into `N` cells, each with a force `Mᵢ ≥ 0`. A motion inwards under the mean
+/// force `F = work / Δx` writes `max(0, F)` into the cells that it enters, and where it starts within a cell the
+/// smaller of that and what is there. So on each stretch of the way no more than was taken there is in memory, and
+/// `A(a, b) = Σ Mᵢ |cell i ∩ [a, b]|` is what a motion from `b` out to `a` may give. What it gave more is a debt, paid
+/// off by what later motions outwards give less:
 ///
 /// ```text
 /// D(n) = max(0, D(n−1) − work(n) − A(x(n), x(n−1)))    outwards
@@ -19,18 +19,19 @@ use crate::StabilizerExt;
 /// F(n) ≤ max(0, (A(x − l, x) − D(n)) / l)              where v < 0;  l = max(|v| T, a cell)
 /// ```
 ///
-/// The port's energy is never below `−D`, whatever the motion and whatever applied: each stretch gives what it took or less, and the
-/// rest is in `D`. `D` is not 0 where a motion turns round within a period, or is faster than the last velocity; it is told as
-/// shortfall, and `sum` is `−D`. Unlike the passivity observer it does not let what was absorbed elsewhere pay; so it acts
-/// in the first contact, with small cuts, and never pushes. Efforts are only made smaller, and only on the way out.
+/// The port's energy is never below `−D`, whatever the motion and whatever applied: each stretch gives what it took or
+/// less, and the rest is in `D`. `D` is not 0 where a motion turns round within a period, or is faster than the last
+/// velocity; it is reported as shortfall, and the observed energy is `−D`. Unlike the passivity observer it does not
+/// let what was absorbed elsewhere pay; so it acts in the first contact, with small cuts, and never pushes. Efforts are
+/// only made smaller, and only on the way out.
 ///
-/// Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014) keep the pressing path in a memory that the position
-/// addresses, and bound the releasing path by it. Derived here are the cells' energies, the look ahead of a period under a held
-/// force, and the debt. Left out are their moving objects and several axes. Beyond the last cell, which reaches on without an
+/// It is derived here from the memory of forces of Ryu and Yoon ([`MemoryBased`](crate::MemoryBased)), which keeps no
+/// debt: what that one gives too much where a motion turns round, this one gives less later. It looks one period ahead
+/// whatever the delay; for a force that acts later the debt makes up. Beyond the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
-/// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` tells it). Take cells of about the displacement of a
-/// period: larger ones give less back, smaller ones cost time.
+/// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` measures
+/// it). Take cells of about the displacement of a period: larger ones give less back, smaller ones cost time.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -71,7 +72,7 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         (edge(index), if index + 1 == N { T::largest() } else { edge(index + 1) })
     }
 
-    /// `A`: the energy that a motion over `[from, to]` may give, J.
+    /// `A`: what a motion over `[from, to]` may give, J.
     #[inline(always)]
     fn allowance(&self, from: T, to: T) -> T {
         let mut energy = T::of(0.0);

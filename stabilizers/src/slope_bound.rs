@@ -7,8 +7,8 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 
-/// An input-to-state stable controller: the force `F` follows the effort `f`, axis by axis, with changes in the sector of a
-/// largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
+/// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector
+/// of a largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
 ///
 /// ```text
 /// δ(n) = δ(n−1) + Δf(n) − (Δf(n), as far as it is between 0 and μ Δx(n))        what is held back, N
@@ -16,26 +16,25 @@ use crate::StabilizerExt;
 /// F(n) = f(n) − δ(n),   δ(0) = 0
 /// ```
 ///
-/// An environment whose changes are in the sector passes unchanged, to the bit; a wall that is stiffer is felt as a spring `μ`,
-/// on the way in and out. Nothing asks for energy: where the environment makes loops in the graph of force over displacement,
-/// a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller would brake all, and this
-/// does nothing. So the port is not passive. It is bounded where what moves burns more than that, which a linear damper does at
-/// every size of the swing or at none: a hand and device of the damping `b` that swing at `ω` burn `π b ω d² / 4` on the way, so
-/// `μ < π b ω / 2`. For a wall, whose force does not decrease with the position, no such loop is there, only the hold's leak of
-/// `μ Δx² / 2` a tick: a device damping of `b ≥ μ T / 2` burns that ([`of_damping`](Self::of_damping); the condition of Colgate
-/// and Schenkel, Journal of Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
+/// An environment whose changes are in the sector passes unchanged, to the bit; a wall that is stiffer is felt as a
+/// spring `μ`, on the way in and out. Nothing asks for energy: where the environment makes loops in the graph of force
+/// over displacement, a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller
+/// would brake all, and this does nothing. So the port is not passive. It is bounded where what moves dissipates more
+/// than that, which a linear damper does at every size of the swing or at none: a hand and device of the damping `b`
+/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. For a wall, whose force does not decrease
+/// with the position, no such loop is there, only the hold's leak of `μ Δx² / 2` a tick: a device damping of
+/// `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
+/// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
 ///
-/// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A creep of `ρ`
-/// N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
+/// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A
+/// creep of `ρ` N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
 ///
-/// Jafari and Ryu (IEEE International Conference on Robotics and Automation, 2015) release the conservatism of passivity to
-/// input-to-state stability by a controller whose gain is the largest slope of the graph of force over displacement; the
-/// operator's force is the input. From them, as later papers tell it, are the sector and its use. Derived here are the law
-/// above, which holds an environment to the sector instead of relying on it, the figures of energy, and the creep. Left out are
-/// their own analysis and their feed-forward of the force's rate, which adds damping to the port.
+/// At `μ = 2 b / T`, prompt, it is near to the tight form of [`EnergyBounding`](crate::EnergyBounding), which is
+/// stricter: that one clips what has no energy to pay for it, this one only what is too steep. An environment that
+/// relies on its slope and is asked differently is [`InputToState`](crate::InputToState).
 ///
-/// It needs no velocity and adds no damping. `sum` is the work of the port; what it gave more than it took is told as
-/// shortfall.
+/// It needs no velocity and adds no damping. The observed energy is the work of the port; what it gave more than it
+/// took is reported as shortfall.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;

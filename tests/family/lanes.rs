@@ -10,6 +10,7 @@ use lyapunov::{
         AxisWeights, DirectedDamping, DriftCompensated, ForceBound, PathMemory, SlopeBound,
         StabilizerExt, Tank, TankLimits, TwoPortSide, WaveTransform, WindowedCredit,
     },
+    stabilizers::{EnergyBounding, ForceBounding, LeastNorm, MemoryBased, Sharing, TwoLayer},
 };
 
 use crate::support::{PERIOD, limit, popc};
@@ -36,6 +37,20 @@ fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
             SlopeBound::<T>::new(of(1e3)).and_then(|it| it.creeping(of(5.0))).expect("one"),
         ),
         13 => Box::new(PathMemory::<T, 32>::beyond(of(-0.01), of(0.1)).expect("one")),
+        14 => Box::new(EnergyBounding::<T>::new(of(500.0), of(250.0)).expect("one")),
+        15 => Box::new(EnergyBounding::<T>::delayed(of(0.5), of(PERIOD), 2).expect("one")),
+        16 => Box::new(EnergyBounding::<T, _>::tight(of(0.5), of(PERIOD)).expect("one")),
+        17 => Box::new(ForceBounding::of_damping(of(0.1)).expect("one")),
+        18 => Box::new(
+            ForceBounding::of_damping(of(0.1)).and_then(|it| it.delayed::<4>(3)).expect("one"),
+        ),
+        19 => Box::new(MemoryBased::<T, 32>::beyond(of(-0.01), of(0.1)).expect("one").delayed(1)),
+        20 => Box::new(LeastNorm::new(PortEnergy, limit(), of(0.3)).expect("one")),
+        21 => {
+            let sharing = Sharing { start: of(1e-3), share: of(0.1) };
+            Box::new(TwoLayer::master(sharing, of(1e-3), of(500.0)).expect("one"))
+        }
+        22 => Box::new(TwoPortSide::new(limit()).sampled()),
         _ => return None,
     })
 }

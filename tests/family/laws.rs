@@ -7,13 +7,17 @@ use lyapunov::{
     accumulators::{Compensated, Plain},
     candidates::Always,
     stabilizers::{
-        AlongDirection, AxisWeights, DirectedDamping, ForceBound, PathMemory, PerAxis,
-        ReferenceFollowing, SlopeBound, StabilizerExt, Tank, TankLimits, TwoPortSide,
+        AlongDirection, AxisWeights, DirectedDamping, DriftCompensated, ForceBound, PathMemory,
+        PerAxis, ReferenceFollowing, SlopeBound, StabilizerExt, Tank, TankLimits, TwoPortSide,
         WindowedCredit,
+    },
+    stabilizers::{
+        EnergyBounding, ForceBounding, LeastNorm, MemoryBased, ReferenceDamper, Sharing, TwoLayer,
     },
 };
 use nalgebra::{Vector3, Vector6};
 
+use crate::hostile;
 use crate::support::{PERIOD, limit, popc};
 
 fn samples<V: Signal>() -> impl Iterator<Item = Samples<V>> {
@@ -52,12 +56,21 @@ fn alike<V: Signal>() {
         let stored = |x: V, _v: V| x.inner(x);
         let candidate = (PortEnergy, StorageFunction::starting(stored, V::zero(), V::zero()));
         check(laws::stabilizer(&ReferenceFollowing::new(candidate, limit()), samples));
+        let damper = ReferenceDamper::starting(of(0.1), |x: V| x, V::zero()).expect("a damper");
+        let candidate = (PortEnergy, (candidate.1, damper));
+        check(laws::stabilizer(&ReferenceFollowing::new(candidate, limit()), samples));
+        let least = LeastNorm::new(PortEnergy, limit(), of(0.3)).expect("a filter");
+        check(laws::stabilizer(&least, samples));
+        check(laws::stabilizer(&TwoPortSide::<V>::new(limit()).sampled(), samples));
         let along = AlongDirection::new(axes).expect("a direction");
         check(laws::stabilizer(&DirectedDamping::new(popc, along, limit()), samples));
         let weights = AxisWeights::new(axes).expect("weights");
         check(laws::stabilizer(&DirectedDamping::new(popc, weights, limit()), samples));
         check(laws::stabilizer(&TwoPortSide::new(limit()), samples));
 
+        let bounding = ForceBounding::of_damping(of(0.1)).expect("a bound");
+        check(laws::limiter(&bounding, samples));
+        check(laws::limiter(&bounding.delayed::<4>(3).expect("a pipe"), samples));
         let bound = ForceBound::new(of(0.1)).and_then(|bound| bound.budgeted(of(1e-3)));
         check(laws::limiter(&bound.expect("a bound"), samples));
         let slope = SlopeBound::<V>::new(of(1e3)).and_then(|bound| bound.creeping(of(5.0)));
@@ -74,6 +87,8 @@ fn on_one_axis<T: Scalar>() {
         let memory = PathMemory::<T, 32>::beyond(T::of(-0.01), T::of(0.1)).expect("a memory");
         laws::limiter(&memory, samples).expect("the laws");
         laws::stabilizer(&memory, samples).expect("the laws");
+        let memory = MemoryBased::<T, 32>::beyond(T::of(-0.01), T::of(0.1)).expect("a memory");
+        laws::limiter(&memory.delayed(1), samples).expect("the laws");
     }
 }
 
@@ -108,4 +123,27 @@ fn a_force_bound_is_no_damper() {
     assert_eq!(broken.law, Law::Opposes);
     let broken = laws::limiter(&popc::<f64>(), Samples::<f64>::new(PERIOD)).expect_err("it adds");
     assert_eq!(broken.law, Law::NoLarger);
+}
+
+/// Those that neither oppose nor only make smaller: an energy that is handed back is as large a force as is left.
+fn answered<V: Signal>() {
+    let of = V::Scalar::of;
+    hostile::is_answered::<V>(&EnergyBounding::new(of(500.0), of(250.0)).expect("constants"));
+    let delayed = EnergyBounding::delayed(of(0.5), of(PERIOD), 2).expect("a delay");
+    hostile::is_answered::<V>(&delayed);
+    let tight = EnergyBounding::<V, _>::tight(of(0.5), of(PERIOD)).expect("a damping");
+    hostile::is_answered::<V>(&tight);
+    let sharing = Sharing { start: of(1e-3), share: of(0.1) };
+    let master = TwoLayer::master(sharing, of(1e-3), of(500.0)).expect("an end");
+    hostile::is_answered::<V>(&master);
+    let side = TwoPortSide::<V>::new(limit()).sampled();
+    hostile::is_answered::<V>(&DriftCompensated::new(side, of(0.1)).expect("a speed"));
+}
+
+#[test]
+fn what_is_not_sound_is_answered() {
+    answered::<f64>();
+    answered::<f32>();
+    answered::<WideF64x4>();
+    answered::<Vector3<f64>>();
 }

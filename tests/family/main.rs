@@ -2,11 +2,18 @@
 
 mod account;
 mod admittance;
+mod adversary;
 mod aimed;
 mod coupling;
+mod energy_bounding;
 mod force_bound;
+mod force_bounding;
+mod hostile;
+mod input_to_state;
 mod lanes;
 mod laws;
+mod least_norm;
+mod memory_based;
 mod neutral;
 mod path_memory;
 mod port_energy;
@@ -15,5 +22,8 @@ mod shaping;
 mod slope_bound;
 mod support;
 mod tank;
+mod two_layer;
 mod two_port;
+mod two_port_worked;
 mod waves;
+mod worked;

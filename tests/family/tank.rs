@@ -1,12 +1,15 @@
 //! Energy tank: it gives what it holds, and no faster than allowed.
 
 use approx::assert_abs_diff_eq;
+use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    PortEnergy, PortSample, Stabilizer,
+    PortEnergy, PortSample, Scalar, Stabilizer,
+    stabilizers::{EnergyTank, Valve},
     stabilizers::{Tank, TankLimits},
 };
 
 use crate::support::{Dice, PERIOD};
+use crate::worked::near;
 
 const STORE: TankLimits<f64> = TankLimits { start: 2e-3, floor: 5e-4, ceiling: 3e-3, power: 0.5 };
 
@@ -18,7 +21,7 @@ fn follows_its_recursion() {
     for _ in 0..5000 {
         let velocity = dice.within(0.2);
         let sample = PortSample::new(PERIOD, 0.0, velocity, velocity * PERIOD, applied);
-        energy = energy.min(STORE.ceiling) + applied * velocity * PERIOD;
+        energy = (energy + applied * velocity * PERIOD).min(STORE.ceiling);
         let wanted = dice.within(20.0);
         let correction = tank.stabilize(&sample, wanted);
         let available = (energy - STORE.floor).max(0.0);
@@ -57,4 +60,91 @@ fn what_cannot_be_right_is_refused() {
     assert!(refused(TankLimits { ceiling: 1e-3, ..STORE }));
     assert!(refused(TankLimits { power: -1.0, ..STORE }));
     assert!(!refused(TankLimits { ceiling: f64::INFINITY, power: f64::INFINITY, ..STORE }));
+}
+
+/// Of the row: dissipated power, W, wished input, N, and flow, m/s.
+const DISSIPATED: [f64; 7] = [0.1, 0.1, 0.0, 0.0, 0.3, 2.0, 2.0];
+const WISHED: [f64; 7] = [1.0, 2.0, 4.0, 4.0, 4.0, 0.0, 0.0];
+const FLOW: [f64; 7] = [0.05, 0.1, 0.1, 0.1, -0.1, 0.0, 0.0];
+
+/// The inputs that pass, and what the tank holds then, mJ.
+fn row<T: Scalar, L: Valve<T>>(mut tank: EnergyTank<T, L>) -> (Vec<f64>, Vec<f64>) {
+    let period = T::of(PERIOD);
+    let ticks = DISSIPATED.iter().zip(WISHED).zip(FLOW).map(|((dissipated, wished), flow)| {
+        let given = tank.pass(period, T::of(*dissipated), T::of(wished), T::of(flow));
+        (given.lane(0), 1e3 * tank.energy().lane(0))
+    });
+    ticks.unzip()
+}
+
+fn rows<T: Scalar>() {
+    let [start, floor, ceiling, power] = [2e-4, 1e-4, 1e-3, f64::INFINITY].map(T::of);
+    let tank = EnergyTank::new(TankLimits { start, floor, ceiling, power }).expect("a tank");
+    // The published valve overdraws on the third tick and overfills on the sixth, by one tick each.
+    let (given, energy) = row(tank.opening());
+    near(&given, &[1.0, 2.0, 4.0, 0.0, 4.0, 0.0, 0.0]);
+    near(&energy, &[0.25, 0.15, -0.25, -0.25, 0.45, 2.45, 2.45]);
+    // The bounded one gives of the 4 N what 0.05 mJ over 0.1 mm pay for, and then nothing.
+    let (given, energy) = row(tank);
+    near(&given, &[1.0, 1.5, 1.0, 0.0, 4.0, 0.0, 0.0]);
+    near(&energy, &[0.25, 0.2, 0.1, 0.1, 0.8, 1.0, 1.0]);
+}
+
+#[test]
+fn the_worked_row_in_joules() {
+    rows::<f64>();
+    rows::<f32>();
+    rows::<AutoF64x4>();
+}
+
+/// Explicit steps of the published state, the root of the energy, create energy; joules do not.
+#[test]
+fn the_root_creates_what_joules_keep() {
+    let (mut root, mut energies) = ((2.0 * 0.2e-3_f64).sqrt(), vec![]);
+    for tick in 0..7 {
+        let open = root * root / 2.0 > 1e-4;
+        let asked = WISHED[tick] * FLOW[tick];
+        let drawn = if asked > 0.0 && !open { 0.0 } else { asked };
+        let filled = if root * root / 2.0 <= 1e-3 { DISSIPATED[tick] } else { 0.0 };
+        root += PERIOD * (filled - drawn) / root;
+        energies.push(1e3 * root * root / 2.0);
+    }
+    let expected = [0.253125, 0.163002, 0.00839799, 0.00839799, 15.2952, 15.2952, 15.2952];
+    for (found, expected) in energies.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-4, "{energies:?}");
+    }
+}
+
+/// Whatever is wished, `floor ≤ E ≤ ceiling`, and no more is handed out than came in and was there.
+#[test]
+fn a_bounded_valve_is_never_overdrawn_or_overfilled() {
+    for seed in 0..50 {
+        let mut tank = EnergyTank::new(STORE).expect("a tank");
+        let mut dice = Dice::of(seed);
+        let mut source = STORE.start;
+        for _ in 0..2000 {
+            let (dissipated, wished, flow) =
+                (dice.within(1.0).max(0.0), dice.within(20.0), dice.within(0.5));
+            let given = tank.pass(PERIOD, dissipated, wished, flow);
+            source += (dissipated - given * flow) * PERIOD;
+            let energy = tank.energy();
+            let range = STORE.floor * (1.0 - 1e-15)..=STORE.ceiling;
+            assert!(range.contains(&energy), "{energy:e} J");
+            assert!(energy <= source + 1e-12 && given * flow <= STORE.power * (1.0 + 1e-12));
+            source = energy;
+        }
+    }
+}
+
+#[test]
+fn a_tank_with_a_port_answers_what_is_not_finite() {
+    let mut tank = EnergyTank::new(STORE).expect("a tank");
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert_eq!(tank.pass(PERIOD, 0.0, bad, 0.1), 0.0);
+        assert_eq!(tank.pass(PERIOD, 0.0, 1.0, bad), 0.0);
+        assert_eq!(tank.pass(PERIOD, bad, 1.0, 0.1), 0.0);
+        assert_eq!(tank.pass(bad, 0.0, 1.0, 0.1), 0.0);
+    }
+    assert_eq!(tank.energy(), STORE.start);
+    assert!(EnergyTank::new(TankLimits { ceiling: 1e-3, ..STORE }).is_err());
 }

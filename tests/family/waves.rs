@@ -1,14 +1,17 @@
 //! Wave variables: they decode to what was sent, and store the energy under way.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
+use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     Scalar,
     channels::{Channel, ConstantDelay},
     stabilizers::WaveTransform,
+    stabilizers::{WaveFilter, WaveFollower},
 };
 use nalgebra::Vector3;
 
 use crate::support::{Dice, PERIOD};
+use crate::worked::near;
 
 /// The distance from a number to the next, in its own scalar.
 fn ulp<T: Scalar>(size: f64) -> f64 {
@@ -98,4 +101,91 @@ fn a_matched_end_sends_nothing_back() {
         back.abs() < 1e-15
             && abs_diff_eq!(flow * 2.5, (2.5_f64 / 2.0).sqrt() * there, epsilon = 1e-15)
     );
+}
+
+fn worked<T: Scalar>() {
+    let wave = WaveTransform::new(T::of(2.0)).expect("an impedance");
+    for (v, f, there, back) in
+        [(0.5, 3.0, 2.0, -1.0), (-0.5, 3.0, 1.0, -2.0), (0.0, 1.0, 0.5, -0.5), (0.1, 0.2, 0.2, 0.0)]
+    {
+        let (u, w) = wave.encode(T::of(v), T::of(f));
+        near(&[u.lane(0), w.lane(0)], &[there, back]);
+    }
+    let (stiffness, b) = (T::of(50.0), T::of(8.0));
+    let matched = WaveFollower::matched(wave, stiffness).expect("a follower");
+    let stiff = WaveFollower::new(wave, stiffness, b).expect("a follower");
+    let asked = [(1.0, 0.0, 0.0), (1.0, 0.01, 0.0), (1.0, 0.01, 0.5)];
+    let [rest, pulled, moving] = [[0.5, 1.0, 0.0], [0.375, 1.25, -0.25], [0.625, 0.75, 0.25]];
+    let other = [[0.2, 1.6, -0.6], [0.15, 1.7, -0.7], [0.55, 0.9, 0.1]];
+    for (follower, expected) in [(matched, [rest, pulled, moving]), (stiff, other)] {
+        for ((u, e, v), expected) in asked.into_iter().zip(expected) {
+            let found = follower.follow(T::of(u), T::of(e), T::of(v));
+            near(&[found.flow, found.effort, found.back].map(|it| it.lane(0)), &expected);
+        }
+    }
+    let mut filter = WaveFilter::new(T::of(0.25)).expect("a filter");
+    let sent = [1.0, 1.0, 1.0, 0.0, 0.0, -1.0].map(|wave| filter.pass(T::of(wave)).lane(0));
+    near(&sent, &[0.25, 0.4375, 0.578125, 0.433594, 0.325195, -0.00610352]);
+}
+
+#[test]
+fn the_worked_rows() {
+    worked::<f64>();
+    worked::<f32>();
+    worked::<AutoF64x4>();
+}
+
+/// What comes in goes on or comes back, `F v = (u² − w²) / 2`, and of a slave that rests the share `(b − B) / (b + B)` comes back.
+#[test]
+fn a_follower_keeps_the_power_and_reflects_by_its_mismatch() {
+    let (b, mut dice) = (1.7, Dice::of(8));
+    let wave = WaveTransform::new(b).expect("an impedance");
+    for damping in [0.0, 0.5, 1.7, 20.0] {
+        let follower = WaveFollower::new(wave, 80.0, damping).expect("a follower");
+        for _ in 0..200 {
+            let (u, e, v): (Vector3<f64>, Vector3<f64>, Vector3<f64>) =
+                (dice.signal(2.0), dice.signal(0.1), dice.signal(1.0));
+            let found = follower.follow(u, e, v);
+            let power = (u.norm_squared() - found.back.norm_squared()) / 2.0;
+            assert!((power - found.effort.dot(&found.flow)).abs() < 1e-12 * (1.0 + power.abs()));
+            let law = (found.flow - v) * damping + e * 80.0;
+            assert!((found.effort - law).norm() < 1e-12 * (1.0 + law.norm()));
+            let rest = follower.follow(u, Vector3::zeros(), Vector3::zeros());
+            let reflected = u * ((b - damping) / (b + damping));
+            assert!((rest.back - reflected).norm() < 1e-12);
+        }
+    }
+    assert!(WaveFollower::new(wave, -1.0, 1.0).is_err());
+    assert!(WaveFollower::new(wave, 1.0, f64::NAN).is_err());
+}
+
+/// No more comes out of a filter than went in, and with it in both paths the channel stays passive, losses included.
+#[test]
+fn a_filter_gives_no_energy() {
+    for (share, loss) in [(1.0, 0.0), (0.25, 0.0), (0.05, 0.3), (1.0, 0.9)] {
+        let wave = WaveTransform::new(1.3).expect("an impedance");
+        let (mut dice, mut crossed, mut returning) = (Dice::of(3), 0.0, 0.0);
+        let (mut came, mut went) = (0.0, 0.0);
+        let mut filters = [WaveFilter::new(share).expect("a filter"); 2];
+        let channel = || ConstantDelay::<f64, 8>::new(5, 0.0).expect("a delay");
+        let (mut there, mut back) = (channel(), channel());
+        let lost =
+            |wave: f64, dice: &mut Dice| if dice.within(1.0).abs() < loss { 0.0 } else { wave };
+        for _ in 0..2000 {
+            let (flow, force) = (dice.within(1.0), dice.within(5.0));
+            let (felt, sent) = wave.effort(flow, returning);
+            let filtered = filters[0].pass(sent);
+            came += sent * sent;
+            went += filtered * filtered;
+            assert!(went <= came * (1.0 + 1e-12));
+            let arrived = lost(there.carry(filtered), &mut dice);
+            let (moves, answered) = wave.flow(force, arrived);
+            crossed += felt * flow - force * moves;
+            returning = lost(back.carry(filters[1].pass(answered)), &mut dice);
+            assert!(crossed >= -1e-9, "{crossed}");
+        }
+    }
+    assert!(WaveFilter::<f64>::new(0.0).is_err() && WaveFilter::<f64>::new(1.1).is_err());
+    let mut filter = WaveFilter::new(0.5).expect("a filter");
+    assert_eq!((filter.pass(f64::NAN), filter.pass(1.0)), (0.0, 0.5));
 }

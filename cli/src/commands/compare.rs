@@ -127,7 +127,7 @@ impl Compare {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let entrants = Entrants::<T>::of(self.stabilizers.iter().copied());
+        let entrants = Entrants::<T>::of(self.stabilizers.on(scene));
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),

@@ -107,7 +107,8 @@ impl Map {
             return Err(End::internal("an argument is missing"));
         };
         let scene = Scene::load(scene).map_err(End::input)?;
-        let grid = Grid::new(scene, x.clone(), y.clone(), self.stabilizers.clone());
+        let stabilizers = self.stabilizers.on(&scene);
+        let grid = Grid::new(scene, x.clone(), y.clone(), stabilizers);
         let grid = grid.map_err(|error| self.blame(error))?;
         let shard = self.shard.unwrap_or(Shard::WHOLE);
         let run =

@@ -3,5 +3,6 @@
 mod bad;
 mod hand;
 mod ledger;
+mod page;
 mod shipped;
 mod springs;

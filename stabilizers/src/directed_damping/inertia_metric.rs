@@ -4,6 +4,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::{SMatrix, SVector};
 
 use super::Metric;
+use crate::factors::Factors;
 
 /// Metric of an inertia matrix: `M v = Λ v / ‖Λ‖`, with `‖Λ‖` the largest absolute row sum, an upper bound of every
 /// eigenvalue.
@@ -32,25 +33,14 @@ impl<T: Scalar, const N: usize> InertiaMetric<T, N> {
     /// A matrix that is not positive definite, not finite, or so near to either that its digits do not decide: a pivot
     /// `dᵢ` of `Λ = L D Lᵀ` that is not above 0.
     pub fn new(inertia: SMatrix<T, N, N>) -> Result<Self, ParameterError> {
-        let whole =
-            SMatrix::<T, N, N>::from_fn(|row, column| inertia[(row.max(column), row.min(column))]);
+        let whole = Factors::whole(inertia);
         let mut norm = T::of(0.0);
         for row in 0..N {
             let sum = (0..N).fold(T::of(0.0), |sum, column| sum + whole[(row, column)].magnitude());
             norm = norm.larger(Requirement::Positive.check("inertia's row", sum)?);
         }
         let share = whole.map(|entry: T| entry / norm);
-        let mut left = share;
-        for pivot in 0..N {
-            let diagonal = Requirement::Positive.check("inertia's pivot", left[(pivot, pivot)])?;
-            for row in pivot + 1..N {
-                let factor = left[(row, pivot)] / diagonal;
-                for column in pivot + 1..=row {
-                    let part = factor * left[(column, pivot)];
-                    left[(row, column)] -= part;
-                }
-            }
-        }
+        Factors::of(share, "inertia's pivot")?;
         Ok(Self { share, norm })
     }
 

@@ -5,18 +5,27 @@ use lyapunov_core::{
 };
 
 use super::TwoPortSide;
+use super::booking::{Booking, Spending};
 
 /// Stabilizer of an admittance port that compensates the position drift of its corrections.
 ///
-/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at most
-/// `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
-/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what absorbs is
-/// added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within the period gives
-/// energy that the last force does not tell of, and without it compensation makes debts. (Artigas, Ryu and Preusche, IROS 2010, and Chawda, Ly Van Quang, O'Malley and Ryu,
-/// HAPTICS 2014, compensate with what the passivity observer has to spare.) A speed of 0 changes no bit.
+/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at
+/// most `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
+/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what
+/// absorbs is added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within
+/// the period gives energy that the last force does not show, and without it compensation makes debts. A speed of 0
+/// changes no bit.
 ///
-/// The sample is a [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and out are flows. The
-/// correction that it tells of is the stabilizer's alone.
+/// What it gives is booked, or the same surplus would be spent on every tick: a held account reads it in the next
+/// sample, a [sampled](TwoPortSide::sampled) one at once. So the account does not fall below 0 by compensation while
+/// the force is as measured.
+///
+/// With `z = 0` this is the compensation of Artigas, Ryu and Preusche (IEEE/RSJ International Conference on Intelligent
+/// Robots and Systems, 2010) and of Chawda, Ly Van Quang, O'Malley and Ryu (IEEE Haptics Symposium, 2014), as in public
+/// code that implements it; the answer `z` is derived here.
+///
+/// The sample is a [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and
+/// out are flows. The reported correction is the stabilizer's alone.
 #[derive(Clone, Copy, Debug)]
 pub struct DriftCompensated<S, V: Signal> {
     stabilizer: S,
@@ -51,21 +60,30 @@ impl<S, V: Signal> DriftCompensated<S, V> {
     }
 }
 
-impl<T: Scalar, V: Signal<Scalar = T>, A: Accumulator<T>> DriftCompensated<TwoPortSide<T, A>, V> {
+impl<V, W, A> DriftCompensated<TwoPortSide<V, W, A>, V>
+where
+    V: Signal,
+    W: Booking,
+    A: Accumulator<V::Scalar>,
+{
     /// As [`TwoPortSide::receive`].
     #[inline]
-    pub fn receive(&mut self, energy: T) {
+    pub fn receive(&mut self, energy: V::Scalar) {
         self.stabilizer.receive(energy);
     }
 
     /// As [`TwoPortSide::absorbed`].
     #[inline]
-    pub fn absorbed(&self) -> T {
+    pub fn absorbed(&self) -> V::Scalar {
         self.stabilizer.absorbed()
     }
 }
 
-impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for DriftCompensated<S, V> {
+impl<V, S> Stabilizer<V> for DriftCompensated<S, V>
+where
+    V: Signal,
+    S: Stabilizer<V> + Spending<V::Scalar>,
+{
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
@@ -79,6 +97,8 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for DriftCompensated<S, V> {
         let some = sizes.sum().above(zero);
         let moved = correction.effort + back.scale(share);
         let flow = V::choose(some & correction.accepted & moved.finite(), moved, correction.effort);
+        let spent = (correction.effort - flow).inner(sample.velocity) * sample.period;
+        self.stabilizer.spend(V::Scalar::choose(correction.accepted & spent.finite(), spent, zero));
         let drift = self.drift + (flow - effort).scale(sample.period);
         self.drift = V::choose(correction.accepted & drift.finite(), drift, self.drift);
         Correction { effort: flow, ..correction }.checked()

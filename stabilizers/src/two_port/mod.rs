@@ -1,86 +1,121 @@
-//! Two loops joined by a channel.
+//! Two-port control: two loops joined by a channel.
 
+mod booking;
 mod drift;
 mod one_way;
 
 pub use drift::DriftCompensated;
 
-use lyapunov_core::{Accumulator, Correction, Held, Plain, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov_core::{
+    Accumulator, Correction, Held, Plain, PortSample, Sampled, Signal, Stabilizer, Work,
+};
 
 use crate::{DampingLimit, LimitCredit, Lolc, StabilizerExt};
+use booking::Booking;
 use one_way::OneWay;
 
-/// One side of a two-port passivity controller for teleoperation over a channel with delay.
+/// One side of the two-port time-domain passivity controller of Ryu, Artigas and Preusche, for teleoperation over a
+/// channel with delay.
 ///
 /// Neither side knows in time what crosses the other port, so their energies must not be added up. Each side splits
-/// its own by direction, `in(n) = Σ max(f_act Δx, 0)` and `out(n) = Σ max(−f_act Δx, 0)`, sends `in` along with its
-/// signals, and may give only what it has been told that the other absorbed: `L(n) = received(n) − out(n)`. The sums never
-/// fall, so a late, old or lost message tells too little and never too much: whatever the channel does,
-/// `in₁ + in₂ − out₁ − out₂ ≥ L₁ + L₂`. A debt is served as in [`Lolc`], with the same limit and the same shortfall. (Ryu,
-/// Artigas and Preusche, Mechatronics 20(7), 2010, split the energies and compare them so; Artigas, Ryu and
-/// Preusche, IROS 2010, treat architectures with delay.)
+/// what the effort of its channel does before it is corrected, `p(n) = f_asked Δx`, by direction, keeps what the
+/// correction does beside it, and sends `in` along with its signals:
+///
+/// ```text
+/// in(n) = Σ max(p, 0),   out(n) = Σ max(−p, 0),   burnt(n) = Σ (f_act − f_asked) Δx
+/// W(n) = in of the other side as received − out(n) + burnt(n)
+/// ```
+///
+/// `W` is the observed energy, and where it is below 0 the debt is served as in [`Lolc`], with the same limit and the
+/// same shortfall. What a side dissipates pays its own debt, once, and is not sent to the other side: that one may give
+/// what came in, and nothing twice. A correction that pushes, as the damper of the last tick does where the motion
+/// turns round, counts against its own side.
+///
+/// **Guarantee**: `in₁ + in₂ − out₁ − out₂ + burnt₁ + burnt₂ ≥ W₁ + W₂`, the left being the work of both ports, for any
+/// delay, jitter or loss: the sums that are sent never fall, so a late, old or lost message reports too little and
+/// never too much. It is at least 0 where no limit bites. **Assumed** is only that both report the truth.
+///
+/// The paper (Mechatronics 20(7), 2010) books sampled power, and so does [`sampled`](Self::sampled), as in public code
+/// that implements it; the held account above is derived here from the same split.
 ///
 /// At the master motion comes in and a force goes out, and a sample is a sample. At the slave a force comes in and a
-/// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a velocity, which leaves a
-/// position error behind; [`DriftCompensated`] takes it back. Energies that only grow need digits: in `f32` they stop
-/// growing after a while, which is safe and useless, so take `f64`.
+/// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a
+/// velocity, which leaves a position error behind; [`DriftCompensated`] takes it back. Energies that only grow need
+/// digits: in `f32` they stop growing after a while, which is safe and useless, so take `f64`.
 ///
 /// ```
 /// use lyapunov_core::{PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, TwoPortSide};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
 /// let (mut master, mut slave) = (TwoPortSide::new(limit), TwoPortSide::new(limit));
-/// let pushed = PortSample::new(1e-3, 0.0, 0.1, 1e-4, 3.0); // absorbs 0.3 mJ
+/// master.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 3.0);
+/// master.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 3.0), 3.0); // absorbs 0.3 mJ
+/// slave.stabilize(&PortSample::starting(1e-3, 0.0, -0.1), 2.0);
 /// let pushes = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // gives 0.2 mJ
-/// master.stabilize(&pushed, 3.0);
-/// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not told yet: a debt
+/// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not received yet: a debt
 /// slave.receive(master.absorbed());
 /// assert_eq!(slave.stabilize(&pushes, 2.0).alpha, 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct TwoPortSide<T, A = Plain<T>> {
-    controller: Lolc<T, OneWay<T>, Held, A>,
+pub struct TwoPortSide<V: Signal, W = Held, A = Plain<<V as Signal>::Scalar>> {
+    controller: Lolc<V::Scalar, OneWay<V>, W, A>,
 }
 
-impl<T: Scalar> TwoPortSide<T> {
+impl<V: Signal> TwoPortSide<V> {
     /// A side that injects at most `limit`, and has absorbed and received nothing yet.
-    pub fn new(limit: DampingLimit<T>) -> Self {
+    pub fn new(limit: DampingLimit<V::Scalar>) -> Self {
         Self { controller: Lolc::new(OneWay::new(), limit) }
     }
 }
 
-impl<T: Scalar, A: Accumulator<T>> TwoPortSide<T, A> {
-    /// The same side with its energies summed in a `B`.
-    pub fn summed_in<B: Accumulator<T>>(self) -> TwoPortSide<T, B> {
+impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> TwoPortSide<V, W, A> {
+    /// The same side over the published, sampled work, `p(n) = f v T`, whose correction is taken to dissipate `α v² T`
+    /// at once.
+    pub fn sampled(self) -> TwoPortSide<V, Sampled, A> {
+        TwoPortSide { controller: self.controller.sampled() }
+    }
+
+    /// The same side with its account summed in a `B`.
+    pub fn summed_in<B: Accumulator<V::Scalar>>(self) -> TwoPortSide<V, W, B> {
         TwoPortSide { controller: self.controller.summed_in() }
     }
 
-    /// Receives the [`absorbed`](Self::absorbed) energy that the other side reports, J; to be called before a tick.
+    /// Takes the other side's [`absorbed`](Self::absorbed) energy, J; to be called before a tick.
     #[inline]
-    pub fn receive(&mut self, energy: T) {
+    pub fn receive(&mut self, energy: V::Scalar) {
         self.controller.candidate_mut().receive(energy);
     }
 
-    /// Energy that this port has absorbed up to now, J: to be sent to the other side.
+    /// What came in at this port up to now, J, before any correction: to be sent to the other side.
     #[inline]
-    pub fn absorbed(&self) -> T {
+    pub fn absorbed(&self) -> V::Scalar {
         self.controller.candidate().absorbed()
     }
 }
 
-impl<T, A> StabilizerExt for TwoPortSide<T, A> {}
+impl<V: Signal, W, A> StabilizerExt for TwoPortSide<V, W, A> {}
 
-impl<T: Scalar, A: Accumulator<T>> LimitCredit<T> for TwoPortSide<T, A> {
+impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> LimitCredit<V::Scalar>
+    for TwoPortSide<V, W, A>
+{
     #[inline]
-    fn limit_credit(&mut self, most: T) {
+    fn limit_credit(&mut self, most: V::Scalar) {
         self.controller.limit_credit(most);
     }
 }
 
-impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoPortSide<V::Scalar, A> {
+impl<V: Signal, W: Booking, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoPortSide<V, W, A> {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        self.controller.stabilize(sample, effort)
+        if W::AT_ONCE {
+            self.controller.candidate_mut().ask(effort);
+        }
+        let correction = self.controller.stabilize(sample, effort);
+        if !W::AT_ONCE {
+            let asked = V::choose(correction.accepted, effort, V::zero());
+            self.controller.candidate_mut().ask(asked);
+        }
+        correction
     }
 }

@@ -1,47 +1,55 @@
-//! Observed energy of one side of a two-port.
+//! The account of one side of a link.
 
 use lyapunov_core::{LyapunovCandidate, PortSample, Scalar, Signal};
 
-/// Candidate of a [`TwoPortSide`](super::TwoPortSide): the energy that the other side reports as absorbed, less the
-/// energy that this side gave.
+/// Energy that the other side reported as absorbed, less what the channel gave, plus what the correction dissipated:
+/// the candidate of a [`TwoPortSide`](super::TwoPortSide).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct OneWay<T> {
-    received: T,
-    booked: T,
-    absorbed: T,
+pub(super) struct OneWay<V: Signal> {
+    received: V::Scalar,
+    booked: V::Scalar,
+    absorbed: V::Scalar,
+    asked: V,
 }
 
-impl<T: Scalar> OneWay<T> {
+impl<V: Signal> OneWay<V> {
     pub(super) fn new() -> Self {
-        let zero = T::of(0.0);
-        Self { received: zero, booked: zero, absorbed: zero }
+        let zero = V::Scalar::of(0.0);
+        Self { received: zero, booked: zero, absorbed: zero, asked: V::zero() }
     }
 
     /// A sum that is not larger than the one before is an old message, or a spoilt one.
     #[inline]
-    pub(super) fn receive(&mut self, energy: T) {
+    pub(super) fn receive(&mut self, energy: V::Scalar) {
         let newer = energy.above(self.received) & energy.finite();
-        self.received = T::choose(newer, energy, self.received);
+        self.received = V::Scalar::choose(newer, energy, self.received);
     }
 
     #[inline]
-    pub(super) fn absorbed(&self) -> T {
+    pub(super) fn absorbed(&self) -> V::Scalar {
         self.absorbed
+    }
+
+    /// The effort of the channel, before it is corrected.
+    #[inline]
+    pub(super) fn ask(&mut self, effort: V) {
+        self.asked = effort;
     }
 }
 
-impl<V: Signal> LyapunovCandidate<V> for OneWay<V::Scalar> {
+impl<V: Signal> LyapunovCandidate<V> for OneWay<V> {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let zero = V::Scalar::of(0.0);
         let work = sample.work.sum();
-        let total = self.absorbed + work.larger(zero);
-        self.absorbed = V::Scalar::choose(total.finite(), total, self.absorbed);
+        let crossed = self.asked.inner(sample.displacement);
+        let burnt = work - crossed;
+        // What is not a number is left out, and what was received must not be lost with it.
+        let sound = burnt.finite();
+        let total = self.absorbed + crossed.larger(zero);
+        self.absorbed = V::Scalar::choose(sound & total.finite(), total, self.absorbed);
         let credit = self.received - self.booked;
-        let decrease = credit + work.smaller(zero);
-        // A work that is not a number is left out, and what was received must not be lost with it.
-        let sound = work.finite();
         self.booked = V::Scalar::choose(sound, self.received, self.booked);
-        V::Scalar::choose(sound, decrease, work)
+        V::Scalar::choose(sound, credit + (crossed.smaller(zero) + burnt), burnt)
     }
 }

@@ -24,14 +24,18 @@ pub(crate) struct Basis {
     pub(crate) speed: f64,
     /// The duration of a swing of the hand, s.
     pub(crate) swing: f64,
-    /// The velocity that one count of the encoder looks like, m/s.
+    /// One count of the encoder, m.
     pub(crate) count: Option<f64>,
+    /// Ticks by which a force acts late.
+    pub(crate) delay: u32,
     /// Servo ticks per tick of the environment.
     pub(crate) ratio: u32,
     /// The position where contact begins, m.
     pub(crate) surface: Option<f64>,
     /// The energy that the environment stores; none where it is no function of position and velocity.
     pub(crate) reference: Option<Reference>,
+    /// The damper of the ideal wall, N·s/m, and where it begins, m; none without a wall.
+    pub(crate) damper: Option<[f64; 2]>,
     /// Position and velocity at the start, m and m/s.
     pub(crate) start: [f64; 2],
 }
@@ -40,20 +44,22 @@ impl Basis {
     pub(crate) fn of(scene: &Scene) -> Self {
         let start = [scene.initial.position.get(), scene.initial.velocity.get()];
         let moving = scene.operator.mass.get() + scene.device.mass.get();
+        let wall = scene.environment.wall();
         let (pull, reach) = (last_pull(scene), Criterion::of(scene).start);
         let thrown = 0.5 * moving * start[1] * start[1];
         let energy = if pull > 0.0 { 0.5 * pull * reach * reach } else { thrown };
-        let period = scene.period();
         Self {
             limit: scene.damping(Settings::of(scene).damping_cap.get()),
             damping: scene.device.damping.get(),
             energy,
             speed: (2.0 * energy / moving).sqrt(),
             swing: if pull > 0.0 { TAU * (moving / pull).sqrt() } else { 1.0 },
-            count: scene.effects.encoder.map(|encoder| encoder.resolution.get() / period),
+            count: scene.effects.encoder.map(|encoder| encoder.resolution.get()),
+            delay: scene.effects.delay.map_or(0, |delay| delay.ticks.get().into()),
             ratio: u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX),
             surface: surface(scene),
             reference: Reference::of(scene),
+            damper: wall.map(|wall| [wall.damping.get(), wall.position.get()]),
             start,
         }
     }
@@ -67,9 +73,11 @@ impl Basis {
             speed,
             swing: 100.0 * period,
             count: None,
+            delay: 0,
             ratio: 1,
             surface: None,
             reference: None,
+            damper: None,
             start: [0.0; 2],
         }
     }
@@ -82,7 +90,7 @@ impl Basis {
 
     /// The speed above which a velocity is more than noise, m/s.
     pub(super) fn threshold(&self) -> f64 {
-        self.count.unwrap_or(0.01 * self.speed)
+        self.count.map_or(0.01 * self.speed, |count| count / self.limit.period)
     }
 
     /// The number of ticks over which a correction is spread, or rises.

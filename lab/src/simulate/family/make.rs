@@ -24,7 +24,8 @@ impl StabilizerName {
     /// The stabilizer on the loop of `scene`, whatever `scene` names.
     ///
     /// # Errors
-    /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others; a scene without
+    /// what the stabilizer [needs](Self::fits).
     pub fn on<T: Scalar + Space>(self, scene: &Scene) -> Result<AnyStabilizer<T>, ParameterError> {
         match self {
             Self::Basic(basic_name) => basic_name.made(scene),
@@ -79,6 +80,11 @@ impl StabilizerName {
                     TankLimits { start: energy, floor, ceiling: of(CEILING) * energy, power };
                 AnyStabilizer::called(Tank::new(PortEnergy, store)?)
             }
+            Self::EnergyBounding => basis.energy_bounding()?,
+            Self::ForceBounding => basis.force_bounding()?,
+            Self::MemoryBased => basis.memory_based()?,
+            Self::ReferenceFollowing => basis.reference_following()?,
+            Self::LeastNorm => basis.least_norm()?,
         })
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::BasicName;
+use crate::files::scene::Scene;
 use crate::text::{nearest, shorten};
 
 /// Name of a stabilizer.
@@ -35,11 +36,21 @@ pub enum StabilizerName {
     ForceBound,
     /// Energy tank: `tank`.
     Tank,
+    /// Forces that hand back no more than the device's damping dissipates: `energy-bounding`.
+    EnergyBounding,
+    /// Forces that the device's damping has paid for in this contact: `force-bounding`.
+    ForceBounding,
+    /// Forces on the way out no larger than on the way in: `memory-based`.
+    MemoryBased,
+    /// POPC whose energy follows what the environment stores and dissipates: `reference-following`.
+    ReferenceFollowing,
+    /// The least correction that keeps the next observed energy at or above 0: `least-norm`.
+    LeastNorm,
 }
 
 impl StabilizerName {
     /// All names.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 22] = [
         Self::Basic(BasicName::NoStabilizer),
         Self::Basic(BasicName::Popc),
         Self::Basic(BasicName::Lolc),
@@ -57,6 +68,11 @@ impl StabilizerName {
         Self::Reference,
         Self::ForceBound,
         Self::Tank,
+        Self::EnergyBounding,
+        Self::ForceBounding,
+        Self::MemoryBased,
+        Self::ReferenceFollowing,
+        Self::LeastNorm,
     ];
 
     /// The name on the command line and in every table and file.
@@ -74,7 +90,17 @@ impl StabilizerName {
             Self::Reference => "popc-reference",
             Self::ForceBound => "force-bound",
             Self::Tank => "tank",
+            Self::EnergyBounding => "energy-bounding",
+            Self::ForceBounding => "force-bounding",
+            Self::MemoryBased => "memory-based",
+            Self::ReferenceFollowing => "reference-following",
+            Self::LeastNorm => "least-norm",
         }
+    }
+
+    /// Whether `scene` has the parameters of this stabilizer: energy bounding needs a damping of the device.
+    pub fn fits(self, scene: &Scene) -> bool {
+        self != Self::EnergyBounding || scene.device.damping.get() > 0.0
     }
 
     /// The basic name, if a scene file can name this stabilizer.

@@ -5,6 +5,7 @@ use std::ops::Deref;
 use std::str::FromStr;
 
 use super::{BasicName, StabilizerName, UnknownStabilizer};
+use crate::files::scene::Scene;
 
 /// Stabilizer names in the order given, each once: `popc,tank`, or `all`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,6 +38,14 @@ impl StabilizerNames {
             None if members.is_empty() => Err(StabilizerNamesError::Empty),
             None => Ok(Self(members)),
         }
+    }
+
+    /// Who takes part on `scene`: where all are named, those that it [has parameters for](StabilizerName::fits), else those
+    /// that are named.
+    #[must_use]
+    pub fn on(&self, scene: &Scene) -> Self {
+        let all = self.0 == StabilizerName::ALL;
+        Self(self.iter().copied().filter(|name| !all || name.fits(scene)).collect())
     }
 }
 

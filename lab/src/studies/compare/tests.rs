@@ -233,7 +233,7 @@ fn figures_end_an_unstable_curve_where_it_leaves_the_frame() {
     let family = Entrants::<f64>::of(crate::simulate::family::StabilizerName::ALL);
     let family = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &family).unwrap();
     let panels = family.figure().panels;
-    assert!(panels.len() == 34 && panels.iter().all(|panel| panel.series.len() == 1));
+    assert!(panels.len() == 44 && panels.iter().all(|panel| panel.series.len() == 1));
     assert!(panels.iter().step_by(2).all(|panel| panel.y_range == panels[0].y_range));
 
     let alone = Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));

@@ -9,7 +9,7 @@ use super::naive::Naive;
 use super::tally::{Tally, larger};
 use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use crate::simulate::AnyStabilizer;
-use crate::simulate::family::StabilizerName;
+use crate::simulate::family::{StabilizerName, lacks_damping};
 
 /// One hard case: the difficulty, the measured quantity and the promised bound.
 pub struct Case {
@@ -162,7 +162,12 @@ impl Case {
     /// # Errors
     /// A case that is not well-formed.
     pub fn row_of(&self, member: StabilizerName) -> Result<Option<Row>, HardError> {
-        let Some(runs) = self.trial.under(member)? else { return Ok(None) };
+        let runs = match self.trial.under(member) {
+            // In a loop that lacks what it is set by it takes no part.
+            Err(HardError::Parameter(error)) if lacks_damping(&error) => return Ok(None),
+            runs => runs?,
+        };
+        let Some(runs) = runs else { return Ok(None) };
         let naive = self.trial.naive()?.map(|tally| self.outcome(&tally));
         let without = self.without()?;
         Ok(Some(self.judged(&runs, self.trial.promised_by(member)?, naive, without)))

@@ -36,6 +36,8 @@ pub(super) enum Manner {
     Damps,
     /// It makes the effort smaller.
     Cuts,
+    /// It follows the effort within a band.
+    Follows,
 }
 
 /// Promises of one stabilizer.
@@ -83,12 +85,7 @@ impl Pledge {
             StabilizerName::Bounded | StabilizerName::Windowed | StabilizerName::ContactReset => {
                 Self { account: LedgerKind::Forgetful, ..Self::POPC }
             }
-            StabilizerName::Reference => {
-                let start = basis.start.map(of);
-                let credit = |reference| Credit::Reference { reference, start };
-                let credit = basis.reference.clone().map_or(Credit::None, credit);
-                Self { credit, ..Self::POPC }
-            }
+            StabilizerName::Reference => Self::on_reference(basis, of),
             StabilizerName::ForceBound => Self {
                 credit: Credit::Moved { damping: of(basis.damping) },
                 budget: of(basis.energy),
@@ -101,7 +98,33 @@ impl Pledge {
                 manner: Manner::Cuts,
                 ..Self::POPC
             },
+            StabilizerName::EnergyBounding => Self {
+                credit: Credit::Moved { damping: of(basis.damping) },
+                manner: Manner::Follows,
+                ..Self::POPC
+            },
+            StabilizerName::ForceBounding => Self {
+                credit: Credit::Moved { damping: of(basis.damping) },
+                account: Account::Forgetful,
+                manner: Manner::Cuts,
+                ..Self::POPC
+            },
+            StabilizerName::MemoryBased => Self { manner: Manner::Cuts, ..Self::POPC },
+            // The reference's damper only takes away.
+            StabilizerName::ReferenceFollowing => {
+                Self { account: Account::Forgetful, ..Self::on_reference(basis, of) }
+            }
+            // What it injects ahead of a debt is not yet on the account.
+            StabilizerName::LeastNorm => Self { account: Account::Forgetful, ..Self::POPC },
         }
+    }
+
+    /// POPC's pledge with the reference of `basis` as credit.
+    fn on_reference(basis: &Basis, of: impl Fn(f64) -> f64) -> Self {
+        let start = basis.start.map(of);
+        let credit = |reference| Credit::Reference { reference, start };
+        let credit = basis.reference.clone().map_or(Credit::None, credit);
+        Self { credit, ..Self::POPC }
     }
 
     /// Pledge of `member` on the loop of `scene`.
@@ -141,13 +164,18 @@ pub(super) fn promises(member: StabilizerName) -> bool {
         StabilizerName::Bounded
         | StabilizerName::Windowed
         | StabilizerName::ContactReset
-        | StabilizerName::Reference => true,
+        | StabilizerName::Reference
+        | StabilizerName::ReferenceFollowing
+        | StabilizerName::LeastNorm => true,
         StabilizerName::Budgeted
         | StabilizerName::Threshold
         | StabilizerName::Spread
         | StabilizerName::RateLimited
         | StabilizerName::Rising
         | StabilizerName::ForceBound
-        | StabilizerName::Tank => false,
+        | StabilizerName::Tank
+        | StabilizerName::EnergyBounding
+        | StabilizerName::ForceBounding
+        | StabilizerName::MemoryBased => false,
     }
 }

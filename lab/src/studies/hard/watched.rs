@@ -309,10 +309,14 @@ impl Meter {
                 let [out, given, v] =
                     [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
                 let rounding = 8.0 * epsilon * (out.abs() + given.abs());
-                if self.terms.pledge.manner == Manner::Cuts {
-                    let grown = out.abs() - given.abs();
-                    require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
-                    continue;
+                match self.terms.pledge.manner {
+                    Manner::Damps => {}
+                    Manner::Cuts => {
+                        let grown = out.abs() - given.abs();
+                        require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
+                        continue;
+                    }
+                    Manner::Follows => continue,
                 }
                 let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
                 correction =

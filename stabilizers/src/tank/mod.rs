@@ -1,4 +1,10 @@
-//! An energy tank.
+//! Energy tanks.
+
+mod energy_tank;
+mod valve;
+
+pub use energy_tank::EnergyTank;
+pub use valve::{BoundedValve, OpenValve, Valve};
 
 use lyapunov_core::{
     Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
@@ -7,30 +13,50 @@ use lyapunov_core::{
 
 use crate::{LimitCredit, StabilizerExt};
 
-/// Limits of a [`Tank`]: the energies that it may hold and hand out.
+/// What a [`Tank`] or an [`EnergyTank`] may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TankLimits<T> {
-    /// Energy at the start, J.
+    /// What is in it at the start, J.
     pub start: T,
-    /// Energy that is never handed out, J.
+    /// What is never handed out, J.
     pub floor: T,
-    /// Largest energy held, J; infinity: no limit.
+    /// What it holds at most, J; infinity: no limit.
     pub ceiling: T,
-    /// Largest power handed out, W; infinity: no limit.
+    /// What it hands out at most, W; infinity: no limit.
     pub power: T,
 }
 
-/// An energy tank: the port absorbs into it, and gives only what is in it.
+impl<T: Scalar> TankLimits<T> {
+    /// This store, if it can be one.
+    fn checked(self) -> Result<Self, ParameterError> {
+        let Self { start, floor, ceiling, power } = self;
+        Requirement::NonNegative.check("tank floor", floor)?;
+        Requirement::NonNegative.check("tank start above its floor", start - floor)?;
+        Requirement::Limit.check("tank ceiling above its start", ceiling - start)?;
+        Requirement::Limit.check("tank power", power)?;
+        Ok(self)
+    }
+}
+
+/// A stabilizer with an energy tank: the port absorbs into it, and gives only what is in it.
 ///
-/// `E(n) = min(E(n−1), ceiling) − ΔV(n)`, and the effort is made smaller by one factor so that the power it is about to
-/// give, `P = −f · v`, is at most `min(power, (E(n) − floor) / T)`. Efforts that absorb pass unchanged. The account is in
-/// joules and not in the square root of the energy, which has no derivative at 0.
+/// ```text
+/// E(n) = min(E(n−1) − ΔV(n), ceiling),   P = −f · v,   F = f min(1, min(power, (E(n) − floor) / T) / P) where P > 0
+/// ```
 ///
-/// The tank is as empty as its knowledge of the next period is wrong: it takes the velocity as it is now, and where the
-/// motion is faster the account may fall below the floor. That much is told as shortfall, and nothing is given until it is
-/// made up; the tank does not brake. A ceiling keeps a long dissipation from paying for anything; a power limit keeps
-/// what is stored from coming at once. Califano, Rashad, Secchi and Stramigioli (arXiv 2211.17033, 2022) discuss what
-/// tanks guarantee and what not. `sum` tells `E − floor`, and the damping told is 0.
+/// `E` in J and not its square root: the published state `√(2 E)` has no derivative at 0, and in explicit steps it
+/// creates energy ([`EnergyTank`]). Efforts that absorb pass unchanged. The observed energy is `E − floor`, and the
+/// reported damping is 0.
+///
+/// **Guarantee**: the port gives at most what it took and what was in the tank at the start, `start − floor`, if the
+/// next period's motion is as fast as the velocity says; the valve hands out no more than is in the tank, and the tank
+/// holds no more than its ceiling. **Assumed** is that velocity: where the motion is faster the account may fall below
+/// the floor. That much is reported as shortfall, and nothing is given until it is made up; the tank does not brake. A
+/// ceiling keeps a long dissipation from paying for anything; a power limit keeps what is stored from coming at once.
+///
+/// Tanks are as in Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), where the port's dissipation fills
+/// them; here it is the port's whole work, and the bounded valve is derived. Califano, Rashad, Secchi and Stramigioli
+/// (arXiv 2211.17033, 2022) discuss what tanks guarantee and what not.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -51,16 +77,13 @@ pub struct Tank<T, C, A = Plain<T>> {
 }
 
 impl<T: Scalar, C> Tank<T, C> {
-    /// A tank that fills by the decrease of `candidate`.
+    /// A tank that fills by what `candidate` loses.
     ///
     /// # Errors
     /// `floor` below 0 or not finite; `start` below `floor` or not finite; `ceiling` below `start`; `power` below 0.
     pub fn new(candidate: C, store: TankLimits<T>) -> Result<Self, ParameterError> {
-        let TankLimits { start, floor, ceiling, power } = store;
-        let floor = Requirement::NonNegative.check("tank floor", floor)?;
-        let held = Requirement::NonNegative.check("tank start above its floor", start - floor)?;
-        Requirement::Limit.check("tank ceiling above its start", ceiling - start)?;
-        let power = Requirement::Limit.check("tank power", power)?;
+        let TankLimits { start, floor, ceiling, power } = store.checked()?;
+        let held = start - floor;
         let mut observer: Observer<C, Held, Plain<T>> = Observer::of(candidate);
         observer.ledger.credit(held);
         Ok(Self { observer, room: ceiling - floor, power })
@@ -85,8 +108,8 @@ where
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let sum = self.observer.observe(sample, effort).smaller(self.room);
         self.observer.ledger.limit_credit(self.room);
-        let sum = self.observer.observe(sample, effort);
         let most = (sum.larger(zero) / sample.period).smaller(self.power);
         let given = -effort.inner(sample.velocity);
         let factor = V::Scalar::choose(given.above(most), most / given, one);

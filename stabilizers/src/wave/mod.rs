@@ -1,18 +1,25 @@
 //! Wave variables.
 
+mod follower;
+mod wave_filter;
+
+pub use follower::{Following, WaveFollower};
+pub use wave_filter::WaveFilter;
+
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
 /// The wave transformation with the impedance `b`, N·s/m: `u = (b v + F) / √(2b)`, `w = (b v − F) / √(2b)`.
 ///
-/// `u` travels with the flow and `w` comes back, and the power is `F v = (u² − w²) / 2`: what a wave carries it
-/// carries by itself, in √W. A channel that only delays waves, equally long each, has stored
-/// `∫ (u² + w²) / 2 ≥ 0` over what is under way, and is passive for whatever delay (Niemeyer and Slotine, IEEE Journal of
-/// Oceanic Engineering 16(1), 1991). A delay that varies stretches and squeezes waves, and a lost wave that is
-/// replaced by the one before is carried twice: neither is passive by itself.
+/// `u` travels with the flow and `w` comes back, and the power is `F v = (u² − w²) / 2`: what a wave carries it carries
+/// by itself, in √W. A channel that only delays waves, equally long each, has stored `∫ (u² + w²) / 2 ≥ 0` over what is
+/// under way, and is passive for whatever delay (Niemeyer and Slotine, IEEE Journal of Oceanic Engineering 16(1), 1991;
+/// this code's form as in public code that implements it). A delay that varies stretches and squeezes waves, and a lost
+/// wave that is replaced by the one before is carried twice: neither is passive by itself.
 ///
-/// At one end the flow is known and the wave that came in, at the other the effort:
-/// [`effort`](Self::effort) and [`flow`](Self::flow) give what is not. An end that answers its wave with
-/// `F = b v` sends none back; any other reflects.
+/// At one end the flow is known and the wave that came in, at the other the effort: [`effort`](Self::effort) and
+/// [`flow`](Self::flow) give what is not. An end that answers its wave with `F = b v` sends none back; any other
+/// reflects. A [`WaveFollower`] is a slave that is matched so, and a [`WaveFilter`] takes what is fast out of the
+/// waves.
 ///
 /// ```
 /// use lyapunov_stabilizers::WaveTransform;

@@ -1,0 +1,43 @@
+//! Damper of an ideal environment: the energy that it dissipates.
+
+use lyapunov_core::{LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal};
+
+/// A term of a reference: `−ΔV = −b |Δp|² / T`, what a damper `b` (N·s/m) on the deformation `p(x)` (m) dissipates at
+/// least over a tick, J.
+///
+/// Whatever the motion within the tick, `b ∫ |ṗ|² dt ≥ b |Δp|² / T`, so that the reference asks for no more than an
+/// ideal environment takes. Of a wall `p` is the depth, 0 outside. A deformation that is not finite is passed over, and
+/// so is one that the term has no room for.
+#[derive(Clone, Copy, Debug)]
+pub struct ReferenceDamper<F, V: Signal> {
+    damping: V::Scalar,
+    deformation: F,
+    last: V,
+}
+
+impl<F: Fn(V) -> V, V: Signal> ReferenceDamper<F, V> {
+    /// The `damping` of a `deformation`, seen from the position the loop starts in.
+    ///
+    /// # Errors
+    /// `damping` below 0, infinite or NaN.
+    pub fn starting(
+        damping: V::Scalar,
+        deformation: F,
+        position: V,
+    ) -> Result<Self, ParameterError> {
+        let damping = Requirement::NonNegative.check("reference damping", damping)?;
+        let last = deformation(position);
+        Ok(Self { damping, last: V::choose(last.finite(), last, V::zero()), deformation })
+    }
+}
+
+impl<V: Signal, F: Fn(V) -> V> LyapunovCandidate<V> for ReferenceDamper<F, V> {
+    #[inline]
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        let now = (self.deformation)(sample.position);
+        let deformed = now - self.last;
+        self.last = V::choose(now.finite(), now, self.last);
+        let burnt = self.damping * (deformed.inner(deformed) / sample.period);
+        V::Scalar::choose(burnt.finite(), -burnt, V::Scalar::of(0.0))
+    }
+}

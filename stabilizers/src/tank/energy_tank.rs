@@ -1,0 +1,82 @@
+//! An energy tank with a port.
+
+use lyapunov_core::{ParameterError, Scalar, Signal};
+
+use super::{BoundedValve, OpenValve, TankLimits, Valve};
+
+/// The tank of Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), with its state in joules: it is filled
+/// by what is dissipated elsewhere, and what a wished input `w` extracts at the flow `y` is drawn from it.
+///
+/// ```text
+/// published, in continuous time   E = x² / 2,   ẋ = σ D / x + u_t,   u = w,   u_t = −w · y / x,   σ = 1 where E ≤ ceiling
+/// here, each period               E += T (σ D − u · y),   u = what the valve lets through of w
+/// ```
+///
+/// `x u_t = −u · y` is the power of the tank's port, whatever `x` is, so that the root is not needed: explicit steps of
+/// `x` create `(T P / x)² / 2` a tick, and at 0 it has no derivative.
+///
+/// **Guarantee**: what is stored elsewhere and `E` together are passive. With the [`BoundedValve`]
+/// `floor ≤ E ≤ ceiling` always, if `y` is the mean flow of the period; the [`OpenValve`] is the published one, which
+/// may overdraw and overfill by a tick. **Assumed** is that `D ≥ 0` was really dissipated.
+///
+/// Published sizes: `ceiling = 10 J, floor = 0.1 J`.
+///
+/// ```
+/// use lyapunov_stabilizers::{EnergyTank, TankLimits};
+/// let store = TankLimits { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
+/// let mut tank = EnergyTank::new(store)?;
+/// let given: f64 = tank.pass(1e-3, 0.0, 4.0, 0.1); // 0.4 W wished, 0.1 mJ over 1 ms to give
+/// assert!((given - 1.0).abs() < 1e-12 && tank.energy() >= 1e-4);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct EnergyTank<T, L = BoundedValve> {
+    store: TankLimits<T>,
+    valve: L,
+    energy: T,
+}
+
+impl<T: Scalar> EnergyTank<T> {
+    /// A tank with a bounded valve.
+    ///
+    /// # Errors
+    /// As [`Tank::new`](super::Tank::new).
+    pub fn new(store: TankLimits<T>) -> Result<Self, ParameterError> {
+        let store = store.checked()?;
+        Ok(Self { energy: store.start, store, valve: BoundedValve })
+    }
+
+    /// The same tank with the published valve; it has no limit of power.
+    pub fn opening(self) -> EnergyTank<T, OpenValve> {
+        EnergyTank { store: self.store, valve: OpenValve, energy: self.energy }
+    }
+}
+
+impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
+    /// What is in it, J.
+    #[inline]
+    pub fn energy(&self) -> T {
+        self.energy
+    }
+
+    /// What passes of the `wished` input over `period` s at the `flow` it acts on (`wished · flow > 0` extracts), while
+    /// `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is.
+    #[inline]
+    pub fn pass<V: Signal<Scalar = T>>(
+        &mut self,
+        period: T,
+        dissipated: T,
+        wished: V,
+        flow: V,
+    ) -> V {
+        let asked = wished.inner(flow);
+        let share = self.valve.share(&self.store, self.energy, asked, period);
+        // What is drawn goes first: what comes in on this tick does not pay for it.
+        let left = self.energy - share * asked * period;
+        let gained = dissipated.larger(T::of(0.0)) * period;
+        let energy = self.valve.filled(&self.store, self.energy, left, gained);
+        let sound = (left + energy + share + dissipated).finite() & wished.finite();
+        self.energy = T::choose(sound, energy, self.energy);
+        V::choose(sound, wished.scale(share), V::zero())
+    }
+}

@@ -1,0 +1,54 @@
+//! The valves of an energy tank.
+
+use lyapunov_core::Scalar;
+
+use super::TankLimits;
+
+/// What a tank lets in and out in one period.
+pub trait Valve<T: Scalar> {
+    /// The share of the wished power `asked` (W, above 0 where it extracts) that passes while the tank holds `energy`.
+    fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T;
+
+    /// What a tank that held `energy` and has `left` after its port drew holds once `gain` joules were offered to it.
+    fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T;
+}
+
+/// The published valve: open to what extracts while `E > floor`, and to what was dissipated while `E ≤ ceiling`.
+///
+/// Within one period it may overdraw by `T w · y` and overfill by as much.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OpenValve;
+
+impl<T: Scalar> Valve<T> for OpenValve {
+    #[inline]
+    fn share(&self, store: &TankLimits<T>, energy: T, asked: T, _period: T) -> T {
+        let (zero, one) = (T::of(0.0), T::of(1.0));
+        let shut = asked.above(zero) & !energy.above(store.floor);
+        T::choose(shut, zero, one)
+    }
+
+    #[inline]
+    fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T {
+        T::choose(energy.above(store.ceiling), left, left + gain)
+    }
+}
+
+/// A bounded valve: what extracts is made smaller to `min(power, (E − floor) / T)`, and what would overflow is let go.
+/// Derived here.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BoundedValve;
+
+impl<T: Scalar> Valve<T> for BoundedValve {
+    #[inline]
+    fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T {
+        let most = ((energy - store.floor).larger(T::of(0.0)) / period).smaller(store.power);
+        // Rounded down, so that the product of the share does not pass the floor.
+        let share = most / asked * (T::of(1.0) - T::of(2.0) * T::epsilon());
+        T::choose(asked.above(most), share, T::of(1.0))
+    }
+
+    #[inline]
+    fn filled(&self, store: &TankLimits<T>, _energy: T, left: T, gain: T) -> T {
+        (left + gain).smaller(store.ceiling)
+    }
+}

@@ -1,0 +1,87 @@
+//! Memory-based passivation against its worked rows, and place by place.
+
+use std::collections::VecDeque;
+
+use lyapunov::lanes::AutoF64x4;
+use lyapunov::{PortSample, Scalar, Stabilizer, stabilizers::MemoryBased};
+
+use crate::support::PERIOD;
+use crate::worked::{A, B, felt, near};
+
+const CELL: f64 = 1e-4;
+
+fn memory<T: Scalar>() -> MemoryBased<T, 32> {
+    MemoryBased::beyond(T::of(0.0), T::of(32.0 * CELL)).expect("a memory")
+}
+
+fn rows<T: Scalar>() {
+    near(&felt::<T>(memory(), A), &[0.0, 0.5, 1.5, 3.0, 4.0, 4.0, 1.5, 0.0, 0.0, 0.0]);
+    near(&felt::<T>(memory(), B), &[2.0, 2.0, 2.0, -1.0, -1.0, 3.0, 0.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn the_worked_rows() {
+    rows::<f64>();
+    rows::<f32>();
+    rows::<AutoF64x4>();
+}
+
+/// After the way in of the row, at 0.6 mm and on the way out by 0.1 mm: cells 6, 5 and 4 hold 3, 1.5 and 1.5 N.
+#[test]
+fn a_late_force_looks_further_ahead() {
+    for (ticks, most) in [(0, 1.5), (1, 1.5), (2, 1.5), (3, 0.5), (6, 0.0)] {
+        let mut memory = memory::<f64>().delayed(ticks);
+        let (mut last, mut force) = (0.0, 0.0);
+        for (position, asked) in [(0.0, 0.0), (1.0, 0.5), (3.0, 1.5), (6.0, 3.0), (8.0, 4.0)] {
+            let moved = (position - last) * CELL;
+            last = position;
+            let sample = PortSample::new(PERIOD, position * CELL, moved / PERIOD, moved, force);
+            force = memory.stabilize(&sample, asked).effort;
+        }
+        // Half a cell on, so that no edge is a matter of rounding.
+        let out = PortSample::new(PERIOD, 6.5 * CELL, -0.1, -CELL, 0.0);
+        assert_eq!(memory.stabilize(&out, 9.0).effort, most, "{ticks} ticks");
+    }
+}
+
+/// The worst that a place gives beyond what it took, on a spring that is pressed and let go a cell a tick, its force `late`
+/// ticks late; the turn itself left out.
+fn beyond(late: u32, looking: u32) -> f64 {
+    let mut memory = memory::<f64>().delayed(looking);
+    let mut pipe = VecDeque::from(vec![0.0; late as usize]);
+    let mut sample = PortSample::starting(PERIOD, 0.5 * CELL, 0.0);
+    let (mut took, mut worst) = ([0f64; 32], 0f64);
+    for tick in 0..40u32 {
+        let asked = 5000.0 * sample.position;
+        pipe.push_back(memory.stabilize(&sample, asked).effort);
+        let force = pipe.pop_front().unwrap_or(0.0);
+        let inwards = tick < 20;
+        let moved = if inwards { CELL } else { -CELL };
+        let place = if inwards { tick } else { 39 - tick } as usize;
+        if inwards {
+            took[place] = force;
+        } else if tick > 21 + late {
+            worst = worst.max(force - took[place]);
+        }
+        let position = sample.position + moved;
+        sample = PortSample::new(PERIOD, position, moved / PERIOD, moved, force);
+    }
+    worst
+}
+
+/// No more comes out than went in, if it looks as far ahead as the force is late.
+#[test]
+fn place_by_place() {
+    for late in 0..4 {
+        let found = beyond(late, late);
+        assert!(found <= 1e-12, "{found} N at {late} ticks");
+        assert!(late == 0 || beyond(late, late - 1) > 0.1);
+    }
+}
+
+#[test]
+fn what_cannot_be_right_is_refused() {
+    assert!(MemoryBased::<f64, 8>::beyond(f64::NAN, 1.0).is_err());
+    assert!(MemoryBased::<f64, 8>::beyond(0.0, 0.0).is_err());
+    assert!(MemoryBased::<f64, 0>::beyond(0.0, 1.0).is_err());
+}
