@@ -105,17 +105,17 @@ impl Pledge {
             },
             StabilizerName::ForceBounding => Self {
                 credit: Credit::Moved { damping: of(basis.damping) },
-                account: Account::Forgetful,
+                account: LedgerKind::Forgetful,
                 manner: Manner::Cuts,
                 ..Self::POPC
             },
             StabilizerName::MemoryBased => Self { manner: Manner::Cuts, ..Self::POPC },
             // The reference's damper only takes away.
             StabilizerName::ReferenceFollowing => {
-                Self { account: Account::Forgetful, ..Self::on_reference(basis, of) }
+                Self { account: LedgerKind::Forgetful, ..Self::on_reference(basis, of) }
             }
             // What it injects ahead of a debt is not yet on the account.
-            StabilizerName::LeastNorm => Self { account: Account::Forgetful, ..Self::POPC },
+            StabilizerName::LeastNorm => Self { account: LedgerKind::Forgetful, ..Self::POPC },
         }
     }
 
