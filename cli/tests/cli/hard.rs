@@ -35,7 +35,7 @@ fn all_pass_and_the_files_say_so() {
 fn a_member_of_the_family_replaces_ours() {
     let place = Place::new();
     let said = place.run(["hard", "--stabilizer", "popc-spread", "--out", "made"]);
-    said.ended(0, &["popc-spread in the place of ours", "measured", "does not promise"]);
+    said.ended(0, &["popc-spread instead of ours", "measured", "does not promise"]);
     said.fits();
     let told: Value = serde_json::from_str(&place.text("made/hard.json")).unwrap();
     assert_eq!(told["stabilizer"], "popc-spread");
