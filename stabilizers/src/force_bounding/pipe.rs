@@ -1,36 +1,42 @@
 //! Pipe of forces under way: energy that is committed and does not act yet.
 
+use core::mem::swap;
+
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 
-/// The energy that each force under way may take at most, J, in a ring of `N`.
+/// The energy that each force under way may take at most, J, the latest first; without room for one it has no size.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pipe<T, const N: usize> {
-    costs: [T; N],
-    ticks: usize,
-    next: usize,
+    slots: [Slot<T>; N],
+}
+
+/// Place in the pipe, which a delay shorter than its capacity leaves out.
+#[derive(Clone, Copy, Debug)]
+struct Slot<T> {
+    cost: T,
+    used: bool,
 }
 
 impl<T: Scalar, const N: usize> Pipe<T, N> {
     /// A pipe of `ticks` periods.
     pub(super) fn new(ticks: u32) -> Result<Self, ParameterError> {
         Requirement::AtMost(N as f64).check("delay ticks", f64::from(ticks))?;
-        Ok(Self { costs: [T::of(0.0); N], ticks: ticks as usize, next: 0 })
+        let mut slots = [Slot { cost: T::of(0.0), used: false }; N];
+        slots.iter_mut().take(ticks as usize).for_each(|slot| slot.used = true);
+        Ok(Self { slots })
     }
 
     /// Energy that all of them may take.
     #[inline(always)]
     pub(super) fn committed(&self) -> T {
-        self.costs.iter().fold(T::of(0.0), |sum, cost| sum + *cost)
+        self.slots.iter().fold(T::of(0.0), |sum, slot| sum + slot.cost)
     }
 
-    /// Puts `cost` in the place of the oldest, which acts from now on.
+    /// Puts `cost` behind the others; the oldest leaves, as its force acts from now on.
     #[inline(always)]
-    pub(super) fn push(&mut self, cost: T) {
-        if self.ticks > 0 {
-            if let Some(oldest) = self.costs.get_mut(self.next) {
-                *oldest = cost;
-            }
-            self.next = if self.next + 1 < self.ticks { self.next + 1 } else { 0 };
+    pub(super) fn push(&mut self, mut cost: T) {
+        for slot in self.slots.iter_mut().filter(|slot| slot.used) {
+            swap(&mut slot.cost, &mut cost);
         }
     }
 }
