@@ -7,7 +7,7 @@ use std::path::Path;
 /// The floors of the lab, the lowest first. A room is a folder or a file of a floor.
 const FLOORS: [&str; 6] = ["text", "files", "simulate", "measure", "show", "studies"];
 
-/// What each crate may depend on of ours.
+/// Our crates that each crate may depend on.
 const CRATES: [(&str, &[&str]); 7] = [
     ("lyapunov-core", &[]),
     ("plants", &["lyapunov-core"]),
@@ -122,7 +122,7 @@ fn is_in_a_ring(one: &str, arrows: &BTreeSet<(String, String)>) -> bool {
     }
 }
 
-/// What is wrong with the imports of `files`, a sentence each.
+/// Faults in the imports of `files`, a sentence each.
 fn faults(files: &[File]) -> Vec<String> {
     let floor = |name: Option<&String>| FLOORS.iter().position(|it| name.is_some_and(|n| n == it));
     let rooms: BTreeSet<&[String]> = files.iter().filter_map(|(names, _)| names.get(..2)).collect();

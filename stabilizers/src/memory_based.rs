@@ -66,7 +66,7 @@ impl<T: Scalar, const N: usize> MemoryBased<T, N> {
         Self { look: T::of(1.0 + f64::from(ticks)), ..self }
     }
 
-    /// Where cell `index` and the stretch `[from, to]`, from the surface on, touch.
+    /// Lanes in which cell `index` and the stretch `[from, to]`, from the surface on, touch.
     #[inline(always)]
     fn touched(&self, index: usize, from: T, to: T) -> T::Mask {
         let start = self.cell * T::of(index as f64);

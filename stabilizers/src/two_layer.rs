@@ -8,10 +8,10 @@ use lyapunov_core::{
 use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 
-/// How an end of a two-layer teleoperator keeps and shares its energy.
+/// Energy that an end of a two-layer teleoperator keeps and shares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sharing<T> {
-    /// What is in its tank at the start, J.
+    /// Energy in its tank at the start, J.
     pub start: T,
     /// The share of its tank that it sends on each tick, in 0…1.
     pub share: T,

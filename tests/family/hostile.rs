@@ -1,4 +1,4 @@
-//! What every stabilizer answers to samples that are not sound, whatever else it keeps.
+//! Responses of every stabilizer to unsound samples.
 
 use lyapunov::laws::Samples;
 use lyapunov::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};

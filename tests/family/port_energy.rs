@@ -20,7 +20,7 @@ use crate::support::{Dice, PERIOD, limit, popc};
 
 const TICKS: usize = 300;
 
-/// What a stabilizer counts besides the work of the port, J.
+/// Energy that a stabilizer counts besides the work of the port, J.
 type Credit<V> = fn(&PortSample<V>) -> f64;
 
 fn none<V: Signal>(_: &PortSample<V>) -> f64 {

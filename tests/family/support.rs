@@ -40,7 +40,7 @@ impl Dice {
 /// A device of 0.2 kg and 1 N·s/m in a hand of 200 N/m.
 pub(crate) const HELD: Impedance<f64> = Impedance { mass: 0.2, damping: 1.0, stiffness: 200.0 };
 
-/// How far from the origin `hand` comes at most over `ticks` from 1 mm on, and over the last tenth of them; it ends beyond 1 km.
+/// Largest distance of `hand` from the origin over `ticks` from 1 mm on, and over the last tenth of them; it ends beyond 1 km.
 pub(crate) fn swing(hand: Impedance<f64>, mut port: impl OnePort<f64>, ticks: usize) -> (f64, f64) {
     let mut body = Body::<f64>::new(hand, PERIOD).expect("a body").starting(1e-3, 0.0);
     let (mut sample, mut most, mut late) = (body.start(), 0f64, 0f64);

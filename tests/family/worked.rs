@@ -11,7 +11,7 @@ pub(crate) const A: [f64; 10] = [0.0, 0.5, 1.5, 3.0, 4.0, 4.0, 3.0, 1.5, 0.5, 0.
 /// Anything, N.
 pub(crate) const B: [f64; 10] = [2.0, 2.0, 2.0, -1.0, -1.0, 3.0, 0.0, 0.0, 2.0, 2.0];
 
-/// What `port` answers on [`PATH`], tick by tick, its answers acting at once.
+/// Responses of `port` on [`PATH`], tick by tick, its answers acting at once.
 pub(crate) fn answers<T: Scalar>(mut port: impl OnePort<T>) -> [f64; 10] {
     let (mut last, mut force) = (PATH[0], T::of(0.0));
     PATH.map(|position| {
@@ -36,7 +36,7 @@ impl<T: Scalar> OnePort<T> for Asks {
     }
 }
 
-/// What `stabilizer` makes of the forces `asked` for on [`PATH`].
+/// Efforts that `stabilizer` makes of the forces `asked` for on [`PATH`].
 pub(crate) fn felt<T: Scalar>(stabilizer: impl Stabilizer<T>, asked: [f64; 10]) -> [f64; 10] {
     answers(OnePort::<T>::stabilized(Asks { forces: asked, tick: 0 }, stabilizer))
 }

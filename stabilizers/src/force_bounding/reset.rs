@@ -6,7 +6,7 @@ pub trait Reset {
     const FORGETS: bool;
 }
 
-/// Where no force applied nothing is kept: the published reset.
+/// Reset of the account where no force acted, as published.
 #[derive(Clone, Copy, Debug)]
 pub struct FreshContact;
 
@@ -14,7 +14,7 @@ impl Reset for FreshContact {
     const FORGETS: bool = true;
 }
 
-/// What free motion dissipated stays on the account.
+/// Account that keeps the energy dissipated in free motion.
 #[derive(Clone, Copy, Debug)]
 pub struct KeptCredit;
 

@@ -30,7 +30,7 @@ pub struct Constraint<V: Signal> {
 pub struct Input<V: Signal> {
     /// The input; where none meets the constraint, the one that does not try.
     pub input: V,
-    /// Where some input meets the constraint.
+    /// Lanes in which some input meets the constraint.
     pub feasible: <V::Scalar as Scalar>::Mask,
 }
 

@@ -53,13 +53,13 @@ impl<T: Scalar> EnergyTank<T> {
 }
 
 impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
-    /// What is in it, J.
+    /// Energy in it, J.
     #[inline]
     pub fn energy(&self) -> T {
         self.energy
     }
 
-    /// What passes of the `wished` input over `period` s at the `flow` it acts on (`wished · flow > 0` extracts), while
+    /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts), while
     /// `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is.
     #[inline]
     pub fn pass<V: Signal<Scalar = T>>(

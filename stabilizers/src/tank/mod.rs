@@ -13,16 +13,16 @@ use lyapunov_core::{
 
 use crate::{LimitCredit, StabilizerExt};
 
-/// What a [`Tank`] or an [`EnergyTank`] may hold and hand out.
+/// Limits on the energy that a [`Tank`] or an [`EnergyTank`] may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TankLimits<T> {
-    /// What is in it at the start, J.
+    /// Energy in it at the start, J.
     pub start: T,
-    /// What is never handed out, J.
+    /// Energy that is never handed out, J.
     pub floor: T,
-    /// What it holds at most, J; infinity: no limit.
+    /// Largest energy that it holds, J; infinity: no limit.
     pub ceiling: T,
-    /// What it hands out at most, W; infinity: no limit.
+    /// Largest power that it hands out, W; infinity: no limit.
     pub power: T,
 }
 

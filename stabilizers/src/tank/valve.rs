@@ -4,12 +4,12 @@ use lyapunov_core::Scalar;
 
 use super::TankLimits;
 
-/// What a tank lets in and out in one period.
+/// Valve: the energy that a tank lets in and out in one period.
 pub trait Valve<T: Scalar> {
     /// The share of the wished power `asked` (W, above 0 where it extracts) that passes while the tank holds `energy`.
     fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T;
 
-    /// What a tank that held `energy` and has `left` after its port drew holds once `gain` joules were offered to it.
+    /// Energy of a tank that held `energy` and has `left` after its port drew, once `gain` joules were offered to it.
     fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T;
 }
 

@@ -9,7 +9,7 @@ use super::booking::{Booking, Spending};
 
 /// Stabilizer of an admittance port that compensates the position drift of its corrections.
 ///
-/// What the corrections add up to is the drift, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at
+/// The drift is the sum of the corrections, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at
 /// most `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
 /// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what
 /// absorbs is added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within

@@ -87,7 +87,7 @@ impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> TwoPortSide<V, W, A> {
         self.controller.candidate_mut().receive(energy);
     }
 
-    /// What came in at this port up to now, J, before any correction: to be sent to the other side.
+    /// Energy that came in at this port up to now, J, before any correction: to be sent to the other side.
     #[inline]
     pub fn absorbed(&self) -> V::Scalar {
         self.controller.candidate().absorbed()

@@ -31,7 +31,7 @@ pub struct WaveFollower<T> {
     damping: T,
 }
 
-/// What a [`WaveFollower`] does on one tick.
+/// Motion, effort and returned wave of a [`WaveFollower`] on one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Following<V> {
     /// The commanded flow `v`, m/s.

@@ -47,7 +47,7 @@ impl LinearPart {
     /// a mass at the port adds nothing that is sure to brake.)
     ///
     /// # Two rates
-    /// Where the environment is slower, by `r`, than the servo that estimates its velocities, samples at neither rate
+    /// With an environment slower, by `r`, than the servo that estimates its velocities, samples at neither rate
     /// determine its force, and the theorem does not apply as printed. Its argument does. Between two samples of the
     /// servo the damper dissipates least where the motion is straight, `b Δx² / T`. So the port is passive if and only
     /// if, for all sequences of displacements `u(n)`, `Σ b u² / T + Σ f u ≥ 0`. Over a period of the environment all

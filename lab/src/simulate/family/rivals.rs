@@ -23,7 +23,7 @@ const SMALLEST_CELL: f64 = 1e-6;
 const FEW: usize = 16;
 const MOST: usize = 1024;
 
-/// What energy bounding cannot do without.
+/// Device damping that energy bounding needs.
 const DEVICE_DAMPING: &str = "device.damping";
 
 /// Whether a stabilizer was refused because the device has no damping.
@@ -83,7 +83,7 @@ impl Basis {
     }
 }
 
-/// What follows a store and a damper from a position and a velocity on.
+/// Reference of a store and a damper, from a position and a velocity on.
 struct Following<T: Scalar> {
     limit: DampingLimit<T>,
     start: [T; 2],

@@ -40,7 +40,7 @@ impl StabilizerNames {
         }
     }
 
-    /// Who takes part on `scene`: where all are named, those that it [has parameters for](StabilizerName::fits), else those
+    /// Entrants on `scene`: where all are named, those that it [has parameters for](StabilizerName::fits), else those
     /// that are named.
     #[must_use]
     pub fn on(&self, scene: &Scene) -> Self {

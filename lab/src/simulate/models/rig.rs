@@ -40,7 +40,7 @@ pub(crate) struct Tick {
     pub(crate) alpha: f64,
     /// The debt that this tick cannot serve.
     pub(crate) shortfall: f64,
-    /// What the correction takes from V until the next tick.
+    /// Energy that the correction takes from V until the next tick.
     pub(crate) taken: f64,
 }
 

@@ -5,7 +5,7 @@
 pub(super) struct Told {
     /// The observed energy `L(n)`.
     pub(super) sum: f64,
-    /// What the correction is to dissipate, `α v² T`.
+    /// Energy that the correction is to dissipate, `α v² T`, J.
     pub(super) dissipated: f64,
     /// The part of the debt that the correction cannot serve.
     pub(super) shortfall: f64,

@@ -209,7 +209,7 @@ impl Sight {
         self.velocity.inner(&self.velocity) * self.period
     }
 
-    /// What the correction is to dissipate, J: nothing without damping, whatever the velocity.
+    /// Energy that the correction is to dissipate, J: nothing without damping, whatever the velocity.
     fn burnt(&self) -> f64 {
         if self.alpha == 0.0 { 0.0 } else { self.alpha * self.square() }
     }
