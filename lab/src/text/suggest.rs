@@ -3,6 +3,9 @@
 /// The least likeness, from 0 to 1, at which one word is suggested for another.
 const ALIKE: f64 = 0.5;
 
+/// Likeness of a key and its last parts, which somebody wrote without the tables around them.
+const END: f64 = 0.99;
+
 /// The known word most like this one, if any is like enough.
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     // A word of a million letters is no misspelling, and comparing it takes long.
@@ -26,5 +29,24 @@ fn plain(word: &str) -> String {
 fn likeness(word: &str, candidate: &str) -> f64 {
     let likeness = strsim::normalized_damerau_levenshtein(word, candidate);
     let contained = word.len() >= 3 && (candidate.contains(word) || word.contains(candidate));
-    if contained { likeness.max(ALIKE) } else { likeness }
+    let end =
+        word.contains('.') && candidate.strip_suffix(word).is_some_and(|it| it.ends_with('.'));
+    match (end, contained) {
+        (true, _) => likeness.max(END),
+        (_, true) => likeness.max(ALIKE),
+        _ => likeness,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_key_without_its_outer_table_is_known_by_its_end() {
+        let keys = ["operator.stiffness", "environment.wall.stiffness", "environment.wall.damping"];
+        assert_eq!(nearest("wall.stiffness", &keys), Some("environment.wall.stiffness"));
+        assert_eq!(nearest("stifness", &["mass", "stiffness"]), Some("stiffness"));
+        assert_eq!(nearest("qwertz", &keys), None);
+    }
 }

@@ -92,7 +92,7 @@ impl Explanation {
         if -first.wall > energy.max(0.0) {
             writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
         } else if energy > 0.0 {
-            writeln!(f, "\n  most came in through the {leak}")?;
+            writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
         }
         Ok(())
     }
