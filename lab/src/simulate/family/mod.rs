@@ -16,6 +16,7 @@
 
 mod basic_name;
 mod basis;
+mod judgement;
 mod make;
 mod reference;
 mod rivals;
@@ -25,6 +26,7 @@ mod stabilizer_names;
 
 pub use basic_name::BasicName;
 pub(crate) use basis::Basis;
+pub use judgement::Judgement;
 pub(crate) use reference::Reference;
 pub(crate) use rivals::lacks_damping;
 pub use settings::Settings;

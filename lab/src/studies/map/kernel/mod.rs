@@ -32,7 +32,7 @@ use crate::studies::map::grid::{Grid, GridError};
 use crate::studies::map::outcome::Measures;
 use aligned::Aligned;
 use backward::Fuse;
-use meter::{Everything, Meter, Verdicts};
+use meter::{Chattering, Everything, Meter, Verdicts};
 use parts::Laned;
 use rollout::Rollouts;
 use seats::{Along, Seats};
@@ -121,7 +121,13 @@ impl Kernel {
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<Measures>>, ParameterError> {
-        self.run(Run { kernel: self, basic_name, cells, go_on }, MeasureAll)
+        let run = Run { kernel: self, basic_name, cells, go_on };
+        let Some(mut measures) = self.run(run, MeasureMost)? else { return Ok(None) };
+        let Some(chatters) = self.run(run, MeasureChatter)? else { return Ok(None) };
+        for (measures, chatter) in measures.iter_mut().zip(chatters) {
+            *measures = Measures { chatter, ..*measures }.in_range();
+        }
+        Ok(Some(measures))
     }
 
     /// Whether fused multiplication and addition computes a quotient by the period faster than a division. With fewer
@@ -173,6 +179,7 @@ fn covers(scene: &Scene) -> bool {
 }
 
 /// Some cells under one stabilizer.
+#[derive(Clone, Copy)]
 struct Run<'a> {
     kernel: &'a Kernel,
     basic_name: BasicName,
@@ -213,16 +220,34 @@ impl Watching for Judge {
 }
 
 #[derive(Clone, Copy)]
-struct MeasureAll;
+struct MeasureMost;
 
-impl Watching for MeasureAll {
+impl Watching for MeasureMost {
     type Reading = Measures;
     type Meter<T: Fuse> = Everything<T>;
 
-    const FUSES: bool = false;
+    const FUSES: bool = true;
 
     fn empty(self) -> Measures {
         Measures::default()
+    }
+
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        instructions.run(job)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct MeasureChatter;
+
+impl Watching for MeasureChatter {
+    type Reading = Option<f64>;
+    type Meter<T: Fuse> = Chattering<T>;
+
+    const FUSES: bool = false;
+
+    fn empty(self) -> Option<f64> {
+        None
     }
 
     fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
