@@ -71,7 +71,7 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
     }
 }
 
-/// Meter of all measures of a bounded run but the chatter.
+/// Meter of all measures of a bounded run.
 pub(super) struct Everything<T> {
     rate: f64,
     ticks: f64,
@@ -85,6 +85,7 @@ pub(super) struct Everything<T> {
     stiffness: T,
     force_felt: ForceFelt<T>,
     stiffness_felt: StiffnessFelt<T>,
+    chatter: Option<Chatter<T>>,
 }
 
 impl<T: Fuse> Meter<T> for Everything<T> {
@@ -106,6 +107,7 @@ impl<T: Fuse> Meter<T> for Everything<T> {
             stiffness: lanes.of_wall(|wall| wall.stiffness.get()),
             force_felt: ForceFelt::new(),
             stiffness_felt: StiffnessFelt::new(common.servo_rate.get()),
+            chatter: Chatter::new(common.servo_rate.get()),
         })
     }
 
@@ -121,6 +123,9 @@ impl<T: Fuse> Meter<T> for Everything<T> {
         let ideal = self.wall.force(&Kinematics::at(sample.position, sample.velocity));
         self.force_felt.add(applied, ideal);
         self.stiffness_felt.add(applied, environment, sample.position - self.surface);
+        if let Some(chatter) = &mut self.chatter {
+            chatter.add(applied);
+        }
     }
 
     fn is_decided(&self) -> bool {
@@ -128,6 +133,7 @@ impl<T: Fuse> Meter<T> for Everything<T> {
     }
 
     fn read(&self, lane: usize, _sound: bool) -> Measures {
+        let chatter = self.chatter.as_ref().and_then(Chatter::root_mean_square);
         let millijoules = |energy: T| Some(1e3 * energy.lane(lane));
         let asked = self.stiffness.lane(lane);
         Measures {
@@ -136,44 +142,12 @@ impl<T: Fuse> Meter<T> for Everything<T> {
             energy_injected: millijoules(self.energies.injected()),
             energy_taken: millijoules(self.energies.taken()),
             active: Some(100.0 * self.active.lane(lane) / self.ticks),
-            chatter: None,
+            chatter: chatter.map(|chatter| chatter.lane(lane)),
             energy_given: millijoules(self.given.by_port()),
             energy_given_beyond_damper: millijoules(self.given.beyond_damper()),
             force_felt: self.force_felt.percent(lane),
             stiffness_felt: self.stiffness_felt.stiffness(lane).map(|felt| 100.0 * felt / asked),
         }
         .in_range()
-    }
-}
-
-/// Meter of the chatter of a bounded run.
-pub(super) struct Chattering<T>(Option<Chatter<T>>);
-
-impl<T: Fuse> Meter<T> for Chattering<T> {
-    type Reading = Option<f64>;
-
-    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
-        Ok(Self(Chatter::new(lanes.common().servo_rate.get())))
-    }
-
-    #[inline(always)]
-    fn add<S: Stabilizer<T>>(
-        &mut self,
-        _sample: &PortSample<T>,
-        applied: T,
-        _port: &Watched<T, S>,
-    ) {
-        if let Some(chatter) = &mut self.0 {
-            chatter.add(applied);
-        }
-    }
-
-    fn is_decided(&self) -> bool {
-        self.0.is_none()
-    }
-
-    fn read(&self, lane: usize, _sound: bool) -> Option<f64> {
-        let chatter = self.0.as_ref().and_then(Chatter::root_mean_square);
-        chatter.map(|chatter| chatter.lane(lane))
     }
 }

@@ -32,7 +32,7 @@ use crate::studies::map::grid::{Grid, GridError};
 use crate::studies::map::outcome::Measures;
 use aligned::Aligned;
 use backward::Fuse;
-use meter::{Chattering, Everything, Meter, Verdicts};
+use meter::{Everything, Meter, Verdicts};
 use parts::Laned;
 use rollout::Rollouts;
 use seats::{Along, Seats};
@@ -121,13 +121,7 @@ impl Kernel {
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<Measures>>, ParameterError> {
-        let run = Run { kernel: self, basic_name, cells, go_on };
-        let Some(mut measures) = self.run(run, MeasureMost)? else { return Ok(None) };
-        let Some(chatters) = self.run(run, MeasureChatter)? else { return Ok(None) };
-        for (measures, chatter) in measures.iter_mut().zip(chatters) {
-            *measures = Measures { chatter, ..*measures }.in_range();
-        }
-        Ok(Some(measures))
+        self.run(Run { kernel: self, basic_name, cells, go_on }, MeasureAll)
     }
 
     /// Whether fused multiplication and addition computes a quotient by the period faster than a division. With fewer
@@ -179,7 +173,6 @@ fn covers(scene: &Scene) -> bool {
 }
 
 /// Some cells under one stabilizer.
-#[derive(Clone, Copy)]
 struct Run<'a> {
     kernel: &'a Kernel,
     basic_name: BasicName,
@@ -192,13 +185,7 @@ trait Watching: std::marker::Copy {
     type Reading: std::marker::Copy + Send;
     type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
 
-    /// Whether `run` uses instructions that multiply and add at once.
-    const FUSES: bool;
-
     fn empty(self) -> Self::Reading;
-
-    /// Runs `job` compiled for `instructions` if that is faster.
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
 #[derive(Clone, Copy)]
@@ -208,53 +195,20 @@ impl Watching for Judge {
     type Reading = Option<bool>;
     type Meter<T: Fuse> = Verdicts<T>;
 
-    const FUSES: bool = true;
-
     fn empty(self) -> Option<bool> {
         None
     }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        instructions.run(job)
-    }
 }
 
 #[derive(Clone, Copy)]
-struct MeasureMost;
+struct MeasureAll;
 
-impl Watching for MeasureMost {
+impl Watching for MeasureAll {
     type Reading = Measures;
     type Meter<T: Fuse> = Everything<T>;
 
-    const FUSES: bool = true;
-
     fn empty(self) -> Measures {
         Measures::default()
-    }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        instructions.run(job)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct MeasureChatter;
-
-impl Watching for MeasureChatter {
-    type Reading = Option<f64>;
-    type Meter<T: Fuse> = Chattering<T>;
-
-    const FUSES: bool = false;
-
-    fn empty(self) -> Option<f64> {
-        None
-    }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        // The sums of the chatter lie side by side in memory line by line. Wider vectors gather them one by one,
-        // which takes four times as long.
-        let _ = instructions;
-        job.call()
     }
 }
 
@@ -283,10 +237,9 @@ impl Run<'_> {
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         let seats = Seats::new(&self.kernel.along, self.cells);
-        let fuses = W::FUSES && self.kernel.fuses();
-        let empty = watching.empty();
+        let (empty, fuses) = (watching.empty(), self.kernel.fuses());
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
         // One rollout at a time gains nothing from vectors.
-        if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
+        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
     }
 }
