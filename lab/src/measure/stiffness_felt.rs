@@ -50,3 +50,68 @@ impl<T: Scalar> StiffnessFelt<T> {
         (square > 0.0).then(|| product / square)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+    use lyapunov::lanes::AutoF64x8;
+
+    use super::*;
+
+    /// A tick: applied force, the environment's part of it, depth.
+    type Tick = (f64, f64, f64);
+
+    fn after(ticks: &[Tick]) -> Option<f64> {
+        let mut felt = StiffnessFelt::new(100.0);
+        ticks
+            .iter()
+            .for_each(|&(applied, environment, depth)| felt.add(applied, environment, depth));
+        felt.stiffness(0)
+    }
+
+    /// f = 800 p + 0.1 (−1)^n on two alternating depths.
+    fn pressed(ticks: usize) -> Vec<Tick> {
+        let tick = |n| {
+            let (p, more) = if n % 2 == 0 { (0.002, 0.1) } else { (0.004, -0.1) };
+            (800.0 * p + more, 800.0 * p, p)
+        };
+        (0..ticks).map(tick).collect()
+    }
+
+    #[test]
+    fn the_stiffness_felt_is_the_line_through_the_surface() {
+        let square = 0.002_f64.powi(2) + 0.004_f64.powi(2);
+        let expected = 800.0 + 0.1 * (0.002 - 0.004) / square;
+        assert_relative_eq!(after(&pressed(60)).unwrap(), expected, max_relative = 1e-12);
+        assert_relative_eq!(after(&pressed(50)).unwrap(), expected, max_relative = 1e-12);
+        assert_eq!(after(&pressed(49)), None);
+        assert_eq!(after(&[(1.0, 1.0, 0.0); 60]), None);
+    }
+
+    #[test]
+    fn short_contacts_and_free_motion_do_not_count() {
+        let free = (5.0, 0.0, 0.1);
+        let short = [&pressed(40)[..], &[free]].concat();
+        let long = pressed(60);
+        assert_eq!(after(&[&short[..], &short].concat()), None);
+        let whole = [&short[..], &[free; 70], &long, &[free], &short, &long].concat();
+        assert_relative_eq!(after(&whole).unwrap(), after(&long).unwrap(), max_relative = 1e-12);
+    }
+
+    #[test]
+    fn every_lane_is_its_scalar_run() {
+        // Contacts of another length in each lane.
+        let tick = |lane: usize, n: usize| -> Tick {
+            let p = 1e-3 * (0.7 * n as f64).sin().abs();
+            if n % (45 + 2 * lane) == 0 { (0.3, 0.0, p) } else { (900.0 * p, 800.0 * p + 0.1, p) }
+        };
+        let mut lanes = StiffnessFelt::new(100.0);
+        for n in 0..400 {
+            let of = |part: fn(Tick) -> f64| AutoF64x8::from_lanes(|lane| part(tick(lane, n)));
+            lanes.add(of(|it| it.0), of(|it| it.1), of(|it| it.2));
+        }
+        let alone = |lane| after(&(0..400).map(|n| tick(lane, n)).collect::<Vec<_>>());
+        assert!((0..8).all(|lane| lanes.stiffness(lane) == alone(lane)));
+        assert!(alone(0).is_none() && alone(7).is_some());
+    }
+}
