@@ -6,7 +6,7 @@ use super::building::{Assembly, in_space};
 use super::{models, teleoperation};
 use crate::files::models::{self as model_files, Model};
 use crate::files::scene::{
-    self, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
+    self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
 };
 use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
 
@@ -18,6 +18,9 @@ impl Draft {
     /// The first broken rule, and its key.
     pub fn check(self) -> Result<Scene, Conflict> {
         let scene = self.by_rules()?;
+        if let Some(stabilizer) = &scene.stabilizer {
+            stabilizer.kind().check(&Basis::of(&scene))?;
+        }
         // Values that are each allowed may make a loop that is not.
         let built = in_space!(scene, Axes => Assembly::<Axes>::of(&scene).map(drop));
         match built {

@@ -38,7 +38,7 @@ struct Line<'a> {
 /// None: every part can be written as JSON.
 pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
-        let cap = comparison.settings.damping_cap.get();
+        let cap = comparison.settings.damping_cap;
         (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {

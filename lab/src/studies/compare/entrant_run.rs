@@ -38,11 +38,11 @@ impl<V: Space> EntrantRun<V> {
         entrant: &Entrant<V>,
         watch: &Watch<'_>,
     ) -> Result<Self, RunError> {
-        let stabilizer = entrant.stabilizer(scene)?;
-        let state_bytes = stabilizer.state_bytes();
+        let fitted = entrant.fitted(scene)?;
+        let state_bytes = fitted.state_bytes();
         let mut meters = Meters::new::<V>(scene);
         let mut samples = Vec::new();
-        let rollout = Rollout::assemble(scene, stabilizer)?;
+        let rollout = Rollout::assemble(scene, fitted)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
             // The caller who asked for an early end knows of it.
             let _ = { rollout }.try_for_each(each);

@@ -6,7 +6,7 @@ use lyapunov::{ParameterError, Scalar, Stabilizer};
 
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
-use crate::simulate::{AnyStabilizer, Space};
+use crate::simulate::{AnyStabilizer, Fitted, Space};
 
 /// The entrants of a comparison: names, and the way to make each stabilizer for a scene.
 ///
@@ -34,7 +34,7 @@ pub struct Entrants<V: Space = f64> {
 }
 
 /// Constructor of an entrant's stabilizer.
-type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
+type Make<V> = dyn Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync;
 
 /// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
@@ -55,7 +55,9 @@ impl<V: Space> Entrants<V> {
         name: impl Into<String>,
         make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entered(name.into(), move |scene| make(scene).map(AnyStabilizer::new))
+        self.entered(name.into(), move |scene| {
+            make(scene).map(|made| Fitted::Behind(AnyStabilizer::new(made)))
+        })
     }
 
     /// The names, in the order of registration.
@@ -70,7 +72,7 @@ impl<V: Space> Entrants<V> {
     fn entered(
         mut self,
         name: String,
-        make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
         self.entries.push(Entrant { name, make: Box::new(make) });
         self
@@ -92,7 +94,7 @@ impl<T: Scalar + Space> Entrants<T> {
 }
 
 impl<V: Space> Entrant<V> {
-    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+    pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
         (self.make)(scene)
     }
 }

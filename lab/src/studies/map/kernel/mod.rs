@@ -241,10 +241,11 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
-        let candidate = match self.basic_name.on(&self.kernel.along.base) {
+        let candidate = match self.basic_name.table(&self.kernel.along.base) {
             None => return self.under::<T, NoStabilizer, W>(watching),
-            Some(Stabilizer::Popc(_)) => Candidate::Spring,
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
+            // POPC: no other has a basic name.
+            Some(_) => Candidate::Spring,
         };
         match candidate {
             Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
