@@ -8,7 +8,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_figures::Figure;
 use lyapunov_lab::compare::{
-    Column, CompareError, Comparison, Energies, Entrants, TradeOff, document,
+    Broken, Column, CompareError, Comparison, Energies, Entrants, TradeOff, document,
 };
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::{Scalar, Scene};
@@ -84,6 +84,10 @@ impl Compare {
         for (index, comparison) in shown.iter().enumerate() {
             let gap = if index == 0 { "" } else { "\n" };
             write!(out, "{gap}{comparison}").map_err(standard_output)?;
+        }
+        let broken = Broken::of(shown);
+        if shown.len() > 1 && !broken.is_empty() {
+            write!(out, "\n{broken}").map_err(standard_output)?;
         }
         Ok(())
     }

@@ -15,11 +15,13 @@
 //! ```
 
 mod basic_name;
+mod judgement;
 mod settings;
 mod stabilizer_name;
 mod stabilizer_names;
 
 pub use basic_name::BasicName;
+pub use judgement::Judgement;
 pub use settings::Settings;
 pub use stabilizer_name::{StabilizerName, UnknownStabilizer};
 pub use stabilizer_names::{StabilizerNames, StabilizerNamesError};

@@ -5,12 +5,12 @@ use std::ops::ControlFlow;
 use lyapunov::Scalar;
 
 use super::compared::{BREATH, RunError, watched};
-use super::contacts::{Contacts, Touch, wall};
+use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
 use crate::files::Scene;
-use crate::measure::{Boundedness, Chatter, Energies, Share, Summary, Trace};
+use crate::measure::{Boundedness, Chatter, Energies, Physical, Share, Summary, Trace};
 use crate::simulate::{Criterion, Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
@@ -55,6 +55,7 @@ impl<V: Space> EntrantRun<V> {
             }
         })?;
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
+        let score = Score { judged_by: entrant.judgement, ..score };
         Ok(Self { score, curves, samples })
     }
 }
@@ -62,13 +63,13 @@ impl<V: Space> EntrantRun<V> {
 /// All measures along a run.
 #[derive(Debug)]
 struct Meters {
-    stiffness: Option<f64>,
     share: Share,
     summary: Summary,
     criterion: Criterion,
     boundedness: Boundedness<f64>,
     contacts: Contacts,
     energies: Energies<f64>,
+    physical: Physical,
     chatter: Option<Chatter<f64>>,
     position: Trace,
     observed_energy: Trace,
@@ -78,13 +79,13 @@ struct Meters {
 impl Meters {
     fn new<V: Space>(scene: &Scene) -> Self {
         Self {
-            stiffness: wall(scene).map(|wall| wall.stiffness.get()),
             share: Share::new::<V>(scene),
             summary: Summary::new(scene),
             criterion: Criterion::of(scene),
             boundedness: Boundedness::new(scene.ticks()),
             contacts: Contacts::new(scene),
             energies: Energies::new(),
+            physical: Physical::new(scene),
             chatter: Chatter::new(scene.servo_rate.get()),
             position: Trace::new(scene.ticks()),
             observed_energy: Trace::new(scene.ticks()),
@@ -104,6 +105,7 @@ impl Meters {
         self.boundedness.add(touch.position);
         self.contacts.add(&touch);
         self.energies.add(touch.position, split.environment, split.controller);
+        self.physical.add(tick, &split);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(touch.force);
         }
@@ -114,11 +116,13 @@ impl Meters {
 
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
         self.contacts.end();
-        let Self { summary, contacts, energies, .. } = &self;
+        let Self { summary, contacts, energies, physical, .. } = &self;
         let stable = self.boundedness.verdict(0, &self.criterion);
         let told = |value: Option<f64>| value.filter(|value| value.is_finite());
         let millijoules = |energy: f64| told(Some(1e3 * energy));
-        let felt = told(contacts.stiffness());
+        let (stiffness, percent) = physical.stiffness_felt().unzip();
+        let [given, beyond_damper] = physical.millijoules_given().map(|energy| told(Some(energy)));
+        let of_stable = |value: Option<f64>| told(value.filter(|_| stable == Some(true)));
         let active = 100.0 * summary.active as f64 / summary.rows as f64;
         let score = Score {
             stabilizer,
@@ -129,15 +133,18 @@ impl Meters {
             energy_injected: millijoules(energies.injected()),
             energy_taken: millijoules(energies.taken()),
             shortfall: millijoules(summary.shortfall),
-            stiffness_felt: felt,
-            stiffness_percent: told(
-                felt.zip(self.stiffness).map(|(felt, asked)| 100.0 * felt / asked),
-            ),
-            force_error: told(contacts.force_error().filter(|_| stable == Some(true))),
+            stiffness_felt: told(stiffness),
+            stiffness_percent: told(percent),
+            force_error: of_stable(contacts.force_error()),
             chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
             active: told(Some(active)),
             step_time: None,
             state_bytes,
+            energy_given: given,
+            energy_given_beyond_damper: beyond_damper,
+            force_felt: of_stable(physical.force_felt()),
+            broke_it: None,
+            judged_by: None,
         };
         let [position, observed_energy, force] =
             [self.position, self.observed_energy, self.force].map(Trace::finish);

@@ -28,6 +28,10 @@ impl StabilizerKind for EnergyBounding {
         Pledge { manner: Manner::Follows, ..Pledge::moved(on.damping) }
     }
 
+    fn adds_damping(&self) -> bool {
+        false
+    }
+
     fn lacks(&self, on: &Basis) -> Option<&'static str> {
         self.c1.is_none().then(|| on.undamped()).flatten()
     }

@@ -26,6 +26,10 @@ impl StabilizerKind for ForceBound {
         let moved = Pledge::moved(self.damping(on));
         Pledge { budget: self.budget(on), manner: Manner::Cuts, ..moved }
     }
+
+    fn adds_damping(&self) -> bool {
+        false
+    }
 }
 
 impl Anywhere for ForceBound {

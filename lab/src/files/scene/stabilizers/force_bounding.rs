@@ -27,6 +27,10 @@ impl StabilizerKind for ForceBounding {
         let moved = Pledge::moved(self.damping(on));
         Pledge { account: LedgerKind::Forgetful, manner: Manner::Cuts, ..moved }
     }
+
+    fn adds_damping(&self) -> bool {
+        false
+    }
 }
 
 impl Anywhere for ForceBounding {

@@ -95,6 +95,11 @@ pub(crate) trait StabilizerKind: Numbers {
     /// Its promises beyond finite outputs.
     fn pledge(&self, on: &Basis) -> Pledge;
 
+    /// Whether it takes energy out of a motion by a damper, and not only by smaller forces.
+    fn adds_damping(&self) -> bool {
+        true
+    }
+
     /// Whether it makes the promises of POPC: it serves every debt at once, and credits nothing that may not have been
     /// dissipated.
     fn promises(&self) -> bool {

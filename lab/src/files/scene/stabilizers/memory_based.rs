@@ -29,6 +29,10 @@ impl StabilizerKind for MemoryBased {
     fn pledge(&self, _on: &Basis) -> Pledge {
         Pledge { manner: Manner::Cuts, ..Pledge::POPC }
     }
+
+    fn adds_damping(&self) -> bool {
+        false
+    }
 }
 
 impl OnALine for MemoryBased {

@@ -29,6 +29,10 @@ impl StabilizerKind for PathMemory {
     fn pledge(&self, _on: &Basis) -> Pledge {
         Pledge { account: LedgerKind::None, manner: Manner::Cuts, ..Pledge::POPC }
     }
+
+    fn adds_damping(&self) -> bool {
+        false
+    }
 }
 
 impl OnALine for PathMemory {

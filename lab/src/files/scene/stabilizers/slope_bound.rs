@@ -27,6 +27,10 @@ impl StabilizerKind for SlopeBound {
         Pledge { manner: Manner::Cuts, ..Pledge::POPC }
     }
 
+    fn adds_damping(&self) -> bool {
+        false
+    }
+
     fn lacks(&self, on: &Basis) -> Option<&'static str> {
         self.slope.is_none().then(|| on.undamped()).flatten()
     }

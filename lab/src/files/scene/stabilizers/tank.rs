@@ -37,6 +37,10 @@ impl StabilizerKind for Tank {
         }
     }
 
+    fn adds_damping(&self) -> bool {
+        false
+    }
+
     fn check(&self, on: &Basis) -> Result<(), Conflict> {
         let (start, floor, ceiling) = (self.start(on), self.floor(on), self.ceiling(on));
         if floor > start {

@@ -48,16 +48,24 @@ impl<'a> Lanes<'a> {
         Ok(body.resting_at(self.each(|it| it.operator.rest.get())).starting(position, velocity))
     }
 
+    /// Wall with the numbers of each lane.
+    pub(super) fn wall<T: Scalar>(self) -> Result<Wall<T>, ParameterError> {
+        let wall =
+            Wall::new(self.of_wall(|it| it.stiffness.get()), self.of_wall(|it| it.damping.get()))?;
+        Ok(wall.at(self.of_wall(|it| it.position.get())))
+    }
+
+    /// One number of the wall of each scene.
+    pub(super) fn of_wall<T: Scalar>(self, number: fn(&scene::Wall) -> f64) -> T {
+        self.each(|scene| scene.environment.wall().map_or(0.0, number))
+    }
+
     /// Port with the numbers of each lane; `fuses` as in [`Period::of`].
     pub(super) fn port<T: Fuse, S: Laned<T>>(
         self,
         fuses: bool,
     ) -> Result<Watched<T, S>, ParameterError> {
-        let of = |number: fn(&scene::Wall) -> f64| {
-            self.each(|scene| scene.environment.wall().map_or(0.0, number))
-        };
-        let wall = Wall::new(of(|it| it.stiffness.get()), of(|it| it.damping.get()))?;
-        let wall = wall.at(of(|it| it.position.get()));
+        let wall = self.wall()?;
         let stabilizer = S::of(self, &wall)?;
         let ticks = u32::try_from(self.common().environment_ratio()).unwrap_or(u32::MAX);
         let period = Period::of(self.common().period(), fuses);
