@@ -79,7 +79,7 @@ pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{
     Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive, Probability,
-    Seed, StepsPerTick, WindowTicks,
+    Seed, Share, StepsPerTick, WindowTicks,
 };
 pub(crate) use quantity::{of, two};
 pub(crate) use schema::schema_of;

@@ -148,6 +148,14 @@ impl Default for Cap {
 }
 
 quantity!(
+    /// A share of a whole, which is not nothing.
+    Share,
+    "greater than 0 and at most 1",
+    { "type": "number", "exclusiveMinimum": 0, "maximum": 1 },
+    |value| value > 0.0 && value <= 1.0
+);
+
+quantity!(
     /// A number from 0 to 1.
     #[derive(Default)]
     Probability,

@@ -24,6 +24,7 @@ mod trade_off;
 
 pub use crate::simulate::Subject;
 pub use crate::simulate::family::Settings;
+pub use crate::text::names::{Named, Names, NamesError};
 pub use column::{Column, UnknownColumn};
 pub use compared::{Compared, RunError, Watch};
 pub use comparison::{CompareError, Comparison};
