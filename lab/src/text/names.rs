@@ -4,7 +4,8 @@ use std::fmt;
 use std::ops::Deref;
 use std::str::FromStr;
 
-use super::{nearest, shorten};
+use super::excerpt::shorten;
+use super::suggest::nearest;
 
 /// Entrant that is called by name on the command line.
 pub trait Named: Copy + PartialEq + 'static {

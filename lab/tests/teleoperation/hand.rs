@@ -298,7 +298,7 @@ fn run(file: &Teleoperator, entrant: Entrant) -> Found {
 
         let depth = (y - SURFACE).max(0.0);
         if depth > 0.0 {
-            found.touch.get_or_insert(tick as f64 * T);
+            found.touch.get_or_insert(tick as f64 / 1e3);
         }
         let energy = MASS * (v * v + w * w) + HAND * x * x + WALL * depth * depth;
         found.master.push(x);

@@ -18,6 +18,9 @@ fn energy_that_both_ports_generated_is_reported_as_shortfall() {
         let rows = scores(&compared(&parsed(&text)));
         for (entrant, row) in Entrant::ALL.iter().zip(rows) {
             let (given, shortfall) = (row.given.unwrap(), row.shortfall.unwrap());
+            // 5 mJ are in the hand at the start, and only the link can add to them.
+            let energy = row.energy.unwrap();
+            assert!(energy <= 5.0 + given + 1e-9 * (1.0 + given), "{row:?} in\n{text}");
             // The tolerance is for ledgers of some 10 mJ.
             match entrant {
                 Entrant::None => generated += i32::from(given > 1.0),

@@ -102,7 +102,7 @@ fn a_damper_of_that_size_settles_by_itself() {
     assert!((added - 10.2).abs() < 1e-12, "{added} N.s/m");
     let [none, ..] = scores(&compared(&file));
     let (end, ideal) = (none.felt_end.unwrap(), file.ideal_force());
-    assert!(none.bounded && (end - ideal).abs() < 1e-6 && none.speed.unwrap() < 1e-3, "{none:?}");
+    assert!(none.bounded && (end - ideal).abs() < 1e-4 && none.speed.unwrap() < 1e-3, "{none:?}");
 }
 
 /// A neutral channel equals an absent one, and compensation without a speed equals the plain two-port.
