@@ -9,6 +9,7 @@ use crate::files::scene::{
     self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
 };
 use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
+use crate::text::names::Named;
 
 impl Draft {
     /// Checks the rules between values and returns the scene: the number of ticks, the ratio of the rates, what tables
@@ -132,7 +133,7 @@ impl Teleoperator {
     /// The first broken rule, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_rules()?;
-        teleoperation::Entrant::ALL.into_iter().try_for_each(|entrant| {
+        teleoperation::Entrant::ALL.iter().copied().try_for_each(|entrant| {
             teleoperation::rig::build(self, entrant).map_err(|refused| self.refusal(refused))
         })
     }

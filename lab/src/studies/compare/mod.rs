@@ -25,6 +25,7 @@ mod trade_off;
 
 pub use crate::simulate::Subject;
 pub use crate::simulate::family::{Judgement, Settings};
+pub use crate::text::names::{Named, Names, NamesError};
 pub use broken::Broken;
 pub use column::{Column, UnknownColumn};
 pub use compared::{Compared, RunError, Watch};
