@@ -4,6 +4,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use lyapunov_lab::Verdict;
 use lyapunov_lab::compare::Compared;
 use lyapunov_lab::scene::Scalar;
 use lyapunov_lab::teleoperation::{Comparison, Score, Teleoperator, schema_text};
@@ -61,8 +62,9 @@ fn the_loop_alone_swings_up_and_the_others_hold() {
             file.scalar = scalar;
             file.check().unwrap();
             let rows = scores(&compared(&file));
-            let bounded = rows.map(|row| row.bounded);
-            assert_eq!(bounded, [false, true, true, true, true], "{name} in {scalar:?}");
+            let verdicts = rows.map(|row| row.verdict);
+            assert_eq!(verdicts[0], Verdict::Grows, "{name} in {scalar:?}");
+            assert_eq!(verdicts[1..], [Verdict::Settles; 4], "{name} in {scalar:?}");
             let [_, alone, joined, compensated, _] = rows.map(|row| row.drift.unwrap().abs());
             assert!(alone > 1.5 * joined && joined > compensated, "{name}: {rows:?}");
             let [_, alone, joined, ..] = rows.map(|row| row.shortfall.unwrap());
@@ -84,7 +86,7 @@ fn debts_do_not_grow_with_time() {
             assert_eq!(long.shortfall, short.shortfall, "{name}: {}", long.stabilizer);
             let (kept, before) = (long.kept.unwrap(), short.kept.unwrap());
             assert!(kept >= before - 1e-6, "{name}: {} {kept} {before} mJ", long.stabilizer);
-            assert!(long.bounded, "{name}: {}", long.stabilizer);
+            assert_eq!(long.verdict, Verdict::Settles, "{name}: {}", long.stabilizer);
         }
     }
 }

@@ -25,7 +25,7 @@ fn waves_rest_where_springs_in_series_do() {
         };
         is("drift", waves.drift, -1e3 * force * line);
         is("error", waves.error_end, 1e3 * force * (line + coordination));
-        assert!(waves.bounded && waves.speed.unwrap() < 1e-3, "{waves:?}");
+        assert!(waves.verdict.is_bounded() && waves.speed.unwrap() < 1e-3, "{waves:?}");
         if delay == 0 {
             let force = 0.005 / (hand + coordination + wall);
             is("drift without waves", none.drift, 0.0);

@@ -6,7 +6,8 @@ use lyapunov::environments::Time;
 
 use super::{Reference, Settings};
 use crate::files::scene::{Damping, Scene};
-use crate::simulate::equilibrium::{Criterion, last_pull};
+use crate::simulate::criterion::Criterion;
+use crate::simulate::equilibrium::last_pull;
 
 /// Slots of a credit window.
 pub(super) const SLOTS: usize = 8;

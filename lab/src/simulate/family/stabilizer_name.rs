@@ -103,6 +103,18 @@ impl StabilizerName {
         self != Self::EnergyBounding || scene.device.damping.get() > 0.0
     }
 
+    /// Whether it injects damping, and does not only change the environment's force.
+    pub fn adds_damping(self) -> bool {
+        !matches!(
+            self,
+            Self::ForceBound
+                | Self::Tank
+                | Self::EnergyBounding
+                | Self::ForceBounding
+                | Self::MemoryBased
+        )
+    }
+
     /// The basic name, if a scene file can name this stabilizer.
     pub fn basic_name(self) -> Option<BasicName> {
         match self {

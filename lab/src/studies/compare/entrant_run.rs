@@ -10,8 +10,8 @@ use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
 use crate::files::Scene;
-use crate::measure::{Boundedness, Chatter, Energies, Share, Summary, Trace};
-use crate::simulate::{Criterion, Rollout, Space, Tick};
+use crate::measure::{Chatter, Energies, Share, Summary, Trace, Verdict};
+use crate::simulate::{Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
 pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
@@ -55,6 +55,7 @@ impl<V: Space> EntrantRun<V> {
             }
         })?;
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
+        let score = Score { active: score.active.filter(|_| entrant.adds_damping), ..score };
         Ok(Self { score, curves, samples })
     }
 }
@@ -65,8 +66,6 @@ struct Meters {
     stiffness: Option<f64>,
     share: Share,
     summary: Summary,
-    criterion: Criterion,
-    boundedness: Boundedness<f64>,
     contacts: Contacts,
     energies: Energies<f64>,
     chatter: Option<Chatter<f64>>,
@@ -81,8 +80,6 @@ impl Meters {
             stiffness: wall(scene).map(|wall| wall.stiffness.get()),
             share: Share::new::<V>(scene),
             summary: Summary::new(scene),
-            criterion: Criterion::of(scene),
-            boundedness: Boundedness::new(scene.ticks()),
             contacts: Contacts::new(scene),
             energies: Energies::new(),
             chatter: Chatter::new(scene.servo_rate.get()),
@@ -101,7 +98,6 @@ impl Meters {
             environment: split.environment,
         };
         self.summary.add(tick);
-        self.boundedness.add(touch.position);
         self.contacts.add(&touch);
         self.energies.add(touch.position, split.environment, split.controller);
         if let Some(chatter) = &mut self.chatter {
@@ -115,14 +111,14 @@ impl Meters {
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
         self.contacts.end();
         let Self { summary, contacts, energies, .. } = &self;
-        let stable = self.boundedness.verdict(0, &self.criterion);
+        let verdict = summary.verdict();
         let told = |value: Option<f64>| value.filter(|value| value.is_finite());
         let millijoules = |energy: f64| told(Some(1e3 * energy));
         let felt = told(contacts.stiffness());
         let active = 100.0 * summary.active as f64 / summary.rows as f64;
         let score = Score {
             stabilizer,
-            stable,
+            verdict,
             settling_time: summary.settled.filter(|_| summary.left_range().is_none()),
             short_peak: contacts.short_peak(),
             long_peak: contacts.long_peak(),
@@ -133,7 +129,7 @@ impl Meters {
             stiffness_percent: told(
                 felt.zip(self.stiffness).map(|(felt, asked)| 100.0 * felt / asked),
             ),
-            force_error: told(contacts.force_error().filter(|_| stable == Some(true))),
+            force_error: told(contacts.force_error().filter(|_| verdict != Verdict::Grows)),
             chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
             active: told(Some(active)),
             step_time: None,

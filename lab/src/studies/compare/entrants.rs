@@ -39,6 +39,7 @@ type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send
 /// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
     pub(super) name: String,
+    pub(super) adds_damping: bool,
     make: Box<Make<V>>,
 }
 
@@ -55,7 +56,7 @@ impl<V: Space> Entrants<V> {
         name: impl Into<String>,
         make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entered(name.into(), move |scene| make(scene).map(AnyStabilizer::new))
+        self.entered(name.into(), true, move |scene| make(scene).map(AnyStabilizer::new))
     }
 
     /// The names, in the order of registration.
@@ -70,9 +71,10 @@ impl<V: Space> Entrants<V> {
     fn entered(
         mut self,
         name: String,
+        adds_damping: bool,
         make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entries.push(Entrant { name, make: Box::new(make) });
+        self.entries.push(Entrant { name, adds_damping, make: Box::new(make) });
         self
     }
 }
@@ -86,7 +88,8 @@ impl<T: Scalar + Space> Entrants<T> {
     /// These members of the family, set as the scene says.
     pub fn of(members: impl IntoIterator<Item = StabilizerName>) -> Self {
         members.into_iter().fold(Self::empty(), |others, member| {
-            others.entered(member.name().to_owned(), move |scene| member.on(scene))
+            let name = member.name().to_owned();
+            others.entered(name, member.adds_damping(), move |scene| member.on(scene))
         })
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::measure::Verdict;
+
 /// The score of one entrant on one scene; docs/compare.md defines every number.
 ///
 /// Numbers that do not apply or are out of range are `None`.
@@ -9,8 +11,8 @@ use serde::Serialize;
 pub struct Score {
     /// The entrant.
     pub stabilizer: String,
-    /// Whether the run was bounded and did not grow.
-    pub stable: Option<bool>,
+    /// The verdict on the run.
+    pub verdict: Verdict,
     /// The time since when the plant has stayed in the band about its equilibrium, s.
     #[serde(rename = "settling_time_s")]
     pub settling_time: Option<f64>,
@@ -35,13 +37,13 @@ pub struct Score {
     /// The stiffness felt in percent of the wall's.
     #[serde(rename = "stiffness_felt_percent")]
     pub stiffness_percent: Option<f64>,
-    /// Root mean square of the force on the plant minus the ideal wall's in contact, of stable runs, N.
+    /// Root mean square of the force on the plant minus the ideal wall's in contact, of runs that do not grow, N.
     #[serde(rename = "force_error_rms_n")]
     pub force_error: Option<f64>,
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.
     #[serde(rename = "chatter_rms_n")]
     pub chatter: Option<f64>,
-    /// Share of the ticks on which damping was injected, percent.
+    /// Share of the ticks on which damping was injected, percent; `None` for a law that adds no damping.
     #[serde(rename = "active_percent")]
     pub active: Option<f64>,
     /// Time of one step.

@@ -7,12 +7,13 @@ use super::column::Column;
 use crate::files::Scene;
 use crate::show::described;
 use crate::show::table::{Heading, Table};
+use crate::show::verdict::by_speed;
 use crate::text::given;
 
 /// Columns of the loop's behaviour.
 const BEHAVIOUR: [Column; 8] = [
     Column::Stabilizer,
-    Column::Stable,
+    Column::Verdict,
     Column::SettlingTime,
     Column::ShortPeak,
     Column::LongPeak,
@@ -36,9 +37,12 @@ const FEEL: [Column; 8] = [
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
+    if let Some(by) = by_speed(&comparison.scene) {
+        writeln!(f, "judged {by}")?;
+    }
     for columns in [BEHAVIOUR, FEEL] {
         let headings = columns.map(|column| match column {
-            Column::Stabilizer | Column::Stable => Heading::word(column.heading()),
+            Column::Stabilizer | Column::Verdict => Heading::word(column.heading()),
             _ => Heading::number(column.heading()),
         });
         let rows = comparison.scores().map(|score| columns.map(|column| column.cell(score)));

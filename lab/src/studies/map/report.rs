@@ -1,12 +1,14 @@
-//! The table of stable areas, and the self-contained report page of a map.
+//! The table of areas by verdict, and the self-contained report page of a map.
 
 use maud::html;
 
 use super::bounds::Bounds;
 use super::picture::NamedFigure;
 use super::survey::Survey;
+use crate::measure::Verdict;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
+use crate::show::verdict::by_speed;
 
 /// The page of a map with its `figures`, as HTML; `command` made the map.
 pub fn page(
@@ -20,19 +22,20 @@ pub fn page(
     let body = html! {
         p {
             (grid.x.count) " by " (grid.y.count) " cells, computed by " (html::maker(command)) "."
+            @for note in notes(survey) { " " (note) "." }
         }
-        h2 { "What is rendered stably" }
+        h2 { "Which runs settle, and which stay bounded" }
         (table(survey, bounds).to_html("short"))
         p {
-            "The area, in " (survey.unit()) ", is the share of the rectangle of both axes; a logarithmic axis counts in \
-             decades. Of the exact bound: the stiffness below the first that is unstable, over the exact bound of the loop \
-             without a stabilizer, the middle one over the values of the other axis; >= where it holds up to the edge of \
-             the map."
+            "Bounded are the cells whose run settles or is swinging; their area, in " (survey.unit()) ", is their share \
+             of the rectangle of both axes, where a logarithmic axis counts in decades. Of the exact limit: the last \
+             bounded stiffness before the first that grows, over the exact limit of the linear loop without a stabilizer, \
+             the middle one over the values of the other axis; >= where it stays bounded up to the edge of the map."
         }
         h2 { "Heat maps" }
         @for NamedFigure { name, words, figure } in figures {
             @let caption = html! {
-                (words) ". Of cells that are not bounded only the first map tells."
+                (words) ". Of runs that grow only the first map tells."
             };
             (html::figure(Some(name), figure.to_svg(), &caption))
         }
@@ -49,30 +52,48 @@ pub fn page(
 /// Table of areas for the terminal, with the axes and the unit.
 pub fn areas(survey: &Survey, bounds: Option<&Bounds>) -> String {
     let grid = survey.grid();
-    format!("{}\n{}\narea in {}\n\n{}", grid.x, grid.y, survey.unit(), table(survey, bounds))
+    let notes: String = notes(survey).iter().map(|note| format!("{note}\n")).collect();
+    format!("{}\n{}\narea in {}\n{notes}\n{}", grid.x, grid.y, survey.unit(), table(survey, bounds))
 }
 
-/// Table of the stable cells, the judged cells, their share, their area, and the stiffness over the exact bound; `-`
-/// for an unknown number.
+/// Remarks that the verdicts need.
+fn notes(survey: &Survey) -> Vec<String> {
+    let all = survey.grid().cells();
+    let stabilizers = 0..survey.grid().stabilizers.len();
+    let short = stabilizers.map(|index| survey.cells(index, Verdict::TooShort)).max().unwrap_or(0);
+    let told =
+        |cells: u64, what: &str| (cells > 0).then(|| format!("{cells} of {all} cells {what}"));
+    let by_speed = match by_speed(&survey.grid().scene) {
+        Some(by) if survey.by_speed() == all => Some(format!("judged {by}")),
+        _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
+    };
+    by_speed.into_iter().chain(told(short, "are too short to judge")).collect()
+}
+
+/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and the stiffness over the
+/// exact limit; `-` for an unknown number.
 fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
     let headings = [
         Heading::word("stabilizer"),
-        Heading::number("stable\ncells"),
+        Heading::number("settles"),
+        Heading::number("bounded"),
+        Heading::number("bounded\ncells"),
         Heading::number("of"),
-        Heading::number("share"),
-        Heading::number("area"),
-        Heading::number("of the\nexact bound"),
+        Heading::number("bounded\narea"),
+        Heading::number("of the\nexact limit"),
     ];
     Table::new(headings).with_rows(survey.grid().stabilizers.iter().enumerate().map(
         |(index, member)| {
-            let area = survey.area(index);
+            let (settling, bounded) = (survey.settling(index), survey.bounded(index));
+            let percent = |share: Option<f64>| share.map(|share| format!("{:.2} %", 100.0 * share));
             let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
             [
                 member.name().into(),
-                area.stable.to_string().into(),
-                area.judged.to_string().into(),
-                area.share.map(|share| format!("{:.2} %", 100.0 * share)).into(),
-                area.area.into(),
+                percent(settling.share).into(),
+                percent(bounded.share).into(),
+                bounded.cells.to_string().into(),
+                survey.judged(index).to_string().into(),
+                bounded.area.into(),
                 over.map(|over| over.to_string()).into(),
             ]
         },

@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use crate::files::teleoperation::Teleoperator;
-use crate::measure::teleoperation::{BOUND, Score};
+use crate::measure::teleoperation::{BAND, BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{found, given};
 
@@ -27,9 +27,11 @@ pub(super) fn start(file: &Teleoperator) -> String {
     let cap =
         if cap.is_infinite() { "no damping cap".to_owned() } else { format!("cap {}", given(cap)) };
     format!(
-        "{} mJ in the hand at the start, bounded within {} times that; {cap}, {} mm/s, b = {} N.s/m",
+        "{} mJ in the hand at the start; grows above {} times that, settles with {} of it in motion; \
+         {cap}, {} mm/s, b = {} N.s/m",
         found(1e3 * file.stored_at_start()),
         given(BOUND),
+        given(BAND),
         given(1e3 * file.stabilizer.compensation_speed.get()),
         given(file.wave_impedance())
     )
@@ -39,7 +41,7 @@ pub(super) fn start(file: &Teleoperator) -> String {
 pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
     let motion = [
         Heading::word("stabilizer"),
-        Heading::word("bounded"),
+        Heading::word("verdict"),
         Heading::number("largest\nenergy\nmJ"),
         Heading::number("speed at\nthe end\nmm/s"),
         Heading::number("largest\nerror\nmm"),
@@ -64,7 +66,7 @@ pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
 fn in_motion(score: &Score) -> [Cell; 7] {
     [
         score.stabilizer.into(),
-        score.bounded.into(),
+        score.verdict.into(),
         score.energy.into(),
         score.speed.into(),
         score.error.into(),
