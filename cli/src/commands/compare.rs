@@ -32,7 +32,7 @@ pub(super) const RESULTS: &str = "compare.json";
 ///
 /// Prints a table for each scene. All stabilizers take damping_cap from the scene's own stabilizer if it has one, POPC and
 /// LOLC its work and ledger as well; docs/family.md says what each of the others is set to. A `-` stands where a column
-/// does not apply; docs/compare.md defines the columns.
+/// does not apply; docs/compare.md defines the columns, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -46,8 +46,8 @@ pub(crate) struct Compare {
     stabilizers: Option<String>,
     /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
-    /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
-    /// transparent it is, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
+    /// Of each scene: positions and sums over time, forces over time, energy by cause, and on how many walls the run stays
+    /// bounded against how transparent they are, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
