@@ -1,6 +1,7 @@
 //! Simulation: loops built from files, stabilizers by name, and their runs tick by tick.
 
 pub(crate) mod building;
+pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
 pub mod family;
 pub(crate) mod load;
