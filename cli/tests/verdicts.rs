@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use lyapunov_lab::Scene;
-use lyapunov_lab::scene::Stabilizer;
 use lyapunov_lab::scenes::SCENES;
 use serde_json::Value;
 

@@ -51,6 +51,7 @@ pub mod teleoperation {
 
 // Simulation.
 pub use simulate::building::{AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Space};
+pub use simulate::ensemble::{Constant, Ensemble, Moves};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;
 pub use simulate::row::Row;

@@ -3,6 +3,7 @@
 pub(crate) mod basis;
 pub(crate) mod building;
 pub(crate) mod criterion;
+pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
 pub mod family;
 pub(crate) mod load;
