@@ -154,7 +154,7 @@ impl<'a> Meter<'a> {
             felt_end: told(self.late.get()),
             contact: self.file.slave.wall.and_then(|_| told(self.contact)),
             touch: self.touch,
-            given: told(-MILLI * self.taken),
+            given: told(MILLI * self.taken.abs()),
             kept: entrant.is_held_to_the_command().then(|| told(MILLI * self.kept)).flatten(),
             shortfall: told(MILLI * self.shortfall),
             active_master: share(self.active[0]),
