@@ -4,7 +4,8 @@
 //! A [`Plant`] moves and returns a [`PortSample`]: the motion, and the effort that was really applied. A [`OnePort`]
 //! responds with the next effort. Between the two, a [`Stabilizer`] corrects that effort and returns a [`Correction`]:
 //! it reads an [`Observer`], which sums the decrease of a [`LyapunovCandidate`] in a [`Ledger`]. An [`Integrator`]
-//! solves the [`Dynamics`] of a plant over one period; the dynamics of a mechanical system are [`Mechanics`].
+//! solves the [`Dynamics`] of a plant over one period; the dynamics of a mechanical system are [`Mechanics`]. In a loop
+//! of your own, [`Readings`] make the samples.
 //!
 //! Everything is generic over the [`Scalar`] (`f32`, `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and
 //! the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor an allocator, and does not panic.
@@ -36,10 +37,12 @@ mod one_port;
 mod parameter;
 mod plant;
 mod port_sample;
+mod readings;
 mod scalar;
 mod signal;
 mod stabilizer;
 mod state;
+mod velocity;
 
 #[cfg(feature = "approx")]
 #[doc(hidden)]
@@ -61,7 +64,9 @@ pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
 pub use plant::Plant;
 pub use port_sample::PortSample;
+pub use readings::{CheckedSample, Clocked, Measured, MovingReading, Reading, Readings, Steady};
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;
 pub use stabilizer::{Stabilized, Stabilizer};
 pub use state::State;
+pub use velocity::{Differenced, LowPassed, VelocityEstimator, Windowed};

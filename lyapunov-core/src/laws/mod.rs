@@ -29,6 +29,7 @@ mod one_port;
 mod plant;
 mod samples;
 mod stabilizer;
+mod velocity_estimator;
 
 pub use adaptor::{Probe, adaptor};
 pub use candidate::candidate;
@@ -40,6 +41,7 @@ pub use one_port::one_port;
 pub use plant::plant;
 pub use samples::Samples;
 pub use stabilizer::{limiter, stabilizer};
+pub use velocity_estimator::velocity_estimator;
 
 use core::fmt;
 
