@@ -51,10 +51,10 @@
 #![no_std]
 
 pub use lyapunov_core::{
-    AdmittanceSample, CheckedSample, Correction, Dissipation, Held, Ledger, LyapunovCandidate,
-    Mask, MovingReading, Observer, OnePort, ParameterError, Plant, PortEnergy, PortSample, Reading,
-    Readings, Requirement, Sampled, Scalar, Signal, Stabilized, Stabilizer, StorageFunction, Work,
-    lanes, laws,
+    AdmittanceSample, CheckedSample, Correction, Dissipation, Held, HeldFlow, HeldTick, Ledger,
+    LyapunovCandidate, Mask, MovingReading, Observer, OnePort, ParameterError, Plant, PortEnergy,
+    PortSample, Reading, Readings, Requirement, Sampled, Scalar, Signal, Stabilized, Stabilizer,
+    StorageFunction, Work, lanes, laws,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
@@ -64,8 +64,8 @@ pub mod prelude {
     pub use crate::effects::OnePortExt;
     pub use crate::stabilizers::StabilizerExt;
     pub use crate::{
-        DampingLimit, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Reading, Readings,
-        Scalar, Signal, Stabilizer,
+        DampingLimit, HeldTick, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Reading,
+        Readings, Scalar, Signal, Stabilizer,
     };
 }
 

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use crate::{Accumulator, PortSample, Scalar, Signal};
+use crate::{Accumulator, HeldTick, PortSample, Scalar, Signal};
 
 /// Kind of work that a ledger books.
 pub trait Work: Copy + Debug {
@@ -48,7 +48,14 @@ impl Work for Sampled {
     #[inline(always)]
     fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V> {
         let displacement = sample.velocity.scale(sample.period);
-        PortSample::new(sample.period, sample.position, sample.velocity, displacement, effort)
+        HeldTick {
+            period: sample.period,
+            position: sample.position,
+            velocity: sample.velocity,
+            displacement,
+            applied: effort,
+        }
+        .sample()
     }
 
     #[inline(always)]

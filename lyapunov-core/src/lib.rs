@@ -49,7 +49,7 @@ mod velocity;
 pub use approx;
 
 pub use accumulator::{Accumulator, Compensated, Plain, Wide, Widen};
-pub use admittance_sample::AdmittanceSample;
+pub use admittance_sample::{AdmittanceSample, HeldFlow};
 pub use candidate::{LyapunovCandidate, PortEnergy, StorageFunction};
 pub use correction::Correction;
 pub use dissipation::{Always, Dissipation, Gate, InContact};
@@ -63,7 +63,7 @@ pub use observer::Observer;
 pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
 pub use plant::Plant;
-pub use port_sample::PortSample;
+pub use port_sample::{HeldTick, PortSample};
 pub use readings::{CheckedSample, Clocked, Measured, MovingReading, Reading, Readings, Steady};
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;

@@ -9,10 +9,11 @@ use crate::{
 /// It only observes and changes no effort. A stabilizer is an observer with a controller behind it.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Observer, PortEnergy};
+/// use lyapunov_core::{HeldTick, PortSample, Observer, PortEnergy};
 /// let mut observer = Observer::of(PortEnergy);
 /// let start = PortSample::starting(1e-3, 0.0, 0.0);
-/// let moved = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm
+/// // -2 N applied over 0.1 mm
+/// let moved = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 }.sample();
 /// observer.observe(&start, -2.0);
 /// assert_eq!(observer.observe(&moved, -3.0), -2e-4); // the port gave 0.2 mJ away
 /// ```

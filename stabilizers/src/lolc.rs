@@ -25,12 +25,13 @@ use crate::{DampingLimit, LimitCredit};
 /// finite, as the past that the sample reports did happen.
 ///
 /// ```
-/// use lyapunov_core::{Dissipation, PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{Dissipation, HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Lolc};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T
 /// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper dissipates
 /// let mut lolc = Lolc::new(candidate, limit);
-/// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// let sample = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 }.sample();
 /// let correction = lolc.stabilize(&sample, 0.5);
 /// assert!(correction.observed_energy < 0.0 && correction.effort > 0.5 && correction.shortfall == 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -75,10 +76,13 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// `energy` below 0, infinite or NaN.
     ///
     /// ```
-    /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+    /// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
     /// use lyapunov_stabilizers::{DampingLimit, Popc};
     /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
-    /// let sample = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // a spring pushes out: it gives 0.2 mJ
+    /// // a spring pushes out: it gives 0.2 mJ
+    /// let sample = HeldTick {
+    ///     period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0
+    /// }.sample();
     /// assert!({ popc }.stabilize(&sample, 2.0).alpha > 0.0);
     /// assert_eq!(popc.budgeted(1e-3)?.stabilize(&sample, 2.0).alpha, 0.0);
     /// # Ok::<(), lyapunov_core::ParameterError>(())

@@ -29,12 +29,15 @@ use crate::booked::book;
 /// took is reported as shortfall. Each tick visits all cells, so that it takes the same time wherever the motion is.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, Stabilizer};
 /// use lyapunov_stabilizers::MemoryBased;
 /// let mut memory = MemoryBased::<f64, 32>::beyond(0.0, 3.2e-3)?; // cells of 0.1 mm
-/// let pressed = PortSample::new(1e-3, 1e-3, 1.0, 1e-3, 2.0); // 2 N over the first millimetre
+/// // 2 N over the first millimetre
+/// let pressed = HeldTick { period: 1e-3, position: 1e-3, velocity: 1.0, displacement: 1e-3, applied: 2.0 }.sample();
 /// assert_eq!(memory.stabilize(&pressed, 8.0).effort, 8.0);
-/// let back = PortSample::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 8.0);
+/// let back = HeldTick {
+///     period: 1e-3, position: 0.9e-3, velocity: -0.1, displacement: -0.1e-3, applied: 8.0
+/// }.sample();
 /// assert_eq!(memory.stabilize(&back, 7.2).effort, 2.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

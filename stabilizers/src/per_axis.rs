@@ -20,13 +20,13 @@ use crate::LimitCredit;
 /// effort, the others do. [`axes`](Self::axes) lends the stabilizers.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, PerAxis, Popc};
 /// use nalgebra::Vector2;
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let (velocity, displacement) = (Vector2::new(0.1, 0.1), Vector2::new(1e-4, 1e-4));
 /// let applied = Vector2::new(10.0, -9.0); // +1 mJ on x, −0.9 mJ on y
-/// let sample = PortSample::new(1e-3, Vector2::zeros(), velocity, displacement, applied);
+/// let sample = HeldTick { period: 1e-3, position: Vector2::zeros(), velocity, displacement, applied }.sample();
 /// let effort = Vector2::new(0.5, 0.5);
 /// let mut one_sum = popc;
 /// assert_eq!(one_sum.stabilize(&sample, effort).alpha, 0.0);

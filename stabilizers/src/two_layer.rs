@@ -38,11 +38,12 @@ pub struct Sharing<T> {
 /// ticks of delay. Choose `gain · level` well below the mass over the period, as for any held damper.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{Sharing, TwoLayer};
 /// let sharing = Sharing { start: 0.5e-3, share: 0.1 };
 /// let (mut master, mut slave) = (TwoLayer::master(sharing, 1e-3, 2000.0)?, TwoLayer::slave(sharing)?);
-/// let pushed = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, 1.0); // absorbs 0.1 mJ
+/// // absorbs 0.1 mJ
+/// let pushed = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: 1.0 }.sample();
 /// let correction = master.stabilize(&pushed, 2.0);
 /// slave.receive(master.sent()); // a tenth of 0.6 mJ
 /// let sum: f64 = slave.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), 0.0).observed_energy;

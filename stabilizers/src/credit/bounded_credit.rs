@@ -13,12 +13,14 @@ use crate::LimitCredit;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut bounded = popc.bounded(1e-4)?;
-/// let absorbed = PortSample::new(1e-3, 0.01, 0.1, 1e-4, 10.0); // 1 mJ, of which 0.1 mJ is kept
-/// let given = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // 0.2 mJ
+/// // 1 mJ, of which 0.1 mJ is kept
+/// let absorbed = HeldTick { period: 1e-3, position: 0.01, velocity: 0.1, displacement: 1e-4, applied: 10.0 }.sample();
+/// // 0.2 mJ
+/// let given = HeldTick { period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0 }.sample();
 /// bounded.stabilize(&absorbed, 2.0);
 /// let sum: f64 = bounded.stabilize(&given, 2.0).observed_energy;
 /// assert_abs_diff_eq!(sum, -1e-4, epsilon = 1e-12);

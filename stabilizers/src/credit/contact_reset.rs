@@ -12,12 +12,14 @@ use crate::LimitCredit;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{InContact, PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{InContact, HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.reset_at(InContact { position: 0.0 });
-/// let outside = PortSample::new(1e-3, -0.001, 0.1, 1e-4, 10.0);
-/// let inside = PortSample::new(1e-3, 0.001, 0.1, 1e-4, 2.0);
+/// let outside = HeldTick {
+///     period: 1e-3, position: -0.001, velocity: 0.1, displacement: 1e-4, applied: 10.0
+/// }.sample();
+/// let inside = HeldTick { period: 1e-3, position: 0.001, velocity: 0.1, displacement: 1e-4, applied: 2.0 }.sample();
 /// let sums: [f64; 3] = [outside, inside, inside].map(|sample| popc.stabilize(&sample, 2.0).observed_energy);
 /// for (sum, joules) in sums.into_iter().zip([1e-3, 2e-4, 4e-4]) {
 ///     assert_abs_diff_eq!(sum, joules, epsilon = 1e-12); // the first in contact holds its own tick only

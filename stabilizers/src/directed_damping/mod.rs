@@ -28,14 +28,16 @@ pub trait Metric<V: Signal> {
 /// the whole motion.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DirectedDamping, AlongDirection, DampingLimit, Popc};
 /// use nalgebra::Vector2;
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
 /// let normal = AlongDirection::new(Vector2::new(0.0, 2.0))?;
 /// let mut popc = DirectedDamping::new(Popc::new(PortEnergy, limit), normal, limit);
 /// let (velocity, displacement) = (Vector2::new(0.1, 0.1), Vector2::new(1e-4, 1e-4));
-/// let sample = PortSample::new(1e-3, Vector2::zeros(), velocity, displacement, Vector2::new(-1.0, 0.0));
+/// let sample = HeldTick {
+///     period: 1e-3, position: Vector2::zeros(), velocity, displacement, applied: Vector2::new(-1.0, 0.0)
+/// }.sample();
 /// let correction = popc.stabilize(&sample, Vector2::zeros());
 /// assert_eq!(correction.effort.x, 0.0);
 /// let left: f64 = correction.effort.dot(&velocity) * 1e-3 + correction.observed_energy;

@@ -35,11 +35,13 @@ use band::{Band, Published, Tight};
 /// rest is never reached.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::EnergyBounding;
 /// let mut bounding = EnergyBounding::of_damping(0.5, 1e-3)?; // c1 = c2 = 500 N/m
 /// bounding.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let pressed = PortSample::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let pressed = HeldTick {
+///     period: 1e-3, position: 0.1e-3, velocity: 0.1, displacement: 0.1e-3, applied: 0.0
+/// }.sample();
 /// let effort: f64 = bounding.stabilize(&pressed, 0.5).effort; // 5 kN/m
 /// assert!((effort - 0.05).abs() < 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())

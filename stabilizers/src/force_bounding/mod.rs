@@ -46,11 +46,11 @@ use reset::Reset;
 /// It needs no velocity and adds no damping: it bounds a swing and need not end it.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::ForceBounding;
 /// let mut bounding = ForceBounding::of_damping(0.5)?; // N·s/m
 /// bounding.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let touched = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, 0.0);
+/// let touched = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: 0.0 }.sample();
 /// let effort: f64 = bounding.stabilize(&touched, 5.0).effort;
 /// assert!((effort - 0.1).abs() < 1e-12); // 2 b v
 /// # Ok::<(), lyapunov_core::ParameterError>(())

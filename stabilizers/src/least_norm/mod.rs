@@ -29,11 +29,15 @@ use crate::{DampingLimit, LimitCredit, StabilizerExt};
 /// reported as shortfall.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, LeastNorm};
 /// let mut filter = LeastNorm::new(PortEnergy, DampingLimit::at(100.0)?, 1.0)?;
-/// filter.stabilize(&PortSample::new(1e-3, 2e-4, 0.2, 2e-4, 0.5), 4.0); // takes 0.1 mJ
-/// let back = PortSample::new(1e-3, 2e-4, -0.1, 0.0, 4.0); // is about to give 0.4 mJ
+/// // takes 0.1 mJ
+/// filter.stabilize(&HeldTick {
+///     period: 1e-3, position: 2e-4, velocity: 0.2, displacement: 2e-4, applied: 0.5
+/// }.sample(), 4.0);
+/// // is about to give 0.4 mJ
+/// let back = HeldTick { period: 1e-3, position: 2e-4, velocity: -0.1, displacement: 0.0, applied: 4.0 }.sample();
 /// let correction = filter.stabilize(&back, 4.0_f64);
 /// let effort: f64 = correction.effort;
 /// assert!((effort - 1.0).abs() < 1e-12 && correction.shortfall < 1e-12);

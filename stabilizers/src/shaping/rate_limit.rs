@@ -15,11 +15,11 @@ use super::{added, portion};
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.rate_limited(500.0)?;
-/// let sample = PortSample::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -8.0 }.sample();
 /// for most in [0.5, 1.0, 1.5] {
 ///     let effort: f64 = popc.stabilize(&sample, 0.0).effort;
 ///     assert_abs_diff_eq!(effort, most, epsilon = 1e-12);

@@ -13,13 +13,16 @@ use super::portion;
 /// `N = 1` changes no bit.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.rising_over(4)?;
-/// let sample = PortSample::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -8.0 }.sample();
 /// let first = popc.stabilize(&sample, 0.0);
-/// let second = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 0.0); // the same debt
+/// // the same debt
+/// let second = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 0.0
+/// }.sample(), 0.0);
 /// assert_eq!(second.alpha, 2.0 * first.alpha);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

@@ -17,11 +17,14 @@ use super::portion;
 ///
 /// ```
 /// use approx::abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.spread_over(4)?;
-/// let correction = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, -2.0), 0.0); // a debt of 0.2 mJ
+/// // a debt of 0.2 mJ
+/// let correction = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -2.0
+/// }.sample(), 0.0);
 /// let burnt: f64 = correction.alpha * 0.1 * 0.1 * 1e-3;
 /// let left: f64 = correction.shortfall;
 /// assert!(abs_diff_eq!(burnt, 0.5e-4, epsilon = 1e-15) && abs_diff_eq!(left, 1.5e-4, epsilon = 1e-15));

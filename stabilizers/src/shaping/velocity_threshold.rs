@@ -15,13 +15,17 @@ use super::portion;
 /// count over the period. 0 changes no bit.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.above_velocity(0.05)?;
-/// let slow = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.01, 1e-5, -2.0), 0.0);
+/// let slow = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.01, displacement: 1e-5, applied: -2.0
+/// }.sample(), 0.0);
 /// assert!(slow.alpha == 0.0 && slow.shortfall == 2e-5);
-/// let fast = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 0.0);
+/// let fast = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 0.0
+/// }.sample(), 0.0);
 /// assert!(fast.alpha > 0.0 && fast.shortfall == 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

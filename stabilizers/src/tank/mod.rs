@@ -60,11 +60,11 @@ impl<T: Scalar> TankLimits<T> {
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{TankLimits, Tank};
 /// let store = TankLimits { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
 /// let mut tank = Tank::new(PortEnergy, store)?;
-/// let outwards = PortSample::new(1e-3, 0.0, -0.1, 0.0, 0.0);
+/// let outwards = HeldTick { period: 1e-3, position: 0.0, velocity: -0.1, displacement: 0.0, applied: 0.0 }.sample();
 /// let effort: f64 = tank.stabilize(&outwards, 4.0).effort; // 0.4 W asked, 0.1 mJ over 1 ms to give
 /// assert_abs_diff_eq!(effort, 1.0, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())

@@ -44,14 +44,18 @@ use one_way::OneWay;
 /// digits: in `f32` they stop growing after a while, which is safe and useless, so take `f64`.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, TwoPortSide};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
 /// let (mut master, mut slave) = (TwoPortSide::new(limit), TwoPortSide::new(limit));
 /// master.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 3.0);
-/// master.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 3.0), 3.0); // absorbs 0.3 mJ
+/// // absorbs 0.3 mJ
+/// master.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 3.0
+/// }.sample(), 3.0);
 /// slave.stabilize(&PortSample::starting(1e-3, 0.0, -0.1), 2.0);
-/// let pushes = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // gives 0.2 mJ
+/// // gives 0.2 mJ
+/// let pushes = HeldTick { period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0 }.sample();
 /// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not received yet: a debt
 /// slave.receive(master.absorbed());
 /// assert_eq!(slave.stabilize(&pushes, 2.0).alpha, 0.0);

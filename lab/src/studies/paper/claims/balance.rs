@@ -1,7 +1,8 @@
 //! Energy balance of a run, by cause.
 
 use lyapunov::{
-    DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Stabilizer,
+    DampingLimit, HeldTick, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample,
+    Stabilizer,
     bodies::{Body, Impedance},
     effects::OnePortExt,
     environments::Wall,
@@ -76,7 +77,14 @@ fn follow(
     let mut balance = Balance { start: stored(&now), ..Balance::default() };
     let (mut moved, mut applied) = (0.0, 0.0);
     for _ in 0..ticks {
-        let seen = PortSample::new(period, now.position, moved / period, moved, applied);
+        let seen = HeldTick {
+            period,
+            position: now.position,
+            velocity: moved / period,
+            displacement: moved,
+            applied,
+        }
+        .sample();
         let force = port.respond(&seen);
         applied = stabilize(&seen, force);
         let before = now.position;
