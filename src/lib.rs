@@ -53,8 +53,8 @@
 pub use lyapunov_core::{
     AdmittanceSample, CheckedSample, Correction, Dissipation, Held, HeldFlow, HeldTick, Ledger,
     LyapunovCandidate, Mask, MovingReading, Observer, OnePort, ParameterError, Plant, PortEnergy,
-    PortSample, Reading, Readings, Requirement, Sampled, Scalar, Signal, Stabilized, Stabilizer,
-    StorageFunction, Work, lanes, laws,
+    PortSample, Reading, Readings, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilized,
+    Stabilizer, StorageFunction, Work, lanes, laws,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
@@ -62,10 +62,10 @@ pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 pub mod prelude {
     pub use crate::bodies::PlantExt;
     pub use crate::effects::OnePortExt;
-    pub use crate::stabilizers::StabilizerExt;
+    pub use crate::stabilizers::{Account, StabilizerExt};
     pub use crate::{
         DampingLimit, HeldTick, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Reading,
-        Readings, Scalar, Signal, Stabilizer,
+        Readings, Scalar, Signal, Snapshot, Stabilizer,
     };
 }
 
@@ -150,8 +150,8 @@ pub mod models {
 /// Family around [`Lolc`] and [`Popc`]: adaptors that refine them, and other stabilizers.
 pub mod stabilizers {
     pub use lyapunov_stabilizers::{
-        AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint, ContactReset,
-        CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
+        Account, AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint,
+        ContactReset, CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
         InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, MemoryBased,
         Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit, ReferenceDamper,

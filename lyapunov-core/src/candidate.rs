@@ -1,6 +1,6 @@
 //! Lyapunov candidates: the functions whose decrease an observer sums.
 
-use crate::{PortSample, Scalar, Signal};
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// Lyapunov candidate `V`, given by its decrease over each sample.
 ///
@@ -117,5 +117,17 @@ where
         let decrease = self.last - now;
         self.last = V::Scalar::choose(now.finite(), now, self.last);
         decrease
+    }
+}
+
+impl<F, T: Scalar> Snapshot for StorageFunction<F, T> {
+    type State = T;
+
+    fn state(&self) -> T {
+        self.last
+    }
+
+    fn restored(self, last: T) -> Result<Self, ParameterError> {
+        Ok(Self { last: Requirement::Finite.check("stored energy", last)?, ..self })
     }
 }

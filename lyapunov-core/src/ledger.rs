@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use crate::{Accumulator, HeldTick, PortSample, Scalar, Signal};
+use crate::{Accumulator, HeldTick, ParameterError, PortSample, Scalar, Signal, Snapshot};
 
 /// Kind of work that a ledger books.
 pub trait Work: Copy + Debug {
@@ -87,6 +87,24 @@ impl<W: Work, A> Ledger<W, A> {
         Self { sum, work: PhantomData }
     }
 
+    /// The observed energy, J.
+    #[inline]
+    pub fn energy<T: Scalar>(&self) -> T
+    where
+        A: Accumulator<T>,
+    {
+        self.sum.value()
+    }
+
+    /// Empties the ledger: credit is forfeited, a debt forgiven.
+    #[inline]
+    pub fn clear<T: Scalar>(&mut self)
+    where
+        A: Accumulator<T>,
+    {
+        self.sum.clear();
+    }
+
     /// Adds `energy` joules of credit.
     #[inline]
     pub fn credit<T: Scalar>(&mut self, energy: T)
@@ -128,5 +146,17 @@ impl<W: Work, A> Ledger<W, A> {
         A: Accumulator<T>,
     {
         (self.sum.value() + decrease).finite()
+    }
+}
+
+impl<W: Work, A: Snapshot> Snapshot for Ledger<W, A> {
+    type State = A::State;
+
+    fn state(&self) -> A::State {
+        self.sum.state()
+    }
+
+    fn restored(self, state: A::State) -> Result<Self, ParameterError> {
+        Ok(Self { sum: self.sum.restored(state)?, work: PhantomData })
     }
 }

@@ -1,7 +1,8 @@
 //! Observer: a candidate, a kind of work and a sum.
 
 use crate::{
-    Accumulator, Held, Ledger, LyapunovCandidate, Plain, PortSample, Scalar, Signal, Work,
+    Accumulator, Held, Ledger, LyapunovCandidate, ParameterError, Plain, PortSample, Scalar,
+    Signal, Snapshot, Work,
 };
 
 /// Observer of a port: the sum of a Lyapunov candidate's decrease (the paper's equation 8, in joules).
@@ -59,5 +60,18 @@ impl<C, W: Work, A> Observer<C, W, A> {
         let decrease = self.decrease(sample, effort);
         let fits = self.ledger.fits(decrease);
         self.ledger.book(V::Scalar::choose(fits, decrease, zero), zero)
+    }
+}
+
+impl<C: Snapshot, W: Work, A: Snapshot> Snapshot for Observer<C, W, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        (self.candidate.state(), self.ledger.state())
+    }
+
+    fn restored(self, (candidate, ledger): Self::State) -> Result<Self, ParameterError> {
+        let Self { candidate: own, ledger: sum } = self;
+        Ok(Self { candidate: own.restored(candidate)?, ledger: sum.restored(ledger)? })
     }
 }

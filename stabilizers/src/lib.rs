@@ -13,6 +13,7 @@
 //! [`TwoPortSide`]s, two [`TwoLayer`]s, or a [`WaveTransform`] that codes the signals that go through it.
 #![no_std]
 
+mod account;
 mod booked;
 mod coupled_port;
 mod credit;
@@ -39,6 +40,7 @@ mod two_port;
 mod watchdog;
 mod wave;
 
+pub use account::Account;
 pub use coupled_port::{CoupledPort, VirtualCoupling};
 pub use credit::{BoundedCredit, ContactReset, LimitCredit, WindowedCredit};
 pub use damping_limit::DampingLimit;

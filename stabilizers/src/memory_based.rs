@@ -1,11 +1,13 @@
 //! Memory-based passivation: forces on the way out no larger than those kept from the way in.
 
 use lyapunov_core::{
-    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Stabilizer,
+    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Snapshot,
+    Stabilizer,
 };
 
 use crate::StabilizerExt;
 use crate::booked::book;
+use nalgebra::SVector;
 
 /// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the
 /// pressing path is kept by position, and the releasing path may not be above it.
@@ -112,5 +114,22 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
+    /// The last depth, m, the forces in the cells, N, and the energy, J.
+    type State = (Option<T>, SVector<T, N>, T);
+
+    fn state(&self) -> Self::State {
+        (self.last, SVector::from(self.forces), self.energy.state())
+    }
+
+    fn restored(self, (last, forces, energy): Self::State) -> Result<Self, ParameterError> {
+        if let Some(last) = last {
+            Requirement::Finite.check("stored depth", last)?;
+        }
+        let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
+        Ok(Self { last, forces, energy: self.energy.restored(energy)?, ..self })
     }
 }

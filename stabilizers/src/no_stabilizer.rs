@@ -28,3 +28,5 @@ impl<V: Signal> Stabilizer<V> for NoStabilizer {
         Correction::none(effort)
     }
 }
+
+lyapunov_core::without_memory!(impl[] NoStabilizer);

@@ -1,8 +1,11 @@
 //! Forces on the way out no larger than those on the way in.
 
-use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar, Stabilizer};
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Snapshot, Stabilizer,
+};
 
 use crate::StabilizerExt;
+use nalgebra::SVector;
 
 /// A memory of energies: what pressing in took is kept place by place, and letting go gives no more there. One axis,
 /// one side: the environment lies beyond a surface and pushes against `+x`, like a wall.
@@ -131,5 +134,19 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
             shortfall: self.debt,
             accepted,
         }
+    }
+}
+
+impl<T: Scalar, const N: usize> Snapshot for PathMemory<T, N> {
+    /// The forces in the cells, N, and the debt, J.
+    type State = (SVector<T, N>, T);
+
+    fn state(&self) -> Self::State {
+        (SVector::from(self.forces), self.debt)
+    }
+
+    fn restored(self, (forces, debt): Self::State) -> Result<Self, ParameterError> {
+        let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
+        Ok(Self { forces, debt: Requirement::NonNegative.check("stored debt", debt)?, ..self })
     }
 }

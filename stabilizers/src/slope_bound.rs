@@ -2,7 +2,7 @@
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -129,5 +129,20 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+impl<V: Signal, A: Snapshot> Snapshot for SlopeBound<V, A> {
+    /// The effort that was asked for and the one held back, N, and the energy.
+    type State = (Option<V>, V, A::State);
+
+    fn state(&self) -> Self::State {
+        (self.asked, self.held, self.energy.state())
+    }
+
+    fn restored(self, (asked, held, energy): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored effort", asked.unwrap_or(held))?;
+        let held = Requirement::Finite.check_axes("stored effort", held)?;
+        Ok(Self { asked, held, energy: self.energy.restored(energy)?, ..self })
     }
 }

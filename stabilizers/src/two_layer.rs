@@ -2,9 +2,10 @@
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
+use crate::account::account_in_sum;
 use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 
@@ -134,5 +135,23 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let alpha = V::Scalar::choose(accepted, damping, zero);
         let effort = V::choose(accepted, felt, V::zero());
         Correction { effort, observed_energy: sum, alpha, shortfall: (-sum).larger(zero), accepted }
+    }
+}
+
+account_in_sum!(impl[T: Scalar, A: Accumulator<T>] TwoLayer<T, A>, in T, is tank);
+
+impl<T: Scalar, A: Snapshot> Snapshot for TwoLayer<T, A> {
+    /// The tank, and the energies received, booked and sent, J.
+    type State = (A::State, T, T, T);
+
+    fn state(&self) -> Self::State {
+        (self.tank.state(), self.received, self.booked, self.sent)
+    }
+
+    fn restored(self, (tank, received, booked, sent): Self::State) -> Result<Self, ParameterError> {
+        for energy in [received, booked, sent] {
+            Requirement::NonNegative.check("stored exchange", energy)?;
+        }
+        Ok(Self { tank: self.tank.restored(tank)?, received, booked, sent, ..self })
     }
 }

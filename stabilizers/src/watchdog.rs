@@ -1,10 +1,11 @@
 //! Watchdog: what a loop commands while it hears nothing, and how it comes back.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
+use crate::account::lends;
 
 /// Times of a [`Watchdog`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +14,15 @@ pub struct WatchdogTimes<T> {
     pub hold: T,
     /// How long the environment's effort rises at the start and after a release, s.
     pub rise: T,
+}
+
+impl<T: Scalar> WatchdogTimes<T> {
+    /// These times, if they can be some.
+    fn checked(self) -> Result<Self, ParameterError> {
+        Requirement::Limit.check("watchdog hold", self.hold)?;
+        Requirement::NonNegative.check("watchdog rise", self.rise)?;
+        Ok(self)
+    }
 }
 
 /// Stabilizer with a watchdog: without sound samples it holds the last effort for a while and then lets go, and it
@@ -65,8 +75,7 @@ impl<S, V: Signal> Watchdog<S, V> {
         stabilizer: S,
         times: WatchdogTimes<V::Scalar>,
     ) -> Result<Self, ParameterError> {
-        Requirement::Limit.check("watchdog hold", times.hold)?;
-        Requirement::NonNegative.check("watchdog rise", times.rise)?;
+        let times = times.checked()?;
         let zero = V::Scalar::of(0.0);
         Ok(Self { stabilizer, times, effort: V::zero(), silence: zero, risen: zero })
     }
@@ -88,8 +97,9 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watchdog<S, V> {
 
         let accepted = correction.accepted & sample.finite();
         let known = sample.period.finite() & !sample.period.below(zero);
-        let quiet = choose(known, sample.period, V::Scalar::of(f64::INFINITY));
-        self.silence = choose(accepted, zero, self.silence + quiet);
+        let endless = V::Scalar::largest();
+        let quiet = choose(known, sample.period, endless);
+        self.silence = choose(accepted, zero, (self.silence + quiet).smaller(endless));
         let held = !self.silence.above(hold);
         self.risen = choose(accepted, risen, choose(held, self.risen, zero));
         let fallback = V::choose(held, self.effort, V::zero());
@@ -102,5 +112,41 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watchdog<S, V> {
             accepted,
             ..correction
         }
+    }
+}
+
+lends!(impl[S, V: Signal] Watchdog<S, V>, of S, in V::Scalar);
+
+impl<S, V: Signal> Watchdog<S, V> {
+    /// How long it holds, and how long the environment rises.
+    pub fn times(&self) -> WatchdogTimes<V::Scalar> {
+        self.times
+    }
+
+    /// Changes the times between ticks; a hold or a rise under way goes on with the new ones.
+    ///
+    /// # Errors
+    /// `hold` below 0 or NaN; `rise` below 0, infinite or NaN; the old ones stay.
+    pub fn set_times(&mut self, times: WatchdogTimes<V::Scalar>) -> Result<(), ParameterError> {
+        self.times = times.checked()?;
+        Ok(())
+    }
+}
+
+impl<S: Snapshot, V: Signal> Snapshot for Watchdog<S, V> {
+    type State = (S::State, V, V::Scalar, V::Scalar);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.effort, self.silence, self.risen)
+    }
+
+    fn restored(
+        self,
+        (inside, effort, silence, risen): Self::State,
+    ) -> Result<Self, ParameterError> {
+        let effort = Requirement::Finite.check_axes("stored effort", effort)?;
+        let silence = Requirement::NonNegative.check("stored silence", silence)?;
+        let risen = Requirement::NonNegative.check("stored rise", risen)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, effort, silence, risen, ..self })
     }
 }

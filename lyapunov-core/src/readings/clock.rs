@@ -1,7 +1,7 @@
 //! The time between readings: one period, or that of a clock.
 
 use super::{CheckedSample, Measured, MovingReading, Reading, Readings};
-use crate::{Mask, Scalar, Signal, VelocityEstimator};
+use crate::{Mask, ParameterError, Requirement, Scalar, Signal, Snapshot, VelocityEstimator};
 
 /// Readings at a fixed period: every call is one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,6 +46,21 @@ impl Clocked {
         let stands = now == last || !now.is_finite();
         self.last = Some(if stands { last + whole } else { now });
         (T::choose(Mask::of(forth), elapsed, period), forth)
+    }
+}
+
+impl Snapshot for Clocked {
+    type State = Option<f64>;
+
+    fn state(&self) -> Option<f64> {
+        self.last
+    }
+
+    fn restored(self, last: Option<f64>) -> Result<Self, ParameterError> {
+        if let Some(last) = last {
+            Requirement::Finite.check("stored time", last)?;
+        }
+        Ok(Self { last })
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is remembered from reading to reading.
 
 use super::{CheckedSample, Reading, one_and_a_half};
-use crate::{Mask, PortSample, Scalar, Signal};
+use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
 #[derive(Clone, Copy, Debug)]
@@ -141,5 +141,28 @@ impl<V: Signal> Memory<V> {
             work: V::choose(accepted, heard.work, V::splat(V::Scalar::of(f64::NAN))),
         };
         CheckedSample { sample, accepted, jumped: heard.jumped, late: heard.late, timed }
+    }
+}
+
+/// Where a position is known is a 1, elsewhere a 0: masks cannot be stored.
+impl<V: Signal> Snapshot for Memory<V> {
+    type State = (V::Scalar, V, V::Scalar, V, V);
+
+    fn state(&self) -> Self::State {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let known = V::Scalar::choose(self.known, one, zero);
+        (known, self.position, self.gap, self.least, self.most)
+    }
+
+    fn restored(
+        self,
+        (known, position, gap, least, most): Self::State,
+    ) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored position", position)?;
+        Requirement::NonNegative.check("stored gap", gap)?;
+        Requirement::Finite.check_axes("stored effort", least)?;
+        Requirement::Finite.check_axes("stored effort", most)?;
+        let known = known.above(V::Scalar::of(0.5));
+        Ok(Self { known, position, gap, least, most })
     }
 }

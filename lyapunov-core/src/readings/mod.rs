@@ -7,7 +7,7 @@ pub use clock::{Clocked, Steady};
 
 use crate::{
     Differenced, LowPassed, Mask, ParameterError, PortSample, Requirement, Scalar, Signal,
-    VelocityEstimator, Windowed,
+    Snapshot, VelocityEstimator, Windowed,
 };
 use memory::Memory;
 
@@ -87,10 +87,8 @@ pub struct Measured;
 /// **Time** is one period a call ([`Steady`]), or that of a clock that the caller reads
 /// ([`clocked`](Self::clocked), whose page says what becomes of NaN and of clocks that stand or run backwards).
 ///
-/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A [`Guard`] does the
+/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A guard (`guarded`) does the
 /// same for a whole port; behind readings it has nothing left to do and would count a gap twice.
-///
-/// [`Guard`]: https://docs.rs/lyapunov-plants/latest/lyapunov_plants/struct.Guard.html
 #[derive(Clone, Copy, Debug)]
 pub struct Readings<V: Signal, E = Differenced, C = Steady> {
     period: V::Scalar,
@@ -188,6 +186,17 @@ impl<V: Signal, E, C> Readings<V, E, C> {
         self.period
     }
 
+    /// Changes the period, s, between two ticks: the reading after it is at the new one.
+    ///
+    /// Held work does not change with it. A `DampingLimit` made of a mass does: make it anew.
+    ///
+    /// # Errors
+    /// `period` not above 0 and finite; the old one stays.
+    pub fn set_period(&mut self, period: V::Scalar) -> Result<(), ParameterError> {
+        self.period = Requirement::Positive.check("period", period)?;
+        Ok(())
+    }
+
     /// The last accepted position, m; 0 before the first.
     pub fn position(&self) -> V {
         self.memory.position()
@@ -259,6 +268,25 @@ impl<V: Signal, C> Readings<V, Measured, C> {
         let place = Reading { position, applied };
         let heard = self.memory.hear(elapsed, self.period, self.fastest, place);
         self.memory.close(heard, velocity, timed)
+    }
+}
+
+/// The memory of a loop that goes on. After a pause of unknown length [`restart`](Readings::restart) what was restored.
+impl<V: Signal, E: Snapshot, C: Snapshot> Snapshot for Readings<V, E, C> {
+    /// The memory, the estimator's and the clock's.
+    type State = ((V::Scalar, V, V::Scalar, V, V), E::State, C::State);
+
+    fn state(&self) -> Self::State {
+        (self.memory.state(), self.velocity.state(), self.clock.state())
+    }
+
+    fn restored(self, (memory, velocity, clock): Self::State) -> Result<Self, ParameterError> {
+        Ok(Self {
+            memory: self.memory.restored(memory)?,
+            velocity: self.velocity.restored(velocity)?,
+            clock: self.clock.restored(clock)?,
+            ..self
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, VelocityEstimator};
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, VelocityEstimator};
 
 /// Velocity taken from displacements through a low pass of first order:
 /// `v(n) = v(n−1) + a (Δx(n) / T − v(n−1))`, `a = ω T / (1 + ω T)`, `ω = 2 π cutoff`, `v(0) = 0`.
@@ -58,5 +58,20 @@ impl<V: Signal> VelocityEstimator<V> for LowPassed<V> {
     #[inline]
     fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
         self.velocity = self.velocity.map(|last| V::choose(lanes, V::zero(), last));
+    }
+}
+
+impl<V: Signal> Snapshot for LowPassed<V> {
+    type State = Option<V>;
+
+    fn state(&self) -> Option<V> {
+        self.velocity
+    }
+
+    fn restored(self, velocity: Option<V>) -> Result<Self, ParameterError> {
+        if let Some(velocity) = velocity {
+            Requirement::Finite.check_axes("stored velocity", velocity)?;
+        }
+        Ok(Self { velocity, ..self })
     }
 }

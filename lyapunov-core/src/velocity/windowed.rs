@@ -1,6 +1,8 @@
 //! Velocity over an adaptive window of samples.
 
-use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, VelocityEstimator};
+use nalgebra::SVector;
+
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, VelocityEstimator};
 
 /// Velocity taken over a window that is as long as the motion is straight:
 /// `v(n) = (x(n) − x(n−i)) / (i T)`, `v(0) = 0`.
@@ -98,5 +100,19 @@ impl<V: Signal, const N: usize> VelocityEstimator<V> for Windowed<V, N> {
 
     fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
         self.interrupt(lanes);
+    }
+}
+
+impl<V: Signal, const N: usize> Snapshot for Windowed<V, N> {
+    /// The earlier positions, latest first and NaN where a window ends, and how many there are.
+    type State = (SVector<V, N>, usize);
+
+    fn state(&self) -> Self::State {
+        (SVector::from(self.past), self.known)
+    }
+
+    fn restored(self, (past, known): Self::State) -> Result<Self, ParameterError> {
+        Requirement::AtMost(self.ticks as f64).check("stored positions", known as f64)?;
+        Ok(Self { past: past.into(), known, ..self })
     }
 }

@@ -1,8 +1,11 @@
 //! Credit reset at each contact.
 
-use lyapunov_core::{Correction, Gate, Mask, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov_core::{
+    Correction, Gate, Mask, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer,
+};
 
 use crate::LimitCredit;
+use crate::account::lends;
 
 /// Stabilizer that forfeits its stored credit on the tick on which a gate opens, before that tick is booked.
 ///
@@ -60,5 +63,21 @@ where
         let (none, all) = (V::Scalar::of(0.0), V::Scalar::largest());
         self.stabilizer.limit_credit(V::Scalar::choose(begins, none, all));
         self.stabilizer.stabilize(sample, effort)
+    }
+}
+
+lends!(impl[S, G, T: Scalar] ContactReset<S, G, T>, of S, in T);
+
+/// Where the gate was open is a 1, elsewhere a 0.
+impl<S: Snapshot, G, T: Scalar> Snapshot for ContactReset<S, G, T> {
+    type State = (S::State, T);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), T::choose(self.inside, T::of(1.0), T::of(0.0)))
+    }
+
+    fn restored(self, (inside, open): Self::State) -> Result<Self, ParameterError> {
+        let stabilizer = self.stabilizer.restored(inside)?;
+        Ok(Self { stabilizer, inside: open.above(T::of(0.5)), ..self })
     }
 }

@@ -8,8 +8,9 @@ pub use along_direction::AlongDirection;
 pub use axis_weights::AxisWeights;
 pub use inertia_metric::InertiaMetric;
 
-use lyapunov_core::{Correction, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov_core::{Correction, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer};
 
+use crate::account::lends;
 use crate::{DampingLimit, StabilizerExt};
 
 /// Metric of the directions in which damping acts: a symmetric matrix `M` with eigenvalues from 0 to 1.
@@ -93,5 +94,31 @@ where
             ..inner
         }
         .checked()
+    }
+}
+
+lends!(impl[S, M, T: Scalar] DirectedDamping<S, M, T>, of S, in T);
+
+impl<S, M, T: Scalar> DirectedDamping<S, M, T> {
+    /// The largest damping in any direction.
+    pub fn limit(&self) -> DampingLimit<T> {
+        self.limit
+    }
+
+    /// Changes the limit between ticks, as [`Lolc::set_limit`](crate::Lolc::set_limit).
+    pub fn set_limit(&mut self, limit: DampingLimit<T>) {
+        self.limit = limit;
+    }
+}
+
+impl<S: Snapshot, M, T: Scalar> Snapshot for DirectedDamping<S, M, T> {
+    type State = S::State;
+
+    fn state(&self) -> Self::State {
+        self.stabilizer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
     }
 }

@@ -4,7 +4,7 @@ mod band;
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -147,5 +147,19 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         self.force = V::choose(accepted, bounded, V::zero());
         let shortfall = (-sum).larger(zero);
         Correction { effort: self.force, observed_energy: sum, alpha: zero, shortfall, accepted }
+    }
+}
+
+impl<V: Signal, B> Snapshot for EnergyBounding<V, B> {
+    /// The last force, N, and the energy, J.
+    type State = (V, V::Scalar);
+
+    fn state(&self) -> Self::State {
+        (self.force, self.energy.state())
+    }
+
+    fn restored(self, (force, energy): Self::State) -> Result<Self, ParameterError> {
+        let force = Requirement::Finite.check_axes("stored force", force)?;
+        Ok(Self { force, energy: self.energy.restored(energy)?, ..self })
     }
 }

@@ -13,10 +13,11 @@ use core::marker::PhantomData;
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
+use crate::account::account_in_sum;
 use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
@@ -182,5 +183,22 @@ where
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+account_in_sum!(
+    impl[T: Scalar, D, R, A: Accumulator<T>, const N: usize] ForceBounding<T, D, R, A, N>, in T, is energy
+);
+
+impl<T: Scalar, D, R, A: Snapshot, const N: usize> Snapshot for ForceBounding<T, D, R, A, N> {
+    /// The energy, and what the forces under way may take.
+    type State = (A::State, SVector<T, N>);
+
+    fn state(&self) -> Self::State {
+        (self.energy.state(), self.pipe.costs())
+    }
+
+    fn restored(self, (energy, costs): Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { energy: self.energy.restored(energy)?, pipe: self.pipe.carrying(costs)?, ..self })
     }
 }

@@ -6,9 +6,10 @@ pub use constraint::{Constraint, Input};
 
 use lyapunov_core::{
     Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
-    Requirement, Scalar, Signal, Stabilizer,
+    Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
+use crate::account::account;
 use crate::{DampingLimit, LimitCredit, StabilizerExt};
 
 /// A safety filter on an energy: the least correction that keeps the next observed energy above a share of this one,
@@ -119,5 +120,41 @@ where
             accepted,
         }
         .checked()
+    }
+}
+
+account!(impl[T: Scalar, C, A: Accumulator<T>] LeastNorm<T, C, A>, in T, is observer.ledger);
+
+impl<T: Scalar, C, A> LeastNorm<T, C, A> {
+    /// The candidate.
+    pub fn candidate(&self) -> &C {
+        &self.observer.candidate
+    }
+
+    /// The candidate, to be changed between ticks, as [`Lolc::candidate_mut`](crate::Lolc::candidate_mut).
+    pub fn candidate_mut(&mut self) -> &mut C {
+        &mut self.observer.candidate
+    }
+
+    /// The largest damping.
+    pub fn limit(&self) -> DampingLimit<T> {
+        self.limit
+    }
+
+    /// Changes the limit between ticks, as [`Lolc::set_limit`](crate::Lolc::set_limit).
+    pub fn set_limit(&mut self, limit: DampingLimit<T>) {
+        self.limit = limit;
+    }
+}
+
+impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for LeastNorm<T, C, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
     }
 }

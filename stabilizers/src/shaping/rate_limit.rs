@@ -1,10 +1,11 @@
 //! Rate limit: corrections that grow no faster than a motor follows.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::{added, portion};
+use crate::account::lends;
 
 /// Stabilizer whose correction grows by at most `rate · T` newtons per tick on each axis, `rate` in N/s.
 ///
@@ -59,5 +60,36 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for RateLimit<S, V> {
         let correction = portion(correction, sample, effort, share);
         self.last = added(&correction, effort);
         correction
+    }
+}
+
+lends!(impl[S, V: Signal] RateLimit<S, V>, of S, in V::Scalar);
+
+impl<S, V: Signal> RateLimit<S, V> {
+    /// The largest growth of a correction, N/s.
+    pub fn rate(&self) -> V::Scalar {
+        self.rate
+    }
+
+    /// Changes the largest growth between ticks. A smaller one delays dissipation and changes no sum.
+    ///
+    /// # Errors
+    /// `rate` below 0 or NaN; the old one stays.
+    pub fn set_rate(&mut self, rate: V::Scalar) -> Result<(), ParameterError> {
+        self.rate = Requirement::Limit.check("correction rate", rate)?;
+        Ok(())
+    }
+}
+
+impl<S: Snapshot, V: Signal> Snapshot for RateLimit<S, V> {
+    type State = (S::State, V);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.last)
+    }
+
+    fn restored(self, (inside, last): Self::State) -> Result<Self, ParameterError> {
+        let last = Requirement::Finite.check_axes("stored correction", last)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, last, ..self })
     }
 }

@@ -1,10 +1,11 @@
 //! Soft start: corrections that rise over the first ticks of an engagement.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::portion;
+use crate::account::lends;
 
 /// Stabilizer whose correction rises over the first `N` ticks of each engagement: on the `j`-th tick in debt after
 /// one without, `min(1, j / N)` of it is applied.
@@ -49,5 +50,20 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for SoftStart<S, V::Scalar> {
         self.engaged = V::Scalar::choose(correction.observed_energy.below(zero), further, zero);
         // By division: a product with 1 / N may stay below 1 on the N-th tick.
         portion(correction, sample, effort, self.engaged / self.ticks)
+    }
+}
+
+lends!(impl[S, T: Scalar] SoftStart<S, T>, of S, in T);
+
+impl<S: Snapshot, T: Scalar> Snapshot for SoftStart<S, T> {
+    type State = (S::State, T);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.engaged)
+    }
+
+    fn restored(self, (inside, engaged): Self::State) -> Result<Self, ParameterError> {
+        let engaged = Requirement::NonNegative.check("stored ticks", engaged)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, engaged, ..self })
     }
 }

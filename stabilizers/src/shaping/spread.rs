@@ -1,10 +1,11 @@
 //! Spread correction: a debt paid in instalments.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::portion;
+use crate::account::lends;
 
 /// Stabilizer that pays a debt over `N` ticks instead of at once.
 ///
@@ -56,5 +57,20 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
         let one = V::Scalar::of(1.0);
         let share = V::Scalar::choose(self.part.below(full), self.part / burnt, one);
         portion(correction, sample, effort, share)
+    }
+}
+
+lends!(impl[S, T: Scalar] Spread<S, T>, of S, in T);
+
+impl<S: Snapshot, T: Scalar> Snapshot for Spread<S, T> {
+    type State = (S::State, T);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.part)
+    }
+
+    fn restored(self, (inside, part): Self::State) -> Result<Self, ParameterError> {
+        let part = Requirement::NonNegative.check("stored instalment", part)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, part, ..self })
     }
 }

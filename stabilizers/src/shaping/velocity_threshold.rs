@@ -1,10 +1,11 @@
 //! Velocity threshold: no correction near rest.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::portion;
+use crate::account::lends;
 
 /// Stabilizer that corrects only where `|v|` is at least a threshold, m/s.
 ///
@@ -50,5 +51,19 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for VelocityThreshold<S, V::Scal
         let slow = sample.velocity.inner(sample.velocity).below(self.square);
         let share = V::Scalar::choose(slow, V::Scalar::of(0.0), V::Scalar::of(1.0));
         portion(correction, sample, effort, share)
+    }
+}
+
+lends!(impl[S, T: Scalar] VelocityThreshold<S, T>, of S, in T);
+
+impl<S: Snapshot, T: Scalar> Snapshot for VelocityThreshold<S, T> {
+    type State = S::State;
+
+    fn state(&self) -> Self::State {
+        self.stabilizer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
     }
 }

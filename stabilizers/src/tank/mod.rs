@@ -8,9 +8,10 @@ pub use valve::{BoundedValve, OpenValve, Valve};
 
 use lyapunov_core::{
     Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
-    Requirement, Scalar, Signal, Stabilizer,
+    Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
+use crate::account::account;
 use crate::{LimitCredit, StabilizerExt};
 
 /// Limits on the energy that a [`Tank`] or an [`EnergyTank`] may hold and hand out.
@@ -121,5 +122,31 @@ where
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+account!(impl[T: Scalar, C, A: Accumulator<T>] Tank<T, C, A>, in T, is observer.ledger);
+
+impl<T: Scalar, C, A> Tank<T, C, A> {
+    /// The candidate.
+    pub fn candidate(&self) -> &C {
+        &self.observer.candidate
+    }
+
+    /// The candidate, to be changed between ticks, as [`Lolc::candidate_mut`](crate::Lolc::candidate_mut).
+    pub fn candidate_mut(&mut self) -> &mut C {
+        &mut self.observer.candidate
+    }
+}
+
+impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for Tank<T, C, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
     }
 }

@@ -7,9 +7,11 @@ mod one_way;
 pub use drift::DriftCompensated;
 
 use lyapunov_core::{
-    Accumulator, Correction, Held, Plain, PortSample, Sampled, Signal, Stabilizer, Work,
+    Accumulator, Correction, Held, ParameterError, Plain, PortSample, Sampled, Signal, Snapshot,
+    Stabilizer, Work,
 };
 
+use crate::account::account;
 use crate::{DampingLimit, LimitCredit, Lolc, StabilizerExt};
 use booking::Booking;
 use one_way::OneWay;
@@ -121,5 +123,22 @@ impl<V: Signal, W: Booking, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoPort
             self.controller.candidate_mut().ask(asked);
         }
         correction
+    }
+}
+
+account!(
+    impl[V: Signal, W: Work, A: Accumulator<V::Scalar>] TwoPortSide<V, W, A>, in V::Scalar, is controller
+);
+
+impl<V: Signal, W: Work, A: Snapshot> Snapshot for TwoPortSide<V, W, A> {
+    /// The energies received, booked and absorbed, J, the effort asked for, N, and the account.
+    type State = ((V::Scalar, V::Scalar, V::Scalar, V), A::State);
+
+    fn state(&self) -> Self::State {
+        self.controller.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { controller: self.controller.restored(state)? })
     }
 }
