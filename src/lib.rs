@@ -6,7 +6,7 @@
 //! `std`.
 //!
 //! ```
-//! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer};
+//! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, Reading, Readings, Stabilizer};
 //!
 //! fn control(
 //!     mut read: impl FnMut() -> f64,
@@ -15,14 +15,11 @@
 //!     let period = 1e-3; // s
 //!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // 0.2 kg: the least that moves
 //!     let mut popc = Popc::new(PortEnergy, limit);
-//!     let (mut last, mut applied) = (read(), 0.0); // the first reading is no displacement
+//!     let mut readings = Readings::every(period)?.no_faster_than(2.0)?; // m/s: no hand moves faster
+//!     let mut applied = 0.0;
 //!     for _ in 0..1000 {
-//!         let position = read();
-//!         let displacement = position - last;
-//!         last = position;
-//!         let velocity = displacement / period;
-//!         let sample = PortSample::new(period, position, velocity, displacement, applied);
-//!         let wall = if position > 0.0 { 8000.0 * position } else { 0.0 };
+//!         let sample = readings.read(Reading { position: read(), applied }).sample;
+//!         let wall = if sample.position > 0.0 { 8000.0 * sample.position } else { 0.0 };
 //!         let correction = popc.stabilize(&sample, wall);
 //!         applied = motor(correction.effort); // pushes with −effort, returns the effort it applied
 //!     }
@@ -40,6 +37,7 @@
 //! |---|---|
 //! | [`stabilizers`] | the family of POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
 //! | [`candidates`] | terms of a Lyapunov candidate, and the gates that open them |
+//! | [`readings`] | the memory of a port in a loop of your own: first tick, gaps, clock, velocity filters |
 //! | [`environments`] | virtual walls, springs and solids |
 //! | [`bodies`] | masses on an operator's hand, with friction, elastic joints, a changing grip |
 //! | [`effects`] | encoder, noise, filters, hold, delay, dropout, saturation, guard |
@@ -53,9 +51,10 @@
 #![no_std]
 
 pub use lyapunov_core::{
-    AdmittanceSample, Correction, Dissipation, Held, Ledger, LyapunovCandidate, Mask, Observer,
-    OnePort, ParameterError, Plant, PortEnergy, PortSample, Requirement, Sampled, Scalar, Signal,
-    Stabilized, Stabilizer, StorageFunction, Work, lanes, laws,
+    AdmittanceSample, CheckedSample, Correction, Dissipation, Held, HeldFlow, HeldTick, Ledger,
+    LyapunovCandidate, Mask, MovingReading, Observer, OnePort, ParameterError, Plant, PortEnergy,
+    PortSample, Reading, Readings, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilized,
+    Stabilizer, StorageFunction, Work, lanes, laws,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
@@ -63,10 +62,10 @@ pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 pub mod prelude {
     pub use crate::bodies::PlantExt;
     pub use crate::effects::OnePortExt;
-    pub use crate::stabilizers::StabilizerExt;
+    pub use crate::stabilizers::{Account, StabilizerExt};
     pub use crate::{
-        DampingLimit, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Scalar, Signal,
-        Stabilizer,
+        DampingLimit, HeldTick, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Reading,
+        Readings, Scalar, Signal, Snapshot, Stabilizer,
     };
 }
 
@@ -78,6 +77,14 @@ pub mod accumulators {
 /// Terms of a Lyapunov candidate beyond those of the root, and the gates that open them.
 pub mod candidates {
     pub use lyapunov_core::{Always, Gate, InContact, LyapunovFunction};
+}
+
+/// Velocities of [`Readings`], and their time.
+pub mod readings {
+    pub use lyapunov_core::{
+        CheckedSample, Clocked, Differenced, LowPassed, Measured, MovingReading, Reading, Readings,
+        Steady, VelocityEstimator, Windowed,
+    };
 }
 
 /// Virtual environments, which respond to a motion with a force.
@@ -101,8 +108,8 @@ pub mod bodies {
 /// Imperfections of the sampled loop, as adaptors of a port.
 pub mod effects {
     pub use lyapunov_plants::{
-        AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass,
-        Noise, OnePortExt, Random, Saturation, Source, ZeroOrderHold,
+        AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
+        LowPass, Noise, OnePortExt, Random, Saturation, Source, ZeroOrderHold,
     };
 }
 
@@ -143,14 +150,14 @@ pub mod models {
 /// Family around [`Lolc`] and [`Popc`]: adaptors that refine them, and other stabilizers.
 pub mod stabilizers {
     pub use lyapunov_stabilizers::{
-        AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint, ContactReset,
-        CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
+        Account, AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint,
+        ContactReset, CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
         InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, MemoryBased,
         Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit, ReferenceDamper,
         ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
-        TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, WaveFilter,
-        WaveFollower, WaveTransform, WindowedCredit,
+        TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, Watchdog,
+        WatchdogTimes, WaveFilter, WaveFollower, WaveTransform, WindowedCredit,
     };
 }
 

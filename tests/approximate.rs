@@ -5,7 +5,7 @@ use approx::{
 };
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, PortSample, Scalar,
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, PortSample, Scalar,
     accumulators::DoubleDouble,
     bodies::{DampedMass, ElasticJoint, Impedance, TwoMassParts},
     integrators::State,
@@ -14,7 +14,9 @@ use nalgebra::{Vector1, Vector2};
 
 #[test]
 fn every_field_counts_by_its_own_unit() {
-    let sample = PortSample::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    let sample =
+        HeldTick { period: 1e-3, position: 0.1, velocity: 0.2, displacement: 3e-4, applied: 5.0 }
+            .sample();
     let changes: [fn(&mut PortSample<f64>) -> &mut f64; 6] = [
         |sample| &mut sample.period,
         |sample| &mut sample.position,
@@ -31,7 +33,8 @@ fn every_field_counts_by_its_own_unit() {
         assert!(!relative_eq!(sample, other, max_relative = 1e-8));
         assert!(!ulps_eq!(sample, other));
     }
-    let load = AdmittanceSample::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    let load =
+        HeldFlow { period: 1e-3, momentum: 0.1, effort: 0.2, impulse: 3e-4, flow: 5.0 }.sample();
     assert!(!abs_diff_eq!(load, AdmittanceSample { flow: 5.1, ..load }, epsilon = 0.09));
     assert_relative_eq!(load, AdmittanceSample { flow: 5.1, ..load }, max_relative = 0.02);
 }

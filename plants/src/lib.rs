@@ -55,8 +55,8 @@ pub use dynamics::{
     WalledOscillator,
 };
 pub use effects::{
-    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass, Noise,
-    OnePortExt, Saturation, ZeroOrderHold,
+    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
+    LowPass, Noise, OnePortExt, Saturation, ZeroOrderHold,
 };
 pub use environments::{
     Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics, LayeredWall,

@@ -3,7 +3,8 @@
 //! [`Lolc`] watches a candidate of your choice; [`Popc`] is the same with the port's own energy. Start with `Popc`, or
 //! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
 //! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
-//! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit or a gentler correction.
+//! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit, a gentler correction, or a
+//! [`Watchdog`].
 //! [`LeastNorm`] looks one period ahead.
 //!
 //! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping;
@@ -12,6 +13,7 @@
 //! [`TwoPortSide`]s, two [`TwoLayer`]s, or a [`WaveTransform`] that codes the signals that go through it.
 #![no_std]
 
+mod account;
 mod booked;
 mod coupled_port;
 mod credit;
@@ -35,8 +37,10 @@ mod stabilizer_ext;
 mod tank;
 mod two_layer;
 mod two_port;
+mod watchdog;
 mod wave;
 
+pub use account::Account;
 pub use coupled_port::{CoupledPort, VirtualCoupling};
 pub use credit::{BoundedCredit, ContactReset, LimitCredit, WindowedCredit};
 pub use damping_limit::DampingLimit;
@@ -60,4 +64,5 @@ pub use stabilizer_ext::StabilizerExt;
 pub use tank::{BoundedValve, EnergyTank, OpenValve, Tank, TankLimits, Valve};
 pub use two_layer::{Sharing, TwoLayer};
 pub use two_port::{DriftCompensated, TwoPortSide};
+pub use watchdog::{Watchdog, WatchdogTimes};
 pub use wave::{Following, WaveFilter, WaveFollower, WaveTransform};
