@@ -10,6 +10,9 @@
 //! the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor an allocator, and does not panic.
 //! [`laws`] checks parts of your own.
 //!
+//! The port of a rigid body carries a [`Screw`], a wrench and a twist, beside the [`Pose`] ([`WithPose`]); a [`TaskPort`]
+//! and a [`Jacobian`] join it to the joints of an arm.
+//!
 //! The traits are written for impedance causality: motion in, effort out. For the dual, effort in and motion out, an
 //! [`AdmittanceSample`] takes the place of the `PortSample`, and a flow that of the effort.
 //!
@@ -36,6 +39,7 @@ mod one_port;
 mod parameter;
 mod plant;
 mod port_sample;
+mod poses;
 mod scalar;
 mod signal;
 mod stabilizer;
@@ -61,6 +65,9 @@ pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
 pub use plant::Plant;
 pub use port_sample::PortSample;
+pub use poses::{
+    Angle, Axes, BodyAxes, Jacobian, Pose, PoseTrack, Screw, Spatial, TaskPort, WithPose, WorldAxes,
+};
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;
 pub use stabilizer::{Stabilized, Stabilizer};

@@ -4,7 +4,8 @@
 //! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
 //! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
 //! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit or a gentler correction.
-//! [`LeastNorm`] looks one period ahead.
+//! [`LeastNorm`] looks one period ahead. On the port of a rigid body [`PerPart`] keeps translation and rotation apart,
+//! [`PartLimits`] limits both under one sum, and [`InertiaLimit`] takes the limit from an arm's inertia at every tick.
 //!
 //! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping;
 //! they reduce efforts whose energy is not covered. Around an environment stand [`CoupledPort`], a spring and a damper,
@@ -24,7 +25,9 @@ mod input_to_state;
 mod least_norm;
 mod lolc;
 mod memory_based;
+mod mobility;
 mod no_stabilizer;
+mod parts;
 mod path_memory;
 mod per_axis;
 mod popc;
@@ -49,12 +52,14 @@ pub use input_to_state::InputToState;
 pub use least_norm::{Constraint, Input, LeastNorm};
 pub use lolc::Lolc;
 pub use memory_based::MemoryBased;
+pub use mobility::{JointMobility, Mobility, TaskMobility};
 pub use no_stabilizer::NoStabilizer;
+pub use parts::{BodyInertia, PartLimits, PerPart};
 pub use path_memory::PathMemory;
 pub use per_axis::PerAxis;
 pub use popc::Popc;
 pub use reference_following::{ReferenceDamper, ReferenceFollowing};
-pub use shaping::{RateLimit, SoftStart, Spread, VelocityThreshold};
+pub use shaping::{InertiaLimit, RateLimit, SoftStart, Spread, VelocityThreshold};
 pub use slope_bound::SlopeBound;
 pub use stabilizer_ext::StabilizerExt;
 pub use tank::{BoundedValve, EnergyTank, OpenValve, Tank, TankLimits, Valve};

@@ -12,6 +12,7 @@ mod noise;
 mod one_port_ext;
 mod retold;
 mod saturation;
+mod scaled;
 mod zero_order_hold;
 
 pub use adaptive_window::AdaptiveWindow;
@@ -25,4 +26,5 @@ pub use low_pass::LowPass;
 pub use noise::Noise;
 pub use one_port_ext::OnePortExt;
 pub use saturation::Saturation;
+pub use scaled::Scaled;
 pub use zero_order_hold::ZeroOrderHold;

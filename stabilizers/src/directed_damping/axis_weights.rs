@@ -26,6 +26,11 @@ impl<V: Signal> AxisWeights<V> {
         });
         checked.map(|()| Self { weights })
     }
+
+    /// The metric of weights that are known to be from 0 to 1.
+    pub(crate) fn of_shares(weights: V) -> Self {
+        Self { weights }
+    }
 }
 
 impl<V: Signal> Metric<V> for AxisWeights<V> {

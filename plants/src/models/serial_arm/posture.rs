@@ -1,0 +1,128 @@
+//! Serial arm in one posture.
+
+use lyapunov_core::{Jacobian, Pose, Scalar, Screw, WorldAxes};
+use nalgebra::{SMatrix, SVector, Vector3};
+
+use super::{ArmLink, SerialArm};
+
+/// A [`SerialArm`] with given angles of its joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArmPosture<'a, T, const N: usize> {
+    arm: &'a SerialArm<T, N>,
+    frames: [Pose<T>; N],
+    tool: Pose<T>,
+}
+
+impl<'a, T: Scalar, const N: usize> ArmPosture<'a, T, N> {
+    pub(super) fn new(arm: &'a SerialArm<T, N>, frames: [Pose<T>; N], tool: Pose<T>) -> Self {
+        Self { arm, frames, tool }
+    }
+
+    /// The pose of the tool.
+    #[inline]
+    pub fn tool(&self) -> &Pose<T> {
+        &self.tool
+    }
+
+    /// The geometric Jacobian of the tool: of each joint with axis `z` at `o`, `(z × (p − o), z)`.
+    #[inline]
+    pub fn jacobian(&self) -> Jacobian<T, N, WorldAxes> {
+        Jacobian::of(core::array::from_fn(|joint| {
+            let axis = self.axis(joint);
+            let arm = self.tool.position - self.frames[joint].position;
+            Screw::new(axis.cross(&arm), axis)
+        }))
+    }
+
+    /// The inertia matrix `M(q)` of the joints, kg·m².
+    #[inline]
+    pub fn inertia(&self) -> SMatrix<T, N, N> {
+        let mut inertia = SMatrix::<T, N, N>::zeros();
+        for column in 0..N {
+            let mut unit = SVector::zeros();
+            unit[column] = T::of(1.0);
+            inertia.set_column(column, &self.torques(SVector::zeros(), unit));
+        }
+        inertia
+    }
+
+    /// The torques `M(q) q̈ + c(q, q̇)` of a motion with these `rates` and `accelerations`, by the recursion of Newton
+    /// and Euler (Luh, Walker and Paul, Journal of Dynamic Systems, Measurement, and Control 102(2), 1980), along the
+    /// world's axes.
+    #[inline]
+    pub fn torques(&self, rates: SVector<T, N>, accelerations: SVector<T, N>) -> SVector<T, N> {
+        let mut loads = [(Vector3::zeros(), Vector3::zeros(), Vector3::zeros()); N];
+        let (mut spin, mut turning) = (Vector3::zeros(), Vector3::zeros());
+        let (mut origin, mut moving) = (Vector3::zeros(), Vector3::zeros());
+        for (joint, load) in loads.iter_mut().enumerate() {
+            let ArmLink { mass, centre, inertia, .. } = self.arm.links[joint];
+            let frame = &self.frames[joint];
+            let swept = |arm: Vector3<T>, spin: Vector3<T>, turning: Vector3<T>| {
+                turning.cross(&arm) + spin.cross(&spin.cross(&arm))
+            };
+            moving += swept(frame.position - origin, spin, turning);
+            origin = frame.position;
+            let turned = self.axis(joint) * rates[joint];
+            turning += self.axis(joint) * accelerations[joint] + spin.cross(&turned);
+            spin += turned;
+
+            let arm = frame.to_world(centre);
+            let force = (moving + swept(arm, spin, turning)) * mass;
+            let about = |rate: Vector3<T>| {
+                let own = frame.to_body(rate);
+                let [x, y, z] = [0, 1, 2].map(|axis| inertia.column(axis) * own[axis]);
+                frame.to_world(x + y + z)
+            };
+            let moment = about(turning) + spin.cross(&about(spin));
+            *load = (force, moment + arm.cross(&force), origin);
+        }
+        let (mut force, mut moment, mut beyond) = (Vector3::zeros(), Vector3::zeros(), origin);
+        let mut torques = SVector::zeros();
+        for (joint, (own, about, origin)) in loads.into_iter().enumerate().rev() {
+            moment += (beyond - origin).cross(&force) + about;
+            force += own;
+            beyond = origin;
+            torques[joint] = self.axis(joint).dot(&moment);
+        }
+        torques
+    }
+
+    #[inline]
+    fn axis(&self, joint: usize) -> Vector3<T> {
+        self.frames[joint].to_world(Vector3::from_fn(|axis, _| T::of([0.0, 0.0, 1.0][axis])))
+    }
+}
+
+/// Gauss' elimination of one column of a symmetric matrix below its diagonal.
+pub(super) fn eliminate<T: Scalar, const N: usize>(matrix: &mut SMatrix<T, N, N>, column: usize) {
+    for row in column + 1..N {
+        let factor = matrix[(row, column)] / matrix[(column, column)];
+        for other in column + 1..N {
+            let part = factor * matrix[(column, other)];
+            matrix[(row, other)] -= part;
+        }
+        matrix[(row, column)] = factor;
+    }
+}
+
+/// The solution `x` of `matrix · x = right` for a matrix that is positive definite.
+pub(super) fn solved<T: Scalar, const N: usize>(
+    mut matrix: SMatrix<T, N, N>,
+    mut right: SVector<T, N>,
+) -> SVector<T, N> {
+    for column in 0..N {
+        eliminate(&mut matrix, column);
+        for row in column + 1..N {
+            let part = matrix[(row, column)] * right[column];
+            right[row] -= part;
+        }
+    }
+    for column in (0..N).rev() {
+        for other in column + 1..N {
+            let part = matrix[(column, other)] * right[other];
+            right[column] -= part;
+        }
+        right[column] = right[column] / matrix[(column, column)];
+    }
+    right
+}
