@@ -39,11 +39,11 @@ impl<T: Scalar> Pose<T> {
         Self { position, quaternion: orientation.into_inner().coords }
     }
 
-    /// The pose at the origin, with its axes along those of the world.
+    /// The pose at `position` m with its axes along those of the world.
     #[inline]
-    pub fn identity() -> Self {
+    pub fn at(position: Vector3<T>) -> Self {
         let (zero, one) = (T::of(0.0), T::of(1.0));
-        Self { position: Vector3::zeros(), quaternion: Vector4::new(zero, zero, zero, one) }
+        Self { position, quaternion: Vector4::new(zero, zero, zero, one) }
     }
 
     /// The orientation, of length 1.

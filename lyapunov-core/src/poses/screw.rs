@@ -109,6 +109,14 @@ impl<T: Angle, F: Axes> Screw<T, F> {
     }
 }
 
+impl<T: Scalar, F: Axes> Default for Screw<T, F> {
+    /// Nothing: no twist, no wrench.
+    #[inline(always)]
+    fn default() -> Self {
+        Self::zero()
+    }
+}
+
 impl<T: Scalar, F: Axes> Add for Screw<T, F> {
     type Output = Self;
 

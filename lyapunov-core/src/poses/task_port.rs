@@ -30,7 +30,7 @@ use crate::{Axes, Jacobian, PortSample, Pose, Scalar, Screw, Signal, WithPose, W
 /// // One hinge, with its tool 0.5 m away.
 /// let at = |q: f64| Vector3::new(0.5 * q.cos(), 0.5 * q.sin(), 0.0);
 /// let jacobian = |q: f64| Jacobian::of([Screw::new(Vector3::z().cross(&at(q)), Vector3::z())]);
-/// let pose = |q: f64| Pose { position: at(q), ..Pose::identity() };
+/// let pose = |q: f64| Pose::at(at(q));
 /// let mut port = TaskPort::<f64, 1, WorldAxes>::starting(&pose(0.0), &jacobian(0.0));
 /// let wrench = Screw::new(Vector3::new(0.0, 8.0, 0.0), Vector3::zeros());
 /// let torque = port.torques(WithPose::of(wrench));

@@ -48,7 +48,7 @@ pub struct RigidParts<T> {
 /// let moments = Vector3::new(1e-3, 2e-3, 3e-3);
 /// let parts = RigidParts { mass: 0.5, moments, damping: 0.0, rotational_damping: 0.0 };
 /// let spin = Screw::new(Vector3::zeros(), Vector3::new(0.01, 20.0, 0.0)); // about the middle axis: it tumbles
-/// let mut body = RigidBody::<f64, WorldAxes>::new(parts, 1e-3, 1)?.starting(Pose::identity(), spin);
+/// let mut body = RigidBody::<f64, WorldAxes>::new(parts, 1e-3, 1)?.starting(Pose::at(Vector3::zeros()), spin);
 /// let energy = body.kinetic();
 /// for _ in 0..10_000 {
 ///     body.advance(WithPose::default());
@@ -86,7 +86,7 @@ impl<T: Angle, F: Axes> RigidBody<T, F> {
         let period = Requirement::Positive.check("period", period)?;
         Requirement::AtLeast(1.0).check("steps", f64::from(steps))?;
         let interval = period / T::of(f64::from(steps));
-        let (pose, still) = (Pose::identity(), Vector3::zeros());
+        let (pose, still) = (Pose::at(Vector3::zeros()), Vector3::zeros());
         let track = PoseTrack::from(pose);
         Ok(Self { parts, period, interval, steps, pose, velocity: still, rate: still, track })
     }

@@ -25,7 +25,7 @@ use crate::{ForceLaw, Kinematics};
 /// let floor = Contact::with(Plane::new(Vector3::zeros(), Vector3::z())?, 1000.0, 0.0)?;
 /// let tip = Vector3::new(0.1, 0.0, -0.05);
 /// let mut tool = BodyPoints::of(floor, [tip]);
-/// let pose = Pose { position: Vector3::new(0.0, 0.0, 0.048), ..Pose::identity() }; // 2 mm deep
+/// let pose = Pose::at(Vector3::new(0.0, 0.0, 0.048)); // 2 mm deep
 /// let sample: PortSample<WithPose<f64, WorldAxes>> =
 ///     PortSample::starting(1e-3, WithPose::at(pose), WithPose::default());
 /// let effort = tool.respond(&sample).screw; // acts against the motion: 2 N up and 0.2 N·m

@@ -43,7 +43,7 @@ impl<T: Scalar> OrientationSpring<T> {
         Ok(Self {
             stiffness: Requirement::NonNegative.check("stiffness", stiffness)?,
             damper: Dissipation::of(damping)?,
-            rest: Pose::identity(),
+            rest: Pose::at(Vector3::zeros()),
         })
     }
 

@@ -50,7 +50,7 @@ pub struct ArmLink<T> {
 ///     centre: Vector3::x() * (length / 2.0),
 ///     inertia: Matrix3::from_diagonal(&(Vector3::new(0.0, 1.0, 1.0) * (length * length / 12.0))),
 /// };
-/// let tip = Pose { position: Vector3::x() * 0.3, ..Pose::identity() };
+/// let tip = Pose::at(Vector3::x() * 0.3);
 /// let arm = SerialArm::new([rod(0.4, 0.0), rod(0.3, 0.4)], tip)?;
 /// let elbow = arm.at(Vector2::new(0.0, core::f64::consts::FRAC_PI_2));
 /// assert!((elbow.tool().position - Vector3::new(0.4, 0.3, 0.0)).norm() < 1e-15);
@@ -98,7 +98,7 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
     /// The arm with these `angles` of its joints, rad.
     #[inline]
     pub fn at(&self, angles: SVector<T, N>) -> ArmPosture<'_, T, N> {
-        let mut before = Pose::identity();
+        let mut before = Pose::at(Vector3::zeros());
         let frames = core::array::from_fn(|joint| {
             before = before.then(&self.relative(joint, angles[joint]));
             before
