@@ -56,60 +56,69 @@ fn panda() -> Result<SerialArm<f64, 7>, ParameterError> {
     SerialArm::new(links, flange)
 }
 
-/// The largest speed of the tool in each quarter of a second, mm/s, and the damping that the table asked for, N·s/m.
-fn run(cap: f64) -> Result<([f64; 8], [f64; 2]), ParameterError> {
+/// What is seen of two seconds.
+struct Seen {
+    /// Largest speed of the tool in each quarter of a second, mm/s.
+    speeds: [f64; 8],
+    /// Least and largest apparent mass along the motion, kg.
+    masses: [f64; 2],
+}
+
+fn run(cap: f64) -> Result<Seen, ParameterError> {
     let arm = panda()?;
-    let mut state = State {
-        position: Joints::from([0.0, -FRAC_PI_4, 0.0, -3.0 * FRAC_PI_4, 0.0, FRAC_PI_2, FRAC_PI_4]),
-        velocity: Joints::zeros(),
-    };
+    let angles = [0.0, -FRAC_PI_4, 0.0, -3.0 * FRAC_PI_4, 0.0, FRAC_PI_2, FRAC_PI_4];
+    let mut state = State { position: Joints::from(angles), velocity: Joints::zeros() };
     let start = arm.at(state.position);
     let surface = start.tool().position - Vector3::z() * 0.005; // 5 mm below the tool
     let table = Contact::with(Plane::new(surface, Vector3::z())?, 40_000.0, 0.0)?;
     let mut table = BodyPoints::of(table, [Vector3::y() * 0.04, Vector3::y() * -0.04]); // an edge
 
-    let mut port = TaskPort::starting(start.tool(), &start.jacobian());
-    let mobility = TaskMobility::new(&start.jacobian(), start.inertia())?;
     // One sum; damping is shared as by a body of 1 kg and 0.01 kg·m², and limited by the arm's own inertia.
     let body = BodyInertia { mass: 1.0, moment: 0.01 };
     let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY)?);
     let shared = DirectedDamping::within(unlimited, PartLimits::of_body(1e3, body, PERIOD)?);
+    let mobility = TaskMobility::new(&start.jacobian(), start.inertia())?;
     let mut popc = InertiaLimit::new(shared, mobility, cap, PERIOD)?;
+    let mut port = TaskPort::starting(start.tool(), &start.jacobian());
 
     let mut joints = PortSample::starting(PERIOD, state.position, state.velocity);
-    let (mut speeds, mut masses) = ([0.0; 8], [f64::INFINITY, 0.0]);
+    let mut seen = Seen { speeds: [0.0; 8], masses: [f64::INFINITY, 0.0] };
     for tick in 0..2000 {
         let posture = arm.at(state.position);
         let jacobian = posture.jacobian();
-        let sample = port.tell(&joints, posture.tool(), &jacobian);
         let mobility = TaskMobility::new(&jacobian, posture.inertia())?;
-        let twist = sample.velocity.screw;
-        let along: Screw<f64> = Screw::new(twist.translation, Vector3::zeros());
-        let mass = mobility.apparent(along);
-        if mass.is_finite() {
-            masses = [masses[0].min(mass), masses[1].max(mass)];
-        }
         popc.tell(mobility);
+        let sample = port.tell(&joints, posture.tool(), &jacobian);
         let effort = popc.stabilize(&sample, table.respond(&sample)).effort;
         let torque = port.torques(effort);
 
+        // The rest is the world's: a hand that pushes the tool down, friction, and the arm's own motion.
         let hand = jacobian.torques(Screw::new(PUSH, Vector3::zeros()));
         let others = hand - state.velocity * FRICTION;
-        let gain = RungeKutta4.step(&arm, state, torque - others, PERIOD);
-        state = state + gain;
-        let moved = gain.position;
+        let State { position: moved, velocity } =
+            RungeKutta4.step(&arm, state, torque - others, PERIOD);
+        state = State { position: state.position + moved, velocity: state.velocity + velocity };
         joints = PortSample::new(PERIOD, state.position, moved / PERIOD, moved, torque);
-        let most: &mut f64 = &mut speeds[tick / 250];
-        *most = most.max(1e3 * twist.translation.norm());
+
+        let along = sample.velocity.screw.translation;
+        let speed: &mut f64 = &mut seen.speeds[tick / 250];
+        *speed = speed.max(1e3 * along.norm());
+        if along.norm() > 1e-3 {
+            let mass = mobility.apparent(Screw::new(along, Vector3::zeros()));
+            seen.masses = [seen.masses[0].min(mass), seen.masses[1].max(mass)];
+        }
     }
-    Ok((speeds, masses))
+    Ok(seen)
 }
 
 fn main() -> Result<(), ParameterError> {
     println!("largest speed of the tool in each quarter of a second, mm/s");
-    for cap in [0.0, 0.5] {
-        let (speeds, masses) = run(cap)?;
-        println!("cap {cap}: {speeds:8.2?} {masses:?}");
-    }
+    let (without, with) = (run(0.0)?, run(0.5)?);
+    println!("without stabilizer  {:7.1?}", without.speeds);
+    println!("with                {:7.1?}", with.speeds);
+    let [least, most] = with.masses;
+    println!("the apparent mass along the motion was between {least:.2} and {most:.2} kg");
+    assert!(without.speeds[7] > 100.0, "it hammers on the table");
+    assert!(with.speeds[7] < 20.0, "it comes to rest on it");
     Ok(())
 }

@@ -6,6 +6,12 @@ use crate::Scalar;
 ///
 /// They come from `libm` in the scalar's own width, so that a pose has the same bits on every machine, with `std` and
 /// without. Lanes are left out: no function of `libm` works on them.
+///
+/// ```
+/// use lyapunov_core::Angle;
+/// let (sine, cosine) = 0.3_f32.sine_cosine();
+/// assert!((sine.arc_tangent(cosine) - 0.3).abs() < 1e-7);
+/// ```
 pub trait Angle: Scalar<Mask = bool> {
     /// Sine and cosine.
     fn sine_cosine(self) -> (Self, Self);

@@ -12,6 +12,16 @@ use crate::{Angle, Pose, Scalar, Screw};
 /// Both refer to the body's own reference point, the one whose position a [`Pose`] gives, so a change of axes turns
 /// velocity, angular velocity, force and torque alike, and moves no lever arm. `v` is always the velocity of that
 /// point, and a torque is always about it.
+///
+/// ```
+/// use lyapunov_core::{BodyAxes, Pose, Screw, WorldAxes};
+/// use nalgebra::{Isometry3, Vector3};
+/// // A tool that points down feels a push up as a push backwards.
+/// let down = Pose::from(Isometry3::rotation(Vector3::x() * core::f64::consts::PI));
+/// let push = Screw::<f64, WorldAxes>::new(Vector3::z() * 3.0, Vector3::zeros());
+/// let felt: Screw<f64, BodyAxes> = push.along(&down);
+/// assert!((felt.translation + Vector3::z() * 3.0).norm() < 1e-15);
+/// ```
 pub trait Axes: Copy + Debug + PartialEq + sealed::Sealed + 'static {
     /// `vector`, given along the world's axes, along these.
     fn from_world<T: Scalar>(pose: &Pose<T>, vector: Vector3<T>) -> Vector3<T>;

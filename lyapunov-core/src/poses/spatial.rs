@@ -5,6 +5,17 @@ use crate::{Axes, Scalar, Screw, Signal, WithPose};
 /// A signal that is a twist or a wrench, with or without a pose beside it.
 ///
 /// What treats translation and rotation apart is written once for both.
+///
+/// ```
+/// use lyapunov_core::{LyapunovCandidate, PortSample, Signal, Spatial};
+/// /// The work of rotation alone.
+/// struct OfRotation;
+/// impl<V: Spatial> LyapunovCandidate<V> for OfRotation {
+///     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+///         Signal::sum(sample.work.screw().rotation)
+///     }
+/// }
+/// ```
 pub trait Spatial: Signal {
     /// The axes along which the screw is given.
     type Axes: Axes;

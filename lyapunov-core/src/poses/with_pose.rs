@@ -21,6 +21,23 @@ use crate::{Axes, Pose, Scalar, Screw, Signal, WorldAxes};
 ///
 /// A [`PoseTrack`](crate::PoseTrack) makes such positions from poses that are read. The pose carries no power: the
 /// [`sum`](Signal::sum) over the axes, and with it work and `v²`, is over the screw alone.
+///
+/// ```
+/// use lyapunov_core::{OnePort, Pose, PortSample, Screw, WithPose};
+/// use nalgebra::{Isometry3, Vector3};
+/// /// A torque that turns the body's z axis upright.
+/// struct Upright { stiffness: f64 } // N·m
+/// impl OnePort<WithPose<f64>> for Upright {
+///     fn respond(&mut self, sample: &PortSample<WithPose<f64>>) -> WithPose<f64> {
+///         let axis = sample.position.pose.to_world(Vector3::z());
+///         WithPose::of(Screw::new(Vector3::zeros(), Vector3::z().cross(&axis) * self.stiffness))
+///     }
+/// }
+/// let leaning = Pose::from(Isometry3::rotation(Vector3::x() * 0.5));
+/// let at_rest = PortSample::starting(1e-3, WithPose::at(leaning), WithPose::default());
+/// let effort = Upright { stiffness: 2.0 }.respond(&at_rest).screw; // acts against the turn
+/// assert!((effort.rotation.x - 2.0 * 0.5_f64.sin()).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithPose<T, F = WorldAxes> {
     /// The part that efforts act on.

@@ -7,6 +7,14 @@ use super::Mobility;
 use crate::factors::Factors;
 
 /// Mobility of `N` joints, `M⁻¹` with `M(q)` the inertia matrix of the arm.
+///
+/// ```
+/// use lyapunov_stabilizers::{JointMobility, Mobility};
+/// use nalgebra::{Matrix2, Vector2};
+/// let mobility = JointMobility::new(Matrix2::new(0.5_f64, 0.1, 0.1, 0.1))?;
+/// assert!((mobility.apparent(Vector2::x()) - 0.4).abs() < 1e-15); // kg·m², as the other joint gives way
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointMobility<T: Scalar, const N: usize> {
     factors: Factors<T, N>,

@@ -6,6 +6,19 @@ use nalgebra::{SMatrix, SVector, Vector3};
 use super::{ArmLink, SerialArm};
 
 /// A [`SerialArm`] with given angles of its joints.
+///
+/// ```
+/// use lyapunov_core::{Pose, Screw};
+/// use lyapunov_plants::{ArmLink, SerialArm};
+/// use nalgebra::{Matrix3, Vector1, Vector3};
+/// let (centre, inertia) = (Vector3::x() * 0.2, Matrix3::identity() * 0.01);
+/// let link = ArmLink { length: 0.0, twist: 0.0, offset: 0.0, mass: 1.0, centre, inertia };
+/// let hinge = SerialArm::new([link], Pose::at(Vector3::x() * 0.5))?;
+/// let posture = hinge.at(Vector1::new(0.0));
+/// let push = Screw::new(Vector3::y() * 4.0, Vector3::zeros()); // N, across the link
+/// assert_eq!(posture.jacobian().torques(push).x, 2.0); // N·m
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmPosture<'a, T, const N: usize> {
     arm: &'a SerialArm<T, N>,
