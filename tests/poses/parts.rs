@@ -6,7 +6,9 @@ use lyapunov::{
     lanes::AutoF32x8,
     laws,
     poses::{Screw, Spatial, WithPose, WorldAxes},
-    stabilizers::{BodyInertia, DirectedDamping, LimitCredit, PartLimits, PerPart, StabilizerExt},
+    stabilizers::{
+        BodyInertia, DirectedDamping, LimitCredit, PartLimits, PerAxis, PerPart, StabilizerExt,
+    },
 };
 use nalgebra::Vector3;
 
@@ -186,6 +188,8 @@ fn keeps_the_laws<V: Spatial>() {
         let samples = laws::Samples::<V>::new(V::Scalar::of(PERIOD)).seeded(seed);
         laws::stabilizer(&each::<V::Scalar>(), samples).expect("the laws");
         laws::stabilizer(&one::<V>(), samples).expect("the laws");
+        let axes = PerAxis::of([*each::<V::Scalar>().translation(); 3]);
+        laws::stabilizer(&PerPart::of(axes, axes), samples).expect("the laws");
         let gentle = each::<V::Scalar>().spread_over(3).expect("ticks");
         laws::stabilizer(&gentle, samples).expect("the laws");
     }

@@ -1,7 +1,8 @@
 //! Track of poses: positions whose differences are displacements.
 
 use lyapunov::{
-    PortSample, Signal,
+    OnePort, PortSample, Signal,
+    effects::{Fallback, OnePortExt},
     poses::{BodyAxes, Pose, PoseTrack, Screw, WithPose, WorldAxes},
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
@@ -68,6 +69,41 @@ fn a_bad_reading_is_forgotten() {
     let mut track = PoseTrack::<f64, WorldAxes>::from(bad);
     assert!(!track.tell(&bad).finite());
     assert_eq!(track.tell(&at(0.4)), WithPose::at(at(0.4)));
+}
+
+/// Keeps the displacements that it is told.
+struct Spy(Vec<PortSample<WithPose<f64>>>);
+
+impl OnePort<WithPose<f64>> for Spy {
+    fn respond(&mut self, sample: &PortSample<WithPose<f64>>) -> WithPose<f64> {
+        self.0.push(*sample);
+        WithPose::of(Screw::new(Vector3::zeros(), Vector3::y()))
+    }
+}
+
+/// Behind a guard the sample after a gap spans it: periods, rotation and the work of the torque that was held.
+#[test]
+fn a_guard_spans_a_gap() {
+    let at = |angle: f64| Pose::from(Isometry3::rotation(Vector3::y() * angle));
+    let bad = Pose::at(Vector3::new(f64::NAN, 0.0, 0.0));
+    let mut track = PoseTrack::<f64>::from(at(3.0));
+    let (mut last, mut applied) = (track.tell(&at(3.0)), WithPose::default());
+    let mut spy = Spy(Vec::new());
+    let mut port = (&mut spy).guarded(Fallback::Hold);
+    for reading in [at(3.0), at(3.1), bad, bad, at(3.4)] {
+        let now = track.tell(&reading);
+        let moved = now - last;
+        let velocity = WithPose::of(moved.screw.scale(1e3));
+        applied = port.respond(&PortSample::new(1e-3, now, velocity, moved, applied));
+        if now.finite() {
+            last = now;
+        }
+    }
+    let [_, before, spanning] = spy.0[..] else { panic!("{}", spy.0.len()) };
+    assert!((before.displacement.screw.rotation.y - 0.1).abs() < 1e-15);
+    assert!((spanning.displacement.screw.rotation.y - 0.3).abs() < 1e-14);
+    assert!((spanning.period - 3e-3).abs() < 1e-18);
+    assert!((spanning.work.sum() - 0.3).abs() < 1e-14);
 }
 
 /// A pose carries no power: efforts and works are those of the screw.

@@ -8,7 +8,7 @@ use crate::{Angle, Axes, Pose, Screw, Signal, WithPose, WorldAxes};
 ///
 /// Two orientations have no difference, so the positions of a [`WithPose`] are sums of the displacements between one
 /// reading and the next ([`Screw::between`]): a body that keeps turning goes on past π, and whatever takes
-/// displacements from positions (a gap, an encoder, a filter) is right on a port of poses too. The rounding of the sum
+/// displacements from positions (a gap, a filter) is right on a port of poses too. The rounding of the sum
 /// is carried along, so slow motion is not lost in it, and the sum of all differences is that of all displacements to
 /// one unit in the last place.
 ///
