@@ -16,7 +16,7 @@ use lyapunov::{
     integrators::{Integrator, RungeKutta4, State},
     models::{ArmLink, SerialArm},
     poses::{Pose, Screw, TaskPort},
-    stabilizers::{BodyInertia, DirectedDamping, InertiaLimit, Mobility, PartLimits, TaskMobility},
+    stabilizers::{BodyInertia, DirectedDamping, Inertia, InertiaLimit, PartLimits, TaskInertia},
 };
 use nalgebra::{Matrix3, SVector, Vector3};
 
@@ -77,8 +77,8 @@ fn run(cap: f64) -> Result<Seen, ParameterError> {
     let body = BodyInertia { mass: 1.0, moment: 0.01 };
     let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY)?);
     let shared = DirectedDamping::within(unlimited, PartLimits::of_body(1e3, body, PERIOD)?);
-    let mobility = TaskMobility::new(&start.jacobian(), start.inertia())?;
-    let mut popc = InertiaLimit::new(shared, mobility, cap, PERIOD)?;
+    let inertia = TaskInertia::new(&start.jacobian(), start.inertia())?;
+    let mut popc = InertiaLimit::new(shared, inertia, cap, PERIOD)?;
     let mut port = TaskPort::starting(start.tool(), &start.jacobian());
 
     let mut joints = PortSample::starting(PERIOD, state.position, state.velocity);
@@ -86,8 +86,8 @@ fn run(cap: f64) -> Result<Seen, ParameterError> {
     for tick in 0..2000 {
         let posture = arm.at(state.position);
         let jacobian = posture.jacobian();
-        let mobility = TaskMobility::new(&jacobian, posture.inertia())?;
-        popc.tell(mobility);
+        let inertia = TaskInertia::new(&jacobian, posture.inertia())?;
+        popc.tell(inertia);
         let sample = port.tell(&joints, posture.tool(), &jacobian);
         let effort = popc.stabilize(&sample, table.respond(&sample)).effort;
         let torque = port.torques(effort);
@@ -104,7 +104,7 @@ fn run(cap: f64) -> Result<Seen, ParameterError> {
         let speed: &mut f64 = &mut seen.speeds[tick / 250];
         *speed = speed.max(1e3 * along.norm());
         if along.norm() > 1e-3 {
-            let mass = mobility.apparent(Screw::new(along, Vector3::zeros()));
+            let mass = inertia.apparent(Screw::new(along, Vector3::zeros()));
             seen.masses = [seen.masses[0].min(mass), seen.masses[1].max(mass)];
         }
     }

@@ -155,10 +155,10 @@ pub mod stabilizers {
         AlongDirection, AxisWeights, BodyInertia, BoundedCredit, BoundedValve, Constraint,
         ContactReset, CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
-        InertiaLimit, InertiaMetric, Input, InputToState, JointMobility, KeptCredit, LeastNorm,
-        LimitCredit, MemoryBased, Metric, Mobility, NoStabilizer, OpenValve, PartLimits,
+        Inertia, InertiaLimit, InertiaMetric, Input, InputToState, JointInertia, KeptCredit,
+        LeastNorm, LimitCredit, MemoryBased, Metric, NoStabilizer, OpenValve, PartLimits,
         PathMemory, PerAxis, PerPart, RateLimit, ReferenceDamper, ReferenceFollowing, Sharing,
-        SlopeBound, SoftStart, Spread, StabilizerExt, Tank, TankLimits, TaskMobility, TwoLayer,
+        SlopeBound, SoftStart, Spread, StabilizerExt, Tank, TankLimits, TaskInertia, TwoLayer,
         TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, WaveFilter, WaveFollower,
         WaveTransform, WindowedCredit,
     };

@@ -21,11 +21,11 @@ mod directed_damping;
 mod energy_bounding;
 mod factors;
 mod force_bounding;
+mod inertia;
 mod input_to_state;
 mod least_norm;
 mod lolc;
 mod memory_based;
-mod mobility;
 mod no_stabilizer;
 mod parts;
 mod path_memory;
@@ -48,11 +48,11 @@ pub use energy_bounding::EnergyBounding;
 pub use force_bounding::{
     DampingMatrix, DeviceDamping, EveryAxis, ForceBound, ForceBounding, FreshContact, KeptCredit,
 };
+pub use inertia::{Inertia, JointInertia, TaskInertia};
 pub use input_to_state::InputToState;
 pub use least_norm::{Constraint, Input, LeastNorm};
 pub use lolc::Lolc;
 pub use memory_based::MemoryBased;
-pub use mobility::{JointMobility, Mobility, TaskMobility};
 pub use no_stabilizer::NoStabilizer;
 pub use parts::{BodyInertia, PartLimits, PerPart};
 pub use path_memory::PathMemory;

@@ -6,10 +6,10 @@ use proptest::{prop_assert, prop_assert_eq};
 
 use lyapunov::{
     DampingLimit, Popc, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
-    poses::{Pose, PoseTrack, Screw, WithPose},
-    stabilizers::{BodyInertia, DirectedDamping, PartLimits, PerPart},
+    poses::{Jacobian, Pose, PoseTrack, Screw, WithPose},
+    stabilizers::{BodyInertia, DirectedDamping, InertiaLimit, PartLimits, PerPart, TaskInertia},
 };
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, SMatrix, Vector3};
 
 use crate::support::{Dice, Real, quaternion, wide};
 
@@ -95,7 +95,27 @@ fn with_any<T: Real>(seed: u64) -> TestCaseResult {
     let popc = |limit| Popc::new(PortEnergy, limit);
     holds::<T>(seed, PerPart::of(popc(translation), popc(rotation)), true)?;
     let unlimited = popc(DampingLimit::at(T::of(f64::INFINITY)).expect("none"));
-    holds::<T>(seed, DirectedDamping::within(unlimited, limits::<T>()), false)
+    let shared = DirectedDamping::within(unlimited, limits::<T>());
+    holds::<T>(seed, shared, false)?;
+    // A body as six joints of its own: three that slide and three that turn.
+    let axis = |index: usize| Vector3::from_fn(|axis, _| T::of(f64::from(axis == index % 3)));
+    let zero = Vector3::zeros();
+    let joints = Jacobian::of(core::array::from_fn(|index| match index {
+        0..3 => Screw::<T>::new(axis(index), zero),
+        _ => Screw::new(zero, axis(index)),
+    }));
+    let inertia = SMatrix::<T, 6, 6>::from_fn(|row, column| {
+        T::of(if row != column {
+            0.0
+        } else if row < 3 {
+            0.3
+        } else {
+            3e-4
+        })
+    });
+    let inertia = TaskInertia::new(&joints, inertia).expect("an inertia");
+    let limited = InertiaLimit::new(shared, inertia, T::of(0.3), T::of(PERIOD)).expect("a limit");
+    holds::<T>(seed, limited, false)
 }
 
 fn try_all(property: fn(u64) -> TestCaseResult) {

@@ -67,7 +67,7 @@ fn pair<T: Real>(dice: &mut Dice, angle: f64, distance: f64) -> [Numbers<T>; 2] 
 fn sweep<T: Real>(angle: f64, distance: f64) -> [f64; 4] {
     let mut dice = Dice::of(angle.to_bits() ^ 77);
     let mut most = [0.0; 4];
-    for _ in 0..300 {
+    for _ in 0..100 {
         let [from, to] = pair::<T>(&mut dice, angle, distance);
         if from.quaternion == to.quaternion {
             continue;

@@ -3,8 +3,8 @@
 mod arm;
 mod body_points;
 mod energy;
+mod inertia;
 mod logarithm;
-mod mobility;
 mod orientation_spring;
 mod parts;
 mod rigid_body;

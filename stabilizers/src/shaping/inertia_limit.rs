@@ -5,7 +5,7 @@ use lyapunov_core::{
 };
 
 use super::{added, portion};
-use crate::{DampingLimit, Mobility, StabilizerExt};
+use crate::{DampingLimit, Inertia, StabilizerExt};
 
 /// Stabilizer whose correction is limited by the inertia that it meets: by the apparent mass along the direction of
 /// motion, at every tick.
@@ -23,14 +23,14 @@ use crate::{DampingLimit, Mobility, StabilizerExt};
 /// translation and rotation apart, and no number of it mixes their units. The stabilizer inside needs no limit of its
 /// own.
 ///
-/// The mobility is that of the last posture told: [`tell`](Self::tell) it before each step. As all shaping this goes
+/// The inertia is that of the last posture told: [`tell`](Self::tell) it before each step. As all shaping this goes
 /// with held work.
 ///
 /// ```
 /// use lyapunov_core::{PortEnergy, PortSample, Stabilizer};
-/// use lyapunov_stabilizers::{DampingLimit, InertiaLimit, JointMobility, Popc};
+/// use lyapunov_stabilizers::{DampingLimit, InertiaLimit, JointInertia, Popc};
 /// use nalgebra::{Matrix2, Vector2};
-/// let posture = |elbow: f64| JointMobility::new(Matrix2::new(0.5 + elbow, 0.1, 0.1, 0.1));
+/// let posture = |elbow: f64| JointInertia::new(Matrix2::new(0.5 + elbow, 0.1, 0.1, 0.1));
 /// let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY)?);
 /// let mut popc = InertiaLimit::new(unlimited, posture(0.0)?, 0.5, 1e-3)?;
 /// let rates = Vector2::new(1.0, 0.0);
@@ -45,21 +45,21 @@ use crate::{DampingLimit, Mobility, StabilizerExt};
 #[derive(Clone, Copy, Debug)]
 pub struct InertiaLimit<S, M, T> {
     stabilizer: S,
-    mobility: M,
+    inertia: M,
     /// `cap / T`, 1/s.
     rate: DampingLimit<T>,
 }
 
 impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
     /// `stabilizer` with at most the share `cap` of the damping that removes most in one tick of `period` s, for a
-    /// mechanism of this `mobility`.
+    /// mechanism of this `inertia`.
     ///
     /// # Errors
     /// `cap` below 0 or NaN; `period` not above 0 and finite.
-    pub fn new(stabilizer: S, mobility: M, cap: T, period: T) -> Result<Self, ParameterError> {
+    pub fn new(stabilizer: S, inertia: M, cap: T, period: T) -> Result<Self, ParameterError> {
         let cap = Requirement::Limit.check("damping_cap", cap)?;
         Requirement::Positive.check("period", period)?;
-        Ok(Self { stabilizer, mobility, rate: DampingLimit::of_mass(cap, T::of(1.0), period)? })
+        Ok(Self { stabilizer, inertia, rate: DampingLimit::of_mass(cap, T::of(1.0), period)? })
     }
 
     /// The limit for an effort that acts `ticks` periods late ([`DampingLimit::delayed`]).
@@ -67,10 +67,10 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
         Self { rate: self.rate.delayed(ticks), ..self }
     }
 
-    /// Takes the mobility of the present posture.
+    /// Takes the inertia of the present posture.
     #[inline]
-    pub fn tell(&mut self, mobility: M) {
-        self.mobility = mobility;
+    pub fn tell(&mut self, inertia: M) {
+        self.inertia = inertia;
     }
 }
 
@@ -80,7 +80,7 @@ impl<V, S, M> Stabilizer<V> for InertiaLimit<S, M, V::Scalar>
 where
     V: Signal,
     S: Stabilizer<V>,
-    M: Mobility<V>,
+    M: Inertia<V>,
 {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
@@ -91,7 +91,7 @@ where
         let unit = largest(added);
         let direction = added.map(|axis| axis / unit);
         let power = direction.inner(V::choose(correction.accepted, sample.velocity, V::zero()));
-        let yields = self.mobility.square(direction) * unit;
+        let yields = self.inertia.inverse_square(direction) * unit;
         let most = self.rate.most() * power / yields;
         // What does not brake is no damping, and what does not yield is not moved by it.
         let braking = power.above(zero) & yields.above(zero);

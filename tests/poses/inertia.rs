@@ -5,7 +5,7 @@ use lyapunov::{
     lanes::AutoF64x4,
     laws,
     poses::{Jacobian, Screw},
-    stabilizers::{InertiaLimit, JointMobility, Mobility, TaskMobility},
+    stabilizers::{Inertia, InertiaLimit, JointInertia, TaskInertia},
 };
 use nalgebra::{Matrix1, Matrix2, SMatrix, SVector, Vector2, Vector3};
 
@@ -21,17 +21,17 @@ fn it_is_how_the_arm_yields() {
     for _ in 0..200 {
         let posture = arm.at(joints(&mut dice, 3.0));
         let (jacobian, inertia) = (posture.jacobian(), posture.inertia());
-        let mobility = TaskMobility::new(&jacobian, inertia).expect("a mobility");
+        let arm_inertia = TaskInertia::new(&jacobian, inertia).expect("an inertia");
         let wrench = dice.screw(3.0, 1.0);
         let solve = |torques| inertia.cholesky().expect("above 0").solve(&torques);
         let answer = jacobian.twist(solve(jacobian.torques(wrench)));
         let expected = wrench.inner(answer);
-        assert!((mobility.square(wrench) - expected).abs() < 1e-9 * expected);
+        assert!((arm_inertia.inverse_square(wrench) - expected).abs() < 1e-9 * expected);
 
         let force = Screw::<f64>::new(dice.direction() * 2.0, Vector3::zeros());
         let along = jacobian.twist(solve(jacobian.torques(force))).translation;
         let mass = 4.0 / force.translation.dot(&along);
-        assert!((mobility.apparent(force) - mass).abs() < 1e-9 * mass);
+        assert!((arm_inertia.apparent(force) - mass).abs() < 1e-9 * mass);
     }
 }
 
@@ -43,13 +43,13 @@ fn of_two_links_by_hand() {
     let hinge = |arm: Vector3<f64>| Screw::new(Vector3::z().cross(&arm), Vector3::z());
     let jacobian =
         Jacobian::<f64, 2>::of([hinge(Vector3::new(0.4, 0.3, 0.0)), hinge(Vector3::y() * 0.3)]);
-    let mobility = TaskMobility::new(&jacobian, inertia).expect("a mobility");
+    let arm_inertia = TaskInertia::new(&jacobian, inertia).expect("an inertia");
     // Along y only the shoulder moves the tool: J = (0.4, 0), and (M⁻¹)₁₁ = 1 / 0.4.
     let along_y = Screw::<f64>::new(Vector3::y(), Vector3::zeros());
-    assert!((mobility.apparent(along_y) - 0.4 / (0.4 * 0.4)).abs() < 1e-12);
+    assert!((arm_inertia.apparent(along_y) - 0.4 / (0.4 * 0.4)).abs() < 1e-12);
     // Along x both do: J = (−0.3, −0.3), J M⁻¹ Jᵀ = 0.09 (0.1 − 0.2 + 0.5) / 0.04.
     let along_x = Screw::<f64>::new(Vector3::x(), Vector3::zeros());
-    assert!((mobility.apparent(along_x) - 0.04 / (0.09 * 0.4)).abs() < 1e-12);
+    assert!((arm_inertia.apparent(along_x) - 0.04 / (0.09 * 0.4)).abs() < 1e-12);
     let matrix = SMatrix::<f64, 6, 2>::from_columns(&[
         SVector::from([-0.3, 0.4, 0.0, 0.0, 0.0, 1.0]),
         SVector::from([-0.3, 0.0, 0.0, 0.0, 0.0, 1.0]),
@@ -62,10 +62,10 @@ fn of_two_links_by_hand() {
 fn on_one_axis_it_is_the_limit_of_a_mass() {
     let (mass, cap) = (0.3, 0.5);
     let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY).expect("none"));
-    let mobility = JointMobility::new(Matrix1::new(mass)).expect("a mobility");
+    let arm_inertia = JointInertia::new(Matrix1::new(mass)).expect("an inertia");
     for ticks in 0..3 {
         let mut new =
-            InertiaLimit::new(unlimited, mobility, cap, PERIOD).expect("a limit").delayed(ticks);
+            InertiaLimit::new(unlimited, arm_inertia, cap, PERIOD).expect("a limit").delayed(ticks);
         let limit = DampingLimit::of_mass(cap, mass, PERIOD).expect("a limit").delayed(ticks);
         let mut known = Popc::new(PortEnergy, limit);
         for (sample, effort) in laws::Samples::<SVector<f64, 1>>::new(PERIOD) {
@@ -85,14 +85,14 @@ fn no_correction_adds_energy() {
     let (arm, mut dice) = (panda(), Dice::of(92));
     let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY).expect("none"));
     let start = arm.at(joints(&mut dice, 3.0));
-    let mobility = TaskMobility::new(&start.jacobian(), start.inertia()).expect("a mobility");
+    let arm_inertia = TaskInertia::new(&start.jacobian(), start.inertia()).expect("an inertia");
     let cap = 0.5;
-    let mut popc = InertiaLimit::new(unlimited, mobility, cap, PERIOD).expect("a limit");
+    let mut popc = InertiaLimit::new(unlimited, arm_inertia, cap, PERIOD).expect("a limit");
     let (mut cut, mut plain) = (0, 0);
     for _ in 0..2000 {
         let posture = arm.at(joints(&mut dice, 3.0));
         let (jacobian, inertia) = (posture.jacobian(), posture.inertia());
-        popc.tell(TaskMobility::new(&jacobian, inertia).expect("a mobility"));
+        popc.tell(TaskInertia::new(&jacobian, inertia).expect("an inertia"));
         let rates = joints(&mut dice, 1.0);
         let twist = jacobian.twist(rates);
         let debt = 10f64.powf(dice.within(4.0) - 2.0);
@@ -124,9 +124,9 @@ fn no_correction_adds_energy() {
 #[test]
 fn from_nothing_to_all() {
     let inertia = Matrix2::new(0.5, 0.1, 0.1, 0.1);
-    let mobility = JointMobility::new(inertia).expect("a mobility");
+    let arm_inertia = JointInertia::new(inertia).expect("an inertia");
     let popc = Popc::new(PortEnergy, DampingLimit::at(3.0).expect("a limit"));
-    let with = |cap| InertiaLimit::new(popc, mobility, cap, PERIOD).expect("a limit");
+    let with = |cap| InertiaLimit::new(popc, arm_inertia, cap, PERIOD).expect("a limit");
     let (mut none, mut all, mut known) = (with(0.0), with(f64::INFINITY), popc);
     for (sample, effort) in laws::Samples::<Vector2<f64>>::new(PERIOD) {
         let expected: Correction<_> = known.stabilize(&sample, effort);
@@ -141,12 +141,12 @@ fn from_nothing_to_all() {
 fn it_keeps_the_laws() {
     let unlimited = |it| Popc::new(PortEnergy, DampingLimit::at(it).expect("none"));
     let inertia = Matrix2::new(0.5, 0.1, 0.1, 0.1);
-    let mobility = JointMobility::new(inertia).expect("a mobility");
+    let arm_inertia = JointInertia::new(inertia).expect("an inertia");
     let limit =
-        InertiaLimit::new(unlimited(f64::INFINITY), mobility, 0.5, PERIOD).expect("a limit");
+        InertiaLimit::new(unlimited(f64::INFINITY), arm_inertia, 0.5, PERIOD).expect("a limit");
     let (arm, mut dice) = (panda(), Dice::of(93));
     let posture = arm.at(joints(&mut dice, 2.0));
-    let task = TaskMobility::new(&posture.jacobian(), posture.inertia()).expect("a mobility");
+    let task = TaskInertia::new(&posture.jacobian(), posture.inertia()).expect("an inertia");
     let at_tool = InertiaLimit::new(unlimited(f64::INFINITY), task, 0.5, PERIOD).expect("a limit");
     for seed in 0..8 {
         laws::stabilizer(&limit, laws::Samples::<Vector2<f64>>::new(PERIOD).seeded(seed))
@@ -155,7 +155,7 @@ fn it_keeps_the_laws() {
             .expect("laws");
     }
     let wide = AutoF64x4::of;
-    let lanes = JointMobility::new(inertia.map(wide)).expect("a mobility");
+    let lanes = JointInertia::new(inertia.map(wide)).expect("an inertia");
     let popc = Popc::new(PortEnergy, DampingLimit::at(wide(f64::INFINITY)).expect("none"));
     let lanes = InertiaLimit::new(popc, lanes, wide(0.5), wide(PERIOD)).expect("a limit");
     laws::stabilizer(&lanes, laws::Samples::<Vector2<AutoF64x4>>::new(wide(PERIOD))).expect("laws");
@@ -164,12 +164,12 @@ fn it_keeps_the_laws() {
 #[test]
 fn what_is_no_inertia_is_refused() {
     for bad in [[[1.0, 2.0], [2.0, 1.0]], [[0.0, 0.0], [0.0, 1.0]], [[f64::NAN, 0.0], [0.0, 1.0]]] {
-        assert!(JointMobility::new(Matrix2::from(bad)).is_err());
+        assert!(JointInertia::new(Matrix2::from(bad)).is_err());
     }
-    let mobility = JointMobility::new(Matrix1::new(1.0)).expect("a mobility");
+    let arm_inertia = JointInertia::new(Matrix1::new(1.0)).expect("an inertia");
     let popc = Popc::new(PortEnergy, DampingLimit::at(1.0).expect("a limit"));
     let refused =
-        |cap, period| InertiaLimit::new(popc, mobility, cap, period).expect_err("no").parameter;
+        |cap, period| InertiaLimit::new(popc, arm_inertia, cap, period).expect_err("no").parameter;
     assert_eq!(refused(-1.0, PERIOD), "damping_cap");
     assert_eq!(refused(0.5, 0.0), "period");
 }

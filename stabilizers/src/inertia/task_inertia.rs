@@ -1,34 +1,34 @@
-//! Mobility of an arm at its tool.
+//! Inertia of an arm at its tool.
 
 use lyapunov_core::{Axes, Jacobian, ParameterError, Scalar, Spatial};
 use nalgebra::SMatrix;
 
-use super::{JointMobility, Mobility};
+use super::{Inertia, JointInertia};
 
-/// Mobility of an arm at its tool, `Λ⁻¹ = J M⁻¹ Jᵀ` (Khatib, IEEE Journal of Robotics and Automation 3(1), 1987).
+/// Inertia of an arm at its tool, by its inverse `Λ⁻¹ = J M⁻¹ Jᵀ` (Khatib, IEEE Journal of Robotics and Automation 3(1), 1987).
 ///
 /// `Λ` itself is not formed, so a singular posture, in which some direction does not yield, is nothing special.
 ///
 /// ```
 /// use lyapunov_core::{Jacobian, Screw, WorldAxes};
-/// use lyapunov_stabilizers::{Mobility, TaskMobility};
+/// use lyapunov_stabilizers::{Inertia, TaskInertia};
 /// use nalgebra::{Matrix1, Vector3};
 /// // A rod of 0.06 kg·m² about its hinge, and its tip 0.5 m away: 0.24 kg across, nothing yields along.
 /// let jacobian = Jacobian::<f64, 1, WorldAxes>::of([Screw::new(Vector3::y() * 0.5, Vector3::z())]);
-/// let mobility = TaskMobility::new(&jacobian, Matrix1::new(0.06))?;
+/// let inertia = TaskInertia::new(&jacobian, Matrix1::new(0.06))?;
 /// let force = |along| Screw::<f64, WorldAxes>::new(along, Vector3::zeros());
-/// assert!((mobility.apparent(force(Vector3::y() * 3.0)) - 0.24).abs() < 1e-15);
-/// assert_eq!(mobility.square(force(Vector3::x())), 0.0);
+/// assert!((inertia.apparent(force(Vector3::y() * 3.0)) - 0.24).abs() < 1e-15);
+/// assert_eq!(inertia.inverse_square(force(Vector3::x())), 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TaskMobility<T: Scalar, F, const N: usize> {
+pub struct TaskInertia<T: Scalar, F, const N: usize> {
     jacobian: Jacobian<T, N, F>,
-    joints: JointMobility<T, N>,
+    joints: JointInertia<T, N>,
 }
 
-impl<T: Scalar, F: Axes, const N: usize> TaskMobility<T, F, N> {
-    /// The mobility at the tool of joints with this `jacobian` and this `inertia`, kg·m², of which only the lower
+impl<T: Scalar, F: Axes, const N: usize> TaskInertia<T, F, N> {
+    /// The inertia at the tool of joints with this `jacobian` and this `inertia`, kg·m², of which only the lower
     /// triangle is read.
     ///
     /// # Errors
@@ -37,13 +37,13 @@ impl<T: Scalar, F: Axes, const N: usize> TaskMobility<T, F, N> {
         jacobian: &Jacobian<T, N, F>,
         inertia: SMatrix<T, N, N>,
     ) -> Result<Self, ParameterError> {
-        Ok(Self { jacobian: *jacobian, joints: JointMobility::new(inertia)? })
+        Ok(Self { jacobian: *jacobian, joints: JointInertia::new(inertia)? })
     }
 }
 
-impl<V: Spatial, const N: usize> Mobility<V> for TaskMobility<V::Scalar, V::Axes, N> {
+impl<V: Spatial, const N: usize> Inertia<V> for TaskInertia<V::Scalar, V::Axes, N> {
     #[inline]
-    fn square(&self, effort: V) -> V::Scalar {
-        self.joints.square(self.jacobian.torques(effort.screw()))
+    fn inverse_square(&self, effort: V) -> V::Scalar {
+        self.joints.inverse_square(self.jacobian.torques(effort.screw()))
     }
 }
