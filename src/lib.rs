@@ -44,6 +44,7 @@
 //! | [`trajectories`] | functions of time that a hand or a load follows |
 //! | [`channels`] | constant, varying and lossy channels of a teleoperator |
 //! | [`integrators`] | equations of motion, and methods that follow them |
+//! | [`poses`] | the port of a rigid body: poses, twists, wrenches, Jacobians |
 //! | [`models`] | control-affine plants with their Lyapunov functions |
 //! | [`accumulators`] | plain, compensated and wide sums |
 //! | [`lanes`] | several rollouts in one number |
@@ -90,9 +91,9 @@ pub mod readings {
 /// Virtual environments, which respond to a motion with a force.
 pub mod environments {
     pub use lyapunov_plants::{
-        Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics,
-        LayeredWall, MassSpringDamper, MovingWall, NearestPoint, Plane, Solid, Sphere, Spring,
-        Surface, Time, VaryingSpring, Wall,
+        BodyPoints, Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley,
+        Kinematics, LayeredWall, MassSpringDamper, MovingWall, NearestPoint, OrientationSpring,
+        Plane, Solid, Sphere, Spring, Surface, Time, VaryingSpring, Wall,
     };
 }
 
@@ -100,8 +101,8 @@ pub mod environments {
 pub mod bodies {
     pub use lyapunov_plants::{
         Body, DampedMass, ElasticJoint, ExternalForce, Friction, FromParts, Grip, HandMotion,
-        Impedance, IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, Stribeck, Transition,
-        Transitions, TwoMassBody, TwoMassParts, held_input,
+        Impedance, IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, RigidBody, RigidParts,
+        Stribeck, Transition, Transitions, TwoMassBody, TwoMassParts, held_input,
     };
 }
 
@@ -109,7 +110,7 @@ pub mod bodies {
 pub mod effects {
     pub use lyapunov_plants::{
         AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
-        LowPass, Noise, OnePortExt, Random, Saturation, Source, ZeroOrderHold,
+        LowPass, Noise, OnePortExt, Random, Saturation, Scaled, Source, ZeroOrderHold,
     };
 }
 
@@ -140,24 +141,33 @@ pub mod integrators {
 pub mod models {
     pub use lyapunov_core::LyapunovFunction;
     pub use lyapunov_plants::{
-        AdmittanceDevice, AffinePlant, ArmEnergy, ControlAffine, DcMotor, Decay, Ground,
-        InvertedPendulum, LegEnergy, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg,
-        QuadraticForm, RigidLink, StateFeedback, TwoLinkArm, UprightEnergy, VanDerPol, WithFlow,
-        WithState, decrease_of,
+        AdmittanceDevice, AffinePlant, ArmEnergy, ArmLink, ArmPosture, ControlAffine, DcMotor,
+        Decay, Ground, InvertedPendulum, LegEnergy, MeasuredPlant, MotorEnergy, MotorParts,
+        ProstheticLeg, QuadraticForm, RigidLink, SerialArm, StateFeedback, TwoLinkArm,
+        UprightEnergy, VanDerPol, WithFlow, WithState, decrease_of,
+    };
+}
+
+/// Poses, twists and wrenches: the port of a rigid body, and of an arm through its Jacobian.
+pub mod poses {
+    pub use lyapunov_core::{
+        Angle, Axes, BodyAxes, Jacobian, Pose, PoseTrack, Screw, Spatial, TaskPort, WithPose,
+        WorldAxes,
     };
 }
 
 /// Family around [`Lolc`] and [`Popc`]: adaptors that refine them, and other stabilizers.
 pub mod stabilizers {
     pub use lyapunov_stabilizers::{
-        Account, AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint,
+        Account, AlongDirection, AxisWeights, BodyInertia, BoundedCredit, BoundedValve, Constraint,
         ContactReset, CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
-        InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, MemoryBased,
-        Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit, ReferenceDamper,
-        ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
-        TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, Watchdog,
-        WatchdogTimes, WaveFilter, WaveFollower, WaveTransform, WindowedCredit,
+        Inertia, InertiaLimit, InertiaMetric, Input, InputToState, JointInertia, KeptCredit,
+        LeastNorm, LimitCredit, MemoryBased, Metric, NoStabilizer, OpenValve, PartLimits,
+        PathMemory, PerAxis, PerPart, RateLimit, ReferenceDamper, ReferenceFollowing, Sharing,
+        SlopeBound, SoftStart, Spread, StabilizerExt, Tank, TankLimits, TaskInertia, TwoLayer,
+        TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, Watchdog, WatchdogTimes,
+        WaveFilter, WaveFollower, WaveTransform, WindowedCredit,
     };
 }
 

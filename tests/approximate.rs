@@ -9,8 +9,10 @@ use lyapunov::{
     accumulators::DoubleDouble,
     bodies::{DampedMass, ElasticJoint, Impedance, TwoMassParts},
     integrators::State,
+    poses::Screw,
+    stabilizers::PartLimits,
 };
-use nalgebra::{Vector1, Vector2};
+use nalgebra::{Vector1, Vector2, Vector3};
 
 #[test]
 fn every_field_counts_by_its_own_unit() {
@@ -41,6 +43,15 @@ fn every_field_counts_by_its_own_unit() {
 
 #[test]
 fn every_axis_and_part_counts() {
+    let screw = Screw::<f64>::new(Vector3::x(), Vector3::y());
+    let turned = Screw::new(Vector3::x(), Vector3::y() * 1.001);
+    assert_relative_eq!(screw, turned, max_relative = 2e-3);
+    assert!(!abs_diff_eq!(screw, turned, epsilon = 0.9e-3));
+    let limit = |most| DampingLimit::at(most).expect("a limit");
+    let limits = |rotation| PartLimits { translation: limit(9.0), rotation: limit(rotation) };
+    assert!(!relative_eq!(limits(1.0), limits(1.1), max_relative = 0.01));
+    assert_relative_eq!(limits(1.0), limits(1.1), max_relative = 0.1);
+
     let at = State { position: Vector2::new(1.0, 2.0), velocity: Vector2::new(0.0, 1e3) };
     let mut moved = at;
     moved.velocity.y += 1e-6;

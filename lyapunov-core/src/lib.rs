@@ -11,6 +11,9 @@
 //! the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor an allocator, and does not panic.
 //! [`laws`] checks parts of your own.
 //!
+//! The port of a rigid body carries a [`Screw`], a wrench and a twist, beside the [`Pose`] ([`WithPose`]); a [`TaskPort`]
+//! and a [`Jacobian`] join it to the joints of an arm.
+//!
 //! The traits are written for impedance causality: motion in, effort out. For the dual, effort in and motion out, an
 //! [`AdmittanceSample`] takes the place of the `PortSample`, and a flow that of the effort.
 //!
@@ -37,6 +40,7 @@ mod one_port;
 mod parameter;
 mod plant;
 mod port_sample;
+mod poses;
 mod readings;
 mod scalar;
 mod signal;
@@ -65,6 +69,9 @@ pub use one_port::OnePort;
 pub use parameter::{ParameterError, Requirement};
 pub use plant::Plant;
 pub use port_sample::{HeldTick, PortSample};
+pub use poses::{
+    Angle, Axes, BodyAxes, Jacobian, Pose, PoseTrack, Screw, Spatial, TaskPort, WithPose, WorldAxes,
+};
 pub use readings::{CheckedSample, Clocked, Measured, MovingReading, Reading, Readings, Steady};
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;

@@ -104,7 +104,7 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
 
 /// Damping `burnt / square`, rounded up as the axes' dampings are, and no more than the `most` of them.
 #[inline]
-fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
+pub(crate) fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
     let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
     let mean = burnt / (square * margin).larger(T::smallest_normal());
     let moving = square.above(T::smallest_normal());

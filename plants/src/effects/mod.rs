@@ -10,6 +10,7 @@ mod noise;
 mod one_port_ext;
 mod retold;
 mod saturation;
+mod scaled;
 mod zero_order_hold;
 
 pub use delay::Delay;
@@ -21,4 +22,5 @@ pub use guard::Guard;
 pub use noise::Noise;
 pub use one_port_ext::OnePortExt;
 pub use saturation::Saturation;
+pub use scaled::Scaled;
 pub use zero_order_hold::ZeroOrderHold;

@@ -4,7 +4,7 @@ use lyapunov_core::{Differenced, LowPassed, OnePort, ParameterError, Signal, Win
 
 use crate::{
     AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
-    LowPass, Noise, Saturation, ZeroOrderHold,
+    LowPass, Noise, Saturation, Scaled, ZeroOrderHold,
 };
 
 /// The adaptors that may act on a port, chained like iterator adaptors, innermost first.
@@ -27,6 +27,14 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     /// `force` not above 0 and finite.
     fn saturated(self, force: V::Scalar) -> Result<Saturation<Self, V::Scalar>, ParameterError> {
         Saturation::new(self, force)
+    }
+
+    /// Scales the effort by `scale`, which may be changed later.
+    ///
+    /// # Errors
+    /// `scale` below 0, infinite or NaN.
+    fn scaled(self, scale: V::Scalar) -> Result<Scaled<Self, V::Scalar>, ParameterError> {
+        Scaled::new(self, scale)
     }
 
     /// Delays the effort by `ticks` calls; `N` is the capacity.

@@ -19,6 +19,11 @@ impl<V: Signal> AxisWeights<V> {
         let weights = Requirement::NonNegative.check_axes("weight", weights)?;
         Ok(Self { weights: Requirement::AtMost(1.0).check_axes("weight", weights)? })
     }
+
+    /// The metric of weights that are known to be from 0 to 1.
+    pub(crate) fn of_shares(weights: V) -> Self {
+        Self { weights }
+    }
 }
 
 impl<V: Signal> Metric<V> for AxisWeights<V> {
