@@ -12,6 +12,14 @@ use crate::{
 use memory::Memory;
 
 /// Reading of a device: where it stands, and the effort that acted since the reading before.
+///
+/// ```
+/// use lyapunov_core::Reading;
+/// use nalgebra::Vector3;
+/// let (position, applied) = (Vector3::new(0.3, 0.0, 0.1), Vector3::zeros());
+/// let reading = Reading { position, applied };
+/// # let _ = reading;
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading<V> {
     /// Position now, m.
@@ -32,6 +40,16 @@ pub struct MovingReading<V> {
 }
 
 /// Port sample made of a reading, and what [`Readings`] found in it, lane by lane.
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?;
+/// readings.read(Reading { position: 0.3_f64, applied: 0.0 });
+/// let bad = readings.read(Reading { position: f64::NAN, applied: 2.0 });
+/// assert!(!bad.accepted && !bad.jumped);
+/// assert!(bad.sample.position == 0.3 && bad.sample.velocity == 0.0 && bad.sample.work.is_nan());
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedSample<V: Signal> {
     /// The sample, for a controller and a stabilizer. Where the reading was not accepted it stands still at the last
