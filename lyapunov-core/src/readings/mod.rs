@@ -94,7 +94,7 @@ pub struct Measured;
 /// **The next accepted reading spans the gap**: its period is all the time since the accepted one before, its
 /// displacement leads from there, and its work is that of the efforts meanwhile: exactly `f Δx` if one effort was
 /// held, and with several the least of `f Δx` over all of them, axis by axis. That is a lower bound where the motion did
-/// not turn round within the gap. An effort that is not finite counts as the one before it. The velocity of such a
+/// not turn round within the gap. An effort that is not finite counts as one of those before it. The velocity of such a
 /// sample is, axis by axis, the smaller in magnitude of the estimate and the mean over the gap, and 0 where their
 /// directions differ, so that no damper is credited with more than the mean motion dissipated.
 ///
@@ -105,8 +105,9 @@ pub struct Measured;
 /// **Time** is one period a call ([`Steady`]), or that of a clock that the caller reads
 /// ([`clocked`](Self::clocked), whose page says what becomes of NaN and of clocks that stand or run backwards).
 ///
-/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A guard (`guarded`) does the
-/// same for a whole port; behind readings it has nothing left to do and would count a gap twice.
+/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A guard (`guarded`) does
+/// the same for a whole port, in which no time passes meanwhile; behind readings it would count the time of a gap twice.
+/// Put the stabilizer outside of a hold: one inside is told the sum over the held ticks, NaN with them, and loses it.
 #[derive(Clone, Copy, Debug)]
 pub struct Readings<V: Signal, E = Differenced, C = Steady> {
     period: V::Scalar,
