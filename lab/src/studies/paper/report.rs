@@ -47,7 +47,10 @@ impl Report<'_> {
             }
             (self.influences().to_html("counts"))
             h2 { "Runs that settle and runs that grow" }
-            p { "In percent of the runs, by the observer's rate. The rest is still swinging after 30 s." }
+            p {
+                "In percent of the runs, by the observer's rate. The rest is still swinging after 30 s. The last columns are the \
+                 median settling times of those that settle, in seconds."
+            }
             (self.outcomes().to_html("short"))
             h2 { "Figures" }
             p { "Each curve is a single run, at the paper's numbers and in one phase of the clock." }
@@ -130,7 +133,7 @@ impl Report<'_> {
         let words = ["wall", "stabilizer"].map(Heading::word);
         let at = |what: &str| RATES.map(|rate| Heading::number(format!("{what}\n{rate} Hz")));
         let headings = words.into_iter().chain(at("settles")).chain(at("grows"));
-        let headings = headings.chain(at("median settling time, s"));
+        let headings = headings.chain(at("median s,"));
         Table::new(headings).with_rows(self.study.outcomes.iter().map(|outcomes| {
             let percent = |count: usize, of: usize| {
                 Cell::from(format!("{:.0}", 100.0 * count as f64 / of.max(1) as f64))
