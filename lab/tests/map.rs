@@ -131,6 +131,10 @@ fn cells_are_what_the_comparison_says() {
                     assert_eq!(it.energy_injected, score.energy_injected.map(|it| it + 0.0));
                     assert_eq!(it.energy_taken, score.energy_taken);
                     assert_eq!((it.active, it.chatter), (score.active, score.chatter));
+                    assert_eq!(it.energy_given, score.energy_given);
+                    assert_eq!(it.energy_given_beyond_damper, score.energy_given_beyond_damper);
+                    assert_eq!(it.force_felt, score.force_felt);
+                    assert_eq!(it.stiffness_felt, score.stiffness_percent);
                 }
             }
         }

@@ -32,7 +32,8 @@ pub struct Sharing<T> {
 /// hold more than the hands put in. `H ≥ 0` up to one tick's wrong guess of the displacement, which is reported as
 /// shortfall. **Assumed** are true measurements and a velocity that predicts the next displacement. The paper sends
 /// packets; here the [sum](Self::sent) of them is sent, so that a message that is lost, old or repeated cannot make
-/// energy, and one that comes later makes up for a loss.
+/// energy, and one that comes later makes up for a loss. The sum grows as long as there is anything to share, and where
+/// it has no more digits for a packet none is sent: in `f32` that is after a while, so take `f64`.
 ///
 /// Parameters of a public course: level 1 J, gain 2 (N·s/m)/J, share 0.1, 0.5 to 5 J at the start, at 1 kHz with 10
 /// ticks of delay. Choose `gain · level` well below the mass over the period, as for any held damper.
@@ -116,9 +117,10 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let came = self.received - self.booked;
         let booked = book(&mut self.tank, came + sample.work.sum());
         self.booked = V::Scalar::choose(booked, self.received, self.booked);
-        let packet = self.share * self.tank.value().larger(zero);
-        self.tank.add(-packet);
-        self.sent += packet;
+        // What the sum of the packets rounds to leaves the tank, or rounding would make energy on every tick.
+        let sent = self.sent + self.share * self.tank.value().larger(zero);
+        self.tank.add(self.sent - sent);
+        self.sent = sent;
         let sum = self.tank.value();
 
         let speed = sample.velocity.inner(sample.velocity).sqrt();

@@ -6,10 +6,10 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::Args;
+use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, document, page, table};
-use indicatif::ProgressBar;
 
 use super::folder::Folder;
 use super::{BAR, End, heed_interrupts, shown, standard_output};
@@ -72,7 +72,7 @@ impl Tune {
         if let Some(folder) = folder {
             let mut outputs = Outputs::of(folder.path());
             for one in &tuned {
-                let scene = toml(&one.scene)?;
+                let scene = one.text().map_err(End::internal)?;
                 outputs.put(&format!("{}.toml", one.name), scene).map_err(End::input)?;
             }
             outputs.put("report.html", page(&name, &tuning, &tuned)).map_err(End::input)?;
@@ -88,7 +88,8 @@ impl Tune {
             _ => {
                 let mut said = table(&name, &tuning, &tuned);
                 if let Some(best) = Tuned::best(&tuned) {
-                    let _ = write!(said, "\nThe scene with {}, tuned:\n\n{}", best.name, toml(&best.scene)?);
+                    let scene = best.text().map_err(End::internal)?;
+                    let _ = write!(said, "\nThe scene with {}, tuned:\n\n{scene}", best.name);
                 }
                 said
             }
@@ -127,8 +128,4 @@ pub(super) fn tune(
     let tuned = tuned.collect();
     bar.finish_and_clear();
     tuned
-}
-
-fn toml(scene: &Scene) -> Result<String, End> {
-    toml::to_string(scene).map_err(End::internal)
 }

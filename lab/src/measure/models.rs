@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::trace::Trace;
 use crate::simulate::models::{Entrant, Tick};
+use crate::text::names::Named;
 
 /// The largest V of a bounded run, as a multiple of V at the start: 4, which is twice as far from rest where V is
 /// quadratic.

@@ -1,5 +1,6 @@
 //! Simulation: loops built from files, stabilizers by name, and their runs tick by tick.
 
+pub(crate) mod basis;
 pub(crate) mod building;
 pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
@@ -11,7 +12,7 @@ pub(crate) mod row;
 pub(crate) mod teleoperation;
 pub(crate) mod tick;
 
-pub(crate) use building::{AnyStabilizer, Assembly, Port, Space};
+pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Space};
 pub(crate) use equilibrium::Criterion;
 pub use load::Subject;
 pub(crate) use rollout::Rollout;

@@ -1,6 +1,7 @@
 //! Two hand-written models that use nothing of the library but the file.
 
 use approx::abs_diff_eq;
+use lyapunov_lab::compare::Named;
 use lyapunov_lab::models::{Entrant, Model, Plant, Score};
 
 use crate::models::shipped::{compared, curve, model};
@@ -78,7 +79,7 @@ impl Hand {
 
     fn equals(&self, model: &Model) {
         let comparison = compared(model);
-        for (entrant, score) in Entrant::ALL.into_iter().zip(comparison.scores()) {
+        for (entrant, score) in Entrant::ALL.iter().copied().zip(comparison.scores()) {
             let name = entrant.name();
             let found = self.run(model, entrant);
             let told = curve(&comparison, entrant);

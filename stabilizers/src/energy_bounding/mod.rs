@@ -88,11 +88,32 @@ impl<V: Signal> EnergyBounding<V> {
         period: V::Scalar,
         ticks: u32,
     ) -> Result<Self, ParameterError> {
-        let burns = rate(damping, period)?;
-        let slope = burns / V::Scalar::of(1.0 + f64::from(ticks));
-        let slope = Requirement::Positive.check("energy-bounding c1", slope)?;
-        let fall = if ticks == 0 { V::Scalar::largest() } else { slope };
-        Ok(Self::within(Published { rise: slope, release: slope, fall, burns }))
+        let slope = rate(damping, period)? / V::Scalar::of(1.0 + f64::from(ticks));
+        Ok(Self::new(slope, slope)?.on_damping(damping, period)?.late(ticks))
+    }
+
+    /// The same algorithm on a device that has the viscous `damping` b, N·s/m, which may be another than `c1 T`; what it
+    /// dissipates is counted in the observed energy.
+    ///
+    /// # Errors
+    /// `damping` below 0, infinite or NaN; `period` not above 0 and finite, or their quotient out of range.
+    pub fn on_damping(
+        mut self,
+        damping: V::Scalar,
+        period: V::Scalar,
+    ) -> Result<Self, ParameterError> {
+        let damping = Requirement::NonNegative.check("device damping", damping)?;
+        let period = Requirement::Positive.check("period", period)?;
+        let burns = damping / period;
+        self.band.burns =
+            Requirement::NonNegative.check("device damping over the period", burns)?;
+        Ok(self)
+    }
+
+    /// The same algorithm for a force that acts `ticks` periods late: `β` does not fall below `−c1` either.
+    pub fn late(mut self, ticks: u32) -> Self {
+        self.band.fall = if ticks == 0 { V::Scalar::largest() } else { self.band.rise };
+        self
     }
 }
 

@@ -3,7 +3,6 @@
 mod account;
 mod body;
 mod fate;
-mod law;
 mod trial;
 
 pub use account::Balance;

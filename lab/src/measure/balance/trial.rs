@@ -7,8 +7,8 @@ use lyapunov::ParameterError;
 use super::account::{Account, Balance};
 use super::body::{Body, Masses};
 use super::fate::Fate;
-use super::law::{Law, Motion};
 use crate::files::Scene;
+use crate::measure::law::{Law, Motion};
 use crate::measure::linear::LinearPart;
 use crate::simulate::{Rollout, Space};
 

@@ -22,12 +22,19 @@ pub fn page(
             (grid.x.count) " by " (grid.y.count) " cells, computed by " (html::maker(command)) "."
         }
         h2 { "What is rendered stably" }
+        p { "Rows: " (ORDER) "." }
         (table(survey, bounds).to_html("short"))
         p {
             "The area, in " (survey.unit()) ", is the share of the rectangle of both axes; a logarithmic axis counts in \
              decades. Of the exact bound: the stiffness below the first that is unstable, over the exact bound of the loop \
              without a stabilizer, the middle one over the values of the other axis; >= where it holds up to the edge of \
              the map."
+        }
+        (rendered(survey).to_html("short"))
+        p {
+            "Means of force and stiffness felt, and the largest energies given, over the measured cells. Broken cells are \
+             stable without a stabilizer and not under this one. A law that adds no damping is judged by energy and force: \
+             it may bound a swing without ending it."
         }
         h2 { "Heat maps" }
         @for NamedFigure { name, words, figure } in figures {
@@ -46,14 +53,19 @@ pub fn page(
     html::page(&format!("Map of {} by {}", grid.y.key, grid.x.key), &body)
 }
 
-/// Table of areas for the terminal, with the axes and the unit.
+/// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.
 pub fn areas(survey: &Survey, bounds: Option<&Bounds>) -> String {
     let grid = survey.grid();
-    format!("{}\n{}\narea in {}\n\n{}", grid.x, grid.y, survey.unit(), table(survey, bounds))
+    let (area, rendered) = (table(survey, bounds), rendered(survey));
+    format!("{}\n{}\narea in {}\n{ORDER}\n\n{area}\n{rendered}", grid.x, grid.y, survey.unit())
 }
 
-/// Table of the stable cells, the judged cells, their share, their area, and the stiffness over the exact bound; `-`
-/// for an unknown number.
+/// The order of the rows, in words.
+const ORDER: &str =
+    "the most rendered first: a stable cell counts by the share of the force that is felt";
+
+/// Table of the stable cells, the judged cells, their share, their area, the stiffness over the exact bound, and what is
+/// rendered; `-` for an unknown number.
 fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
     let headings = [
         Heading::word("stabilizer"),
@@ -62,19 +74,48 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
         Heading::number("share"),
         Heading::number("area"),
         Heading::number("of the\nexact bound"),
+        Heading::number("rendered"),
     ];
-    Table::new(headings).with_rows(survey.grid().stabilizers.iter().enumerate().map(
-        |(index, member)| {
-            let area = survey.area(index);
-            let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
-            [
-                member.name().into(),
-                area.stable.to_string().into(),
-                area.judged.to_string().into(),
-                area.share.map(|share| format!("{:.2} %", 100.0 * share)).into(),
-                area.area.into(),
-                over.map(|over| over.to_string()).into(),
-            ]
-        },
-    ))
+    Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
+        let area = survey.area(index);
+        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
+        [
+            survey.grid().stabilizers[index].name().into(),
+            area.stable.to_string().into(),
+            area.judged.to_string().into(),
+            area.share.map(|share| percent(100.0 * share)).into(),
+            area.area.into(),
+            over.map(|over| over.to_string()).into(),
+            survey.rendered(index).percent.map(percent).into(),
+        ]
+    }))
+}
+
+/// Table of what is felt, what the port gave, and what is broken.
+fn rendered(survey: &Survey) -> Table {
+    let headings = [
+        Heading::word("stabilizer"),
+        Heading::number("force\nfelt"),
+        Heading::number("stiffness\nfelt"),
+        Heading::number("given\nby port\nmJ"),
+        Heading::number("given beyond\nthe damper\nmJ"),
+        Heading::number("broken\ncells"),
+        Heading::word("judged by"),
+    ];
+    Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
+        let (member, it) = (survey.grid().stabilizers[index], survey.rendered(index));
+        [
+            member.name().into(),
+            it.force_felt.map(percent).into(),
+            it.stiffness_felt.map(percent).into(),
+            it.energy_given.into(),
+            it.energy_given_beyond_damper.into(),
+            it.broke.map(|cells| cells.to_string()).into(),
+            member.judgement().words().into(),
+        ]
+    }))
+}
+
+fn percent(value: f64) -> String {
+    format!("{value:.2} %")
 }

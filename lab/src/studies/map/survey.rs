@@ -2,6 +2,8 @@
 
 use super::grid::Grid;
 use super::outcome::{Measure, Outcome};
+use super::rendered::{Rendered, Tally};
+use crate::simulate::family::{BasicName, StabilizerName};
 
 /// The most picture elements along an axis; a larger map is drawn by the means of its cells.
 const FINEST: u64 = 512;
@@ -12,6 +14,8 @@ pub struct Survey {
     grid: Grid,
     columns: usize,
     rows: usize,
+    /// The index of the loop without a stabilizer.
+    alone: Option<usize>,
     layers: Vec<Layer>,
 }
 
@@ -20,6 +24,7 @@ pub struct Survey {
 struct Layer {
     stable: u64,
     judged: u64,
+    tally: Tally,
     /// Reach of each row, and of each column.
     along_x: Vec<Reach>,
     along_y: Vec<Reach>,
@@ -70,6 +75,7 @@ impl Survey {
         let layer = Layer {
             stable: 0,
             judged: 0,
+            tally: Tally::default(),
             along_x: vec![Reach::default(); grid.y.count as usize],
             along_y: vec![Reach::default(); grid.x.count as usize],
             cells: vec![0; columns * rows],
@@ -77,7 +83,9 @@ impl Survey {
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
         let layers = vec![layer; grid.stabilizers.len()];
-        Self { grid: grid.clone(), columns, rows, layers }
+        let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
+        let alone = grid.stabilizers.iter().position(|member| *member == nobody);
+        Self { grid: grid.clone(), columns, rows, alone, layers }
     }
 
     /// Adds the next cell; cells come in their order.
@@ -86,7 +94,9 @@ impl Survey {
         let at = |index: u64, count: u64, finest: usize| (index * finest as u64 / count) as usize;
         let column = at(x, self.grid.x.count, self.columns);
         let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
+        let alone = self.alone.and_then(|index| outcomes[index].stable);
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
+            layer.tally.add(outcome, alone);
             layer.judged += u64::from(outcome.stable.is_some());
             layer.stable += u64::from(outcome.stable == Some(true));
             layer.along_x[y as usize].pass(x, outcome.stable);
@@ -114,6 +124,21 @@ impl Survey {
         let whole = self.grid.x.width() * self.grid.y.width();
         let area = share.map(|_| stable as f64 / self.grid.cells() as f64 * whole);
         Area { stable, judged, share, area }
+    }
+
+    /// What stabilizer `index` renders.
+    pub fn rendered(&self, index: usize) -> Rendered {
+        let has_force = self.layers.iter().any(|layer| layer.tally.has_force());
+        self.layers[index].tally.rendered(has_force, self.alone.is_some())
+    }
+
+    /// The stabilizers by what they render, the most first: by the stable share where no force is known.
+    pub fn ranking(&self) -> Vec<usize> {
+        let merit = |index: usize| self.rendered(index).percent.or(self.area(index).share);
+        let mut ranked: Vec<(usize, f64)> =
+            (0..self.layers.len()).map(|index| (index, merit(index).unwrap_or(0.0))).collect();
+        ranked.sort_by(|one, other| other.1.total_cmp(&one.1));
+        ranked.into_iter().map(|(index, _)| index).collect()
     }
 
     /// The unit of areas.

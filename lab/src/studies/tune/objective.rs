@@ -119,7 +119,9 @@ impl FromStr for Objective {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("the terms are {}", names.join(", ")),
                 };
-                return Err(ObjectiveError(format!("no objective is named `{name}`\n  = {remedy}")));
+                return Err(ObjectiveError(format!(
+                    "no objective is named `{name}`\n  = {remedy}"
+                )));
             };
             let number: Option<f64> = weight.parse().ok();
             let Some(weight) = number.filter(|weight| *weight > 0.0 && weight.is_finite()) else {

@@ -1,13 +1,13 @@
 //! Numbers of a stabilizer that are tuned.
 
 use crate::files::Scene;
-use crate::files::scene::{Conflict, Draft, Parameter, Search, Spacing, Stabilizer};
+use crate::files::scene::{Conflict, Parameter, Search, Spacing};
 use crate::simulate::family::StabilizerName;
 
 /// A stabilizer on a scene, with the values of the numbers that are tuned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    table: Option<Stabilizer>,
+    stabilizer: StabilizerName,
     numbers: Vec<Number>,
 }
 
@@ -29,6 +29,11 @@ impl Number {
         let Parameter { key, unit, is_whole, .. } = *parameter;
         let (value, range) = (parameter.value()?, parameter.search?);
         Some(Self { key, unit, value, is_whole, range })
+    }
+
+    /// The key without its table path.
+    pub fn name(&self) -> &'static str {
+        self.key.rsplit('.').next().unwrap_or(self.key)
     }
 
     /// Where the value lies in the range, from 0 to 1; the nearest end for one outside.
@@ -59,11 +64,10 @@ fn to_three_digits(value: f64) -> f64 {
 }
 
 impl Setting {
-    /// The stabilizer `name` as `scene` sets it.
-    pub(super) fn of(scene: &Scene, name: StabilizerName) -> Self {
-        let table = name.table(scene);
-        let parameters = table.map(|table| table.parameters(scene)).unwrap_or_default();
-        Self { table, numbers: parameters.iter().filter_map(Number::of).collect() }
+    /// `stabilizer` as `scene` sets it.
+    pub(super) fn of(scene: &Scene, stabilizer: StabilizerName) -> Self {
+        let parameters = stabilizer.parameters(scene);
+        Self { stabilizer, numbers: parameters.iter().filter_map(Number::of).collect() }
     }
 
     /// The numbers that are tuned.
@@ -79,7 +83,7 @@ impl Setting {
     /// The setting at another place.
     pub(super) fn at(&self, place: &[f64]) -> Self {
         let numbers = self.numbers.iter().zip(place).map(|(number, place)| number.at(*place));
-        Self { table: self.table, numbers: numbers.collect() }
+        Self { stabilizer: self.stabilizer, numbers: numbers.collect() }
     }
 
     /// `scene` with this stabilizer and its numbers written out.
@@ -87,18 +91,8 @@ impl Setting {
     /// # Errors
     /// Numbers that do not go together.
     pub(super) fn on(&self, scene: &Scene) -> Result<Scene, Conflict> {
-        let mut draft: Draft = scene.to_draft();
-        draft.stabilizer = self.table;
-        if let Some(table) = &mut draft.stabilizer {
-            for number in &self.numbers {
-                let name = number.key.rsplit('.').next().unwrap_or(number.key);
-                table.write(name, number.value).map_err(|error| {
-                    let problem = format!("`{}` = {:?} {error}", number.key, number.value);
-                    Conflict::new(number.key, problem, "write another value in the scene")
-                })?;
-            }
-        }
-        draft.check()
+        let numbers: Vec<_> = self.numbers.iter().map(|it| (it.name(), it.value)).collect();
+        self.stabilizer.written_in(scene, &numbers)
     }
 }
 

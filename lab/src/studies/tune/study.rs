@@ -8,14 +8,15 @@ use lyapunov::ParameterError;
 use rayon::prelude::*;
 
 use super::objective::{Objective, Term};
-use super::search::Search;
 use super::run::cost;
+use super::search::Search;
 use super::setting::Setting;
 use super::trial::Trial;
 use crate::files::Scene;
 use crate::files::scene::Conflict;
+use crate::simulate::Criterion;
+use crate::simulate::ensemble::{Ensemble, Moves};
 use crate::simulate::family::StabilizerName;
-use crate::simulate::{Criterion, Ensemble, Moves};
 
 /// Reason why a stabilizer is not tuned.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +42,11 @@ impl fmt::Display for TuneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Objective { term, lacks } => {
-                write!(f, "the objective `{}` needs {lacks}, which the scene has not", term.name())?;
+                write!(
+                    f,
+                    "the objective `{}` needs {lacks}, which the scene has not",
+                    term.name()
+                )?;
                 f.write_str("\n  = choose another with --objective")
             }
             Self::Space => {
@@ -166,7 +171,7 @@ impl Tuning {
         if scene.dimensions() > 1 {
             return Err(TuneError::Space);
         }
-        let has_rest = Criterion::of(scene).place().is_some();
+        let has_rest = Criterion::of(scene).equilibrium.is_some();
         let has_wall = scene.environment.wall().is_some();
         for term in self.objective.terms() {
             let (has, lacks) = match term {

@@ -34,11 +34,19 @@ pub(super) fn numbers(tuned: &[Tuned]) -> Table {
     for one in tuned {
         let [default, best] = &one.settings;
         if default.numbers().is_empty() {
-            table.push([one.name.name().into(), "none to tune".into(), "".into(), "".into(), "".into()]);
+            table.push([
+                one.name.name().into(),
+                "none to tune".into(),
+                "".into(),
+                "".into(),
+                "".into(),
+            ]);
         }
         for (index, (before, after)) in default.numbers().iter().zip(best.numbers()).enumerate() {
             let name = if index == 0 { one.name.name() } else { "" };
-            let value = |value: f64| if value.is_finite() { given(value).to_string() } else { "inf".into() };
+            let value = |value: f64| {
+                if value.is_finite() { given(value).to_string() } else { "inf".into() }
+            };
             table.push([
                 name.into(),
                 before.name().into(),

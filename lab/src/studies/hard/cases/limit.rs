@@ -5,8 +5,8 @@ use lyapunov::{
     bodies::{Body, Impedance},
 };
 
+use crate::files::scene::Basis;
 use crate::files::scene::Damping;
-use crate::simulate::family::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;

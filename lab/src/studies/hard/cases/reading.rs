@@ -3,7 +3,7 @@
 use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer};
 
 use super::faults::{MASS, PERIOD, STIFFNESS, TICKS, hand, reach, wall};
-use crate::simulate::family::Basis;
+use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;

@@ -2,7 +2,7 @@
 
 use lyapunov::{ParameterError, PortSample, Scalar, Stabilizer};
 
-use crate::simulate::family::Basis;
+use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;

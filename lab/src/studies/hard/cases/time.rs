@@ -11,12 +11,13 @@ use lyapunov::{
     trajectories::{Sine, Trajectory},
 };
 
+use crate::files::scene::Basis;
 use crate::simulate::Space;
-use crate::simulate::family::{Basis, StabilizerName};
+use crate::simulate::family::StabilizerName;
 use crate::studies::hard::balance::{Balance, Double, Told};
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
-use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::{Tally, larger};
 use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
@@ -218,10 +219,10 @@ impl Late {
     ) -> Result<Tally, HardError> {
         let (basis, period) = (self.basis(), |_| T::of(1.0 / RATE));
         let terms = self.terms(self.limit::<T>()?.most().lane(0));
-        let terms = Terms { pledge: Pledge::of::<T>(member, &basis), ..terms };
-        let (watched, record) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+        let terms = Terms { pledge: member::pledge_of::<T>(member, &basis), ..terms };
+        let (watched, record) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms);
         let late = Self::close(LATE, first, watched, period)?;
-        let early = Self::close(0, first, member.set_by::<T>(&basis)?, period)?;
+        let early = Self::close(0, first, member::set_by::<T>(member, &basis)?, period)?;
         let value = Self::apart(&late, &early).lane(0);
         let told = record.tallies().pop().unwrap_or_default();
         Ok(Tally { value, ..told })

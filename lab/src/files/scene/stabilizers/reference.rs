@@ -5,7 +5,8 @@ use lyapunov::{
     environments::{ForceLaw, Kinematics},
 };
 
-use crate::files::scene::{Environment, Rates, Render, Scene};
+use crate::files::scene::Draft;
+use crate::files::scene::environments::{Environment, Rates, Render};
 
 /// The ideal environment of a scene, as a store of energy that is a function of position and velocity.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +17,7 @@ pub(crate) struct Reference {
 
 impl Reference {
     /// The store of `scene`; none where the environment swings by itself, and in more than one dimension.
-    pub(super) fn of(scene: &Scene) -> Option<Self> {
+    pub(crate) fn of(scene: &Draft) -> Option<Self> {
         let environment = &scene.environment;
         let stores = scene.dimensions() == 1 && !environment.kind().swings();
         stores.then(|| Self { environment: environment.clone(), rates: Rates::of(scene) })

@@ -1,20 +1,22 @@
 //! The environment's law in continuous time.
 
+use std::fmt;
+
 use lyapunov::environments::{ForceLaw, Kinematics, Time};
 
 use crate::files::Scene;
 
 /// Position, velocity and acceleration of the plant at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Motion {
+pub(crate) struct Motion {
     /// s.
-    pub(super) time: f64,
+    pub(crate) time: f64,
     /// m.
-    pub(super) position: f64,
+    pub(crate) position: f64,
     /// m/s.
-    pub(super) velocity: f64,
+    pub(crate) velocity: f64,
     /// m/s².
-    pub(super) acceleration: f64,
+    pub(crate) acceleration: f64,
 }
 
 impl From<Motion> for Kinematics<f64> {
@@ -24,7 +26,13 @@ impl From<Motion> for Kinematics<f64> {
 }
 
 /// The law of a scene's environment; none for an environment that is not on a line.
-pub(super) struct Law(Option<Box<dyn ForceLaw<f64>>>);
+pub(crate) struct Law(Option<Box<dyn ForceLaw<f64>>>);
+
+impl fmt::Debug for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Law").finish_non_exhaustive()
+    }
+}
 
 /// Parts of a tick, for a surface met within it.
 const PARTS: u32 = 8;
@@ -37,17 +45,17 @@ const POINTS: [(f64, f64); 3] = [
 ];
 
 impl Law {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         Self(scene.law())
     }
 
     /// The force on this motion, N.
-    pub(super) fn force(&self, at: Motion) -> f64 {
+    pub(crate) fn force(&self, at: Motion) -> f64 {
         self.0.as_ref().map_or(0.0, |law| law.force(&at.into()))
     }
 
     /// The work over a tick, `∫ f v dt`, J, on the cubic that meets position and velocity at both ends.
-    pub(super) fn work(&self, from: Motion, to: Motion) -> f64 {
+    pub(crate) fn work(&self, from: Motion, to: Motion) -> f64 {
         let span = to.time - from.time;
         let part = f64::from(PARTS).recip();
         let parts = (0..PARTS).flat_map(|index| {

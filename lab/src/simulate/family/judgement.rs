@@ -1,0 +1,38 @@
+//! Judgement that is fair to a stabilizer.
+
+use serde::Serialize;
+
+use super::StabilizerName;
+
+/// Numbers by which a stabilizer is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Judgement {
+    /// Settling, for a stabilizer that adds damping, and for none.
+    Settling,
+    /// The energy of port and device's damper, and the force felt. A law that adds no damping may bound a swing without
+    /// ending it.
+    EnergyAndForce,
+}
+
+impl Judgement {
+    /// The numbers in words.
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Self::Settling => "settling",
+            Self::EnergyAndForce => "energy and force",
+        }
+    }
+}
+
+impl StabilizerName {
+    /// The judgement of this stabilizer.
+    pub fn judgement(self) -> Judgement {
+        match self {
+            Self::Member(member) if !member.table().kind().adds_damping() => {
+                Judgement::EnergyAndForce
+            }
+            _ => Judgement::Settling,
+        }
+    }
+}

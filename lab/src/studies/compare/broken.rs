@@ -1,0 +1,82 @@
+//! Loops that are stable alone and not under a stabilizer.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::Comparison;
+use super::score::Score;
+use crate::show::table::{Heading, Table};
+use crate::simulate::family::BasicName;
+
+/// The scenes that each stabilizer broke; its `Display` is a table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct Broken {
+    rows: Vec<Row>,
+}
+
+/// Count of one stabilizer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Row {
+    stabilizer: String,
+    /// Scenes with a verdict that are stable without a stabilizer.
+    stable_alone: usize,
+    /// Those among them that are not stable under this one.
+    broke: usize,
+}
+
+/// Whether the loop is stable without a stabilizer; none where `none` takes no part, or without a verdict.
+fn alone<'a>(scores: impl IntoIterator<Item = &'a Score>) -> Option<bool> {
+    let name = BasicName::NoStabilizer.name();
+    scores.into_iter().find(|score| score.stabilizer == name).and_then(|score| score.stable)
+}
+
+/// Marks those `scores` of one scene that are not stable although the loop is so alone.
+pub(super) fn mark(scores: &mut [Score]) {
+    let Some(alone) = alone(&*scores) else { return };
+    for score in scores {
+        score.broke_it = score.stable.map(|stable| alone && !stable);
+    }
+}
+
+impl Broken {
+    /// The counts over all `comparisons` in which `none` takes part.
+    pub fn of(comparisons: &[Comparison]) -> Self {
+        let mut rows: Vec<Row> = Vec::new();
+        for comparison in comparisons {
+            let alone = alone(comparison.scores());
+            for score in comparison.scores() {
+                let (Some(alone), Some(broke)) = (alone, score.broke_it) else { continue };
+                let named = |row: &Row| row.stabilizer == score.stabilizer;
+                let at = rows.iter().position(named).unwrap_or(rows.len());
+                if at == rows.len() {
+                    let stabilizer = score.stabilizer.clone();
+                    rows.push(Row { stabilizer, stable_alone: 0, broke: 0 });
+                }
+                rows[at].stable_alone += usize::from(alone);
+                rows[at].broke += usize::from(broke);
+            }
+        }
+        Self { rows }
+    }
+
+    /// Whether there is nothing to count.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+}
+
+impl fmt::Display for Broken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let headings = [
+            Heading::word("all scenes"),
+            Heading::number("stable\nalone"),
+            Heading::number("broken\nof these"),
+        ];
+        let rows = self.rows.iter().map(|Row { stabilizer, stable_alone, broke }| {
+            [stabilizer.as_str().into(), stable_alone.to_string().into(), broke.to_string().into()]
+        });
+        write!(f, "{}", Table::new(headings).with_rows(rows))
+    }
+}
