@@ -103,7 +103,7 @@ fn files_and_options_that_do_not_go_together_are_refused() {
         &[compare, model.as_ref(), scene.as_ref()],
         &["a model of a plant", "in calls of their own"],
     );
-    let by = ["--by".as_ref(), "stable".as_ref()];
+    let by = ["--by".as_ref(), "verdict".as_ref()];
     refuses(&[compare, model.as_ref(), by[0], by[1]], &["--by", "leave it out"]);
     let named = ["--stabilizers".as_ref(), "lolc".as_ref()];
     refuses(&[compare, model.as_ref(), named[0], named[1]], &["of a model", "lolc-decrease"]);

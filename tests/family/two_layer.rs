@@ -2,7 +2,7 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    Correction, PortSample, Scalar, Stabilizer,
+    Correction, HeldTick, PortSample, Scalar, Stabilizer,
     channels::{Channel, ConstantDelay, LossyChannel, VaryingDelay},
     stabilizers::{Sharing, TwoLayer},
 };
@@ -25,7 +25,14 @@ fn row<T: Scalar>(tolerance: f64) {
         received += 1e-3 * RECEIVED[tick];
         master.receive(of(received));
         let moved = of(1e-4 * MOVED[tick]);
-        let sample = PortSample::new(of(PERIOD), of(0.0), moved / of(PERIOD), moved, force);
+        let sample = HeldTick {
+            period: of(PERIOD),
+            position: of(0.0),
+            velocity: moved / of(PERIOD),
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
         let correction: Correction<T> = master.stabilize(&sample, of(-WISHED[tick]));
         force = correction.effort;
         let told = master.sent().lane(0);
@@ -83,8 +90,14 @@ fn the_tanks_and_what_is_under_way_hold_what_the_hands_put_in() {
                     let correction = end.stabilize(sample, dice.within(5.0));
                     held += correction.observed_energy;
                     let moved = dice.within(1e-4);
-                    *sample =
-                        PortSample::new(PERIOD, 0.0, moved / PERIOD, moved, correction.effort);
+                    *sample = HeldTick {
+                        period: PERIOD,
+                        position: 0.0,
+                        velocity: moved / PERIOD,
+                        displacement: moved,
+                        applied: correction.effort,
+                    }
+                    .sample();
                 }
                 let under_way = [ends[0].sent() - arrived[1], ends[1].sent() - arrived[0]];
                 assert!(under_way.iter().all(|energy| *energy >= 0.0), "{under_way:?}");
@@ -137,7 +150,14 @@ fn nothing_is_given_that_has_not_come() {
         slave.receive(1e-6 * f64::from(tick));
         let correction: Correction<f64> = slave.stabilize(&sample, 10.0);
         assert!(correction.observed_energy >= -1e-15 && (tick > 0 || correction.effort == 0.0));
-        sample = PortSample::new(PERIOD, 0.0, -0.1, -0.1 * PERIOD, correction.effort);
+        sample = HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: -0.1,
+            displacement: -0.1 * PERIOD,
+            applied: correction.effort,
+        }
+        .sample();
         given -= sample.work;
         assert!(given <= 1e-6 * f64::from(tick) + 1e-15, "{given:e} J on {tick}");
     }

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use lyapunov::environments::Time;
 
-use super::equilibrium::{Criterion, last_pull};
+use super::criterion::Criterion;
+use super::equilibrium::last_pull;
 use crate::files::scene::{Basis, Damping, Direction, Draft, Reference, Scene};
 
 impl Basis {

@@ -2,6 +2,7 @@
 
 pub(crate) mod basis;
 pub(crate) mod building;
+pub(crate) mod criterion;
 pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
 pub mod family;
@@ -13,7 +14,7 @@ pub(crate) mod teleoperation;
 pub(crate) mod tick;
 
 pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Space};
-pub(crate) use equilibrium::Criterion;
+pub(crate) use criterion::Criterion;
 pub use load::Subject;
 pub(crate) use rollout::Rollout;
 pub(crate) use row::Row;

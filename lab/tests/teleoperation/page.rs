@@ -33,7 +33,7 @@ fn check(table: &str) {
     let mut lines = table.lines().filter(|line| line.starts_with("| "));
     let keys = cells(lines.next().unwrap());
     let bounded: Vec<&str> =
-        rows.iter().filter(|row| row.bounded).map(|row| row.stabilizer).collect();
+        rows.iter().filter(|row| row.verdict.is_bounded()).map(|row| row.stabilizer).collect();
     let mut names = Vec::new();
     for line in lines {
         let cells = cells(line);

@@ -4,6 +4,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use lyapunov_lab::Verdict;
 use lyapunov_lab::compare::{Compared, Names};
 use lyapunov_lab::scene::Scalar;
 use lyapunov_lab::teleoperation::{Comparison, Score, Teleoperator, schema_text};
@@ -61,9 +62,9 @@ fn the_loop_alone_swings_up_and_the_others_hold() {
             file.scalar = scalar;
             file.check().unwrap();
             let rows = scores(&compared(&file));
-            let bounded = rows.map(|row| row.bounded);
-            let [none, others @ ..] = bounded;
-            assert!(!none && others.iter().all(|bounded| *bounded), "{name} in {scalar:?}");
+            let verdicts = rows.map(|row| row.verdict);
+            assert_eq!(verdicts[0], Verdict::Grows, "{name} in {scalar:?}");
+            assert!(verdicts[1..].iter().all(|it| it.is_bounded()), "{name} in {scalar:?}");
             let [_, alone, joined, compensated, ..] = rows.map(|row| row.drift.unwrap().abs());
             assert!(alone > 1.5 * joined && joined > compensated, "{name}: {rows:?}");
             let [_, alone, joined, ..] = rows.map(|row| row.shortfall.unwrap());
@@ -88,7 +89,7 @@ fn debts_do_not_grow_with_time() {
             if let (Some(kept), Some(before)) = (long.kept, short.kept) {
                 assert!(kept >= before - 1e-6, "{name}: {} {kept} {before} mJ", long.stabilizer);
             }
-            assert!(long.bounded, "{name}: {}", long.stabilizer);
+            assert_eq!(long.verdict, Verdict::Settles, "{name}: {}", long.stabilizer);
         }
     }
 }
@@ -102,7 +103,10 @@ fn a_damper_of_that_size_settles_by_itself() {
     assert!((added - 10.2).abs() < 1e-12, "{added} N.s/m");
     let [none, ..] = scores(&compared(&file));
     let (end, ideal) = (none.felt_end.unwrap(), file.ideal_force());
-    assert!(none.bounded && (end - ideal).abs() < 1e-4 && none.speed.unwrap() < 1e-3, "{none:?}");
+    assert!(
+        none.verdict.is_bounded() && (end - ideal).abs() < 1e-4 && none.speed.unwrap() < 1e-3,
+        "{none:?}"
+    );
 }
 
 /// A neutral channel equals an absent one, and compensation without a speed equals the plain two-port.

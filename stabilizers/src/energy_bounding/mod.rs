@@ -4,7 +4,7 @@ mod band;
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -35,11 +35,13 @@ use band::{Band, Published, Tight};
 /// rest is never reached.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::EnergyBounding;
 /// let mut bounding = EnergyBounding::of_damping(0.5, 1e-3)?; // c1 = c2 = 500 N/m
 /// bounding.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let pressed = PortSample::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let pressed = HeldTick {
+///     period: 1e-3, position: 0.1e-3, velocity: 0.1, displacement: 0.1e-3, applied: 0.0
+/// }.sample();
 /// let effort: f64 = bounding.stabilize(&pressed, 0.5).effort; // 5 kN/m
 /// assert!((effort - 0.05).abs() < 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -166,5 +168,19 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         self.force = V::choose(accepted, bounded, V::zero());
         let shortfall = (-sum).larger(zero);
         Correction { effort: self.force, observed_energy: sum, alpha: zero, shortfall, accepted }
+    }
+}
+
+impl<V: Signal, B> Snapshot for EnergyBounding<V, B> {
+    /// The last force, N, and the energy, J.
+    type State = (V, V::Scalar);
+
+    fn state(&self) -> Self::State {
+        (self.force, self.energy.state())
+    }
+
+    fn restored(self, (force, energy): Self::State) -> Result<Self, ParameterError> {
+        let force = Requirement::Finite.check_axes("stored force", force)?;
+        Ok(Self { force, energy: self.energy.restored(energy)?, ..self })
     }
 }

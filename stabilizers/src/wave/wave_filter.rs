@@ -1,6 +1,6 @@
 //! Filter of waves.
 
-use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal, Snapshot};
 
 /// A low pass in the path of a wave: `s += a (u − s)`, `0 < a ≤ 1`, in √W; `s` is sent.
 ///
@@ -41,5 +41,18 @@ impl<V: Signal> WaveFilter<V> {
         let sent = wave.scale(self.share) + self.sent.scale(kept);
         self.sent = V::choose(sent.finite(), sent, self.sent);
         self.sent
+    }
+}
+
+impl<V: Signal> Snapshot for WaveFilter<V> {
+    /// The last wave that was sent, √W.
+    type State = V;
+
+    fn state(&self) -> V {
+        self.sent
+    }
+
+    fn restored(self, sent: V) -> Result<Self, ParameterError> {
+        Ok(Self { sent: Requirement::Finite.check_axes("stored wave", sent)?, ..self })
     }
 }

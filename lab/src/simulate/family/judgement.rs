@@ -28,11 +28,17 @@ impl Judgement {
 impl StabilizerName {
     /// The judgement of this stabilizer.
     pub fn judgement(self) -> Judgement {
+        match self.adds_damping() {
+            true => Judgement::Settling,
+            false => Judgement::EnergyAndForce,
+        }
+    }
+
+    /// Whether it takes energy out of a motion by a damper, and not only by smaller forces.
+    pub fn adds_damping(self) -> bool {
         match self {
-            Self::Member(member) if !member.table().kind().adds_damping() => {
-                Judgement::EnergyAndForce
-            }
-            _ => Judgement::Settling,
+            Self::Basic(_) => true,
+            Self::Member(member) => member.table().kind().adds_damping(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov::{AdmittanceSample, Correction, ParameterError, Plant, PortSample, Scalar};
+use lyapunov::{AdmittanceSample, Correction, HeldFlow, ParameterError, Plant, PortSample, Scalar};
 
 use super::building::{self, AnyChannel, Refused};
 use super::entrant::Entrant;
@@ -161,8 +161,15 @@ impl<T: Scalar> Rig<T> {
         *master = self.master.advance(felt.effort);
         *slave = self.slave.advance(-pull);
         *command += flow * self.period;
-        *load =
-            AdmittanceSample::new(self.period, T::of(0.0), -pull, -pull * self.period, flow).into();
+        *load = HeldFlow {
+            period: self.period,
+            momentum: T::of(0.0),
+            effort: -pull,
+            impulse: -pull * self.period,
+            flow,
+        }
+        .sample()
+        .into();
         *taken += (master.work + slave.work).lane(0);
         *crossed += (master.work + load.work).lane(0);
         tick

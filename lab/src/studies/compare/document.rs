@@ -5,6 +5,8 @@ use serde::Serialize;
 use super::contacts::wall;
 use super::score::Score;
 use super::{Broken, Comparison};
+use crate::measure::Yardstick;
+use crate::simulate::Criterion;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -19,6 +21,7 @@ struct Document<'a> {
 #[derive(Serialize)]
 struct Circumstances<'a> {
     scene: &'a str,
+    verdict_by: Yardstick,
     stiffness_asked_n_per_m: Option<f64>,
     work: &'static str,
     /// None: no limit.
@@ -46,6 +49,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
         let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);
         Circumstances {
             scene: &comparison.name,
+            verdict_by: Yardstick::of(&Criterion::of(&comparison.scene)),
             stiffness_asked_n_per_m,
             work: comparison.settings.work_name(),
             damping_cap,

@@ -9,7 +9,7 @@ use super::comparison::{CompareError, Comparison};
 use super::entrant_run::Watch;
 use super::entrants::Entrants;
 use super::table::Setting;
-use crate::measure::Balance;
+use crate::measure::{Balance, Verdict};
 use crate::show::csv::{self, Field};
 use crate::simulate::{Rollout, Space};
 use lyapunov_figures::{Figure, Panel, Series};
@@ -30,7 +30,7 @@ type Bars = Vec<(f64, f64, f64)>;
 #[derive(Clone, Debug)]
 pub struct Energies {
     title: String,
-    /// The balance of each entrant, in the order of the table; none for a run that is not stable.
+    /// The balance of each entrant, in the order of the table; none for a run that grows.
     rows: Vec<(String, Option<Balance>)>,
 }
 
@@ -53,8 +53,8 @@ impl Energies {
         };
         let rows = comparison.outcomes.par_iter().map(|outcome| {
             let name = &outcome.score.stabilizer;
-            if outcome.score.stable == Some(false) {
-                return Ok((format!("{name} (unstable)"), None));
+            if outcome.score.verdict == Verdict::Grows {
+                return Ok((format!("{name} (grows)"), None));
             }
             let told = balance(outcome.number).map_err(|error| CompareError::Parameter {
                 stabilizer: name.clone(),

@@ -5,8 +5,8 @@ use std::iter;
 use crate::files::scene::{
     Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
 };
-use crate::measure::LinearPart;
 use crate::measure::balance::{Feel, Trial};
+use crate::measure::{LinearPart, Verdict};
 use crate::simulate::Space;
 
 /// Safety factor that keeps a remedy inside a limit.
@@ -28,13 +28,15 @@ const FASTER_TRIALS: i32 = 5;
 /// The damping caps that a stabilizer is tried with where they are below the default, as multiples of m / T.
 const CAPS: [f64; 4] = [0.25, 0.1, 0.05, 0.02];
 
-/// Change of a scene after which its run is bounded.
+/// Change of a scene after which its run does not grow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remedy {
     /// The keys of the scene that change, with their new values.
     pub changes: Vec<(String, Change)>,
     /// The scene with the change, as it was run.
     pub scene: Scene,
+    /// The verdict on that run.
+    pub verdict: Verdict,
     /// Largest force on the plant in that run, N.
     pub peak_force: f64,
     /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
@@ -60,8 +62,8 @@ pub(super) fn remedies<V: Space>(scene: &Scene) -> Vec<Remedy> {
 }
 
 fn remedy<V: Space>(scene: Scene, changes: Vec<(String, Change)>) -> Option<Remedy> {
-    let Feel { peak, error } = Trial::that_holds::<V>(&scene)?.feel;
-    Some(Remedy { changes, scene, peak_force: peak, force_error: error })
+    let Trial { verdict, feel: Feel { peak, error }, .. } = Trial::that_holds::<V>(&scene)?;
+    Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
 }
 
 /// The largest stiffness whose loop holds.

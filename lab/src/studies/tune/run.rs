@@ -25,5 +25,5 @@ pub(super) fn cost(
         Term::ForceError => score.force_error.unwrap_or(0.0),
         Term::Stiffness => (100.0 - score.stiffness_percent.unwrap_or(0.0)).max(0.0),
     });
-    Ok((score.stable == Some(true)).then(|| objective.of(costs)))
+    Ok(score.verdict.is_bounded().then(|| objective.of(costs)))
 }

@@ -1,8 +1,11 @@
 //! Numbers of a stabilizer that are tuned.
 
+use lyapunov::ParameterError;
+
 use crate::files::Scene;
 use crate::files::scene::{Conflict, Parameter, Search, Spacing};
 use crate::simulate::family::StabilizerName;
+use crate::simulate::{Fitted, Space};
 
 /// A stabilizer on a scene, with the values of the numbers that are tuned.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,6 +87,21 @@ impl Setting {
     pub(super) fn at(&self, place: &[f64]) -> Self {
         let numbers = self.numbers.iter().zip(place).map(|(number, place)| number.at(*place));
         Self { stabilizer: self.stabilizer, numbers: numbers.collect() }
+    }
+
+    /// The stabilizer on `scene`, which may be another than it was tuned on.
+    ///
+    /// # Errors
+    /// Those of [`StabilizerName::on`].
+    pub fn fitted<V: Space>(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
+        let mut table = self.stabilizer.table(scene);
+        if let Some(table) = &mut table {
+            for number in &self.numbers {
+                // Every value of a range is right.
+                let _ = table.write(number.name(), number.value);
+            }
+        }
+        Fitted::named(scene, table)
     }
 
     /// `scene` with this stabilizer and its numbers written out.

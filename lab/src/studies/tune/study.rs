@@ -171,7 +171,7 @@ impl Tuning {
         if scene.dimensions() > 1 {
             return Err(TuneError::Space);
         }
-        let has_rest = Criterion::of(scene).equilibrium.is_some();
+        let has_rest = Criterion::of(scene).place().is_some();
         let has_wall = scene.environment.wall().is_some();
         for term in self.objective.terms() {
             let (has, lacks) = match term {

@@ -39,9 +39,9 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
         None
     }
 
-    /// Whether its force law changes with time.
-    fn swings(&self) -> bool {
-        false
+    /// Frequency at which its force law changes with time, Hz, if it does.
+    fn frequency(&self) -> Option<f64> {
+        None
     }
 
     /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
@@ -132,7 +132,7 @@ pub(super) fn no_credit<T: Scalar>() -> Result<Dissipation<T>, ParameterError> {
     Dissipation::of(T::zero())
 }
 
-/// Whether something with this amplitude and frequency ever moves.
-pub(super) fn swings(amplitude: Finite, frequency: NonNegative) -> bool {
-    amplitude.get() != 0.0 && frequency.get() != 0.0
+/// The frequency of something with this amplitude, Hz, if it ever moves.
+pub(super) fn swinging(amplitude: Finite, frequency: NonNegative) -> Option<f64> {
+    Some(frequency.get()).filter(|frequency| amplitude.get() != 0.0 && *frequency != 0.0)
 }

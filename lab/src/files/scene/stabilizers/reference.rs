@@ -19,7 +19,7 @@ impl Reference {
     /// The store of `scene`; none where the environment swings by itself, and in more than one dimension.
     pub(crate) fn of(scene: &Draft) -> Option<Self> {
         let environment = &scene.environment;
-        let stores = scene.dimensions() == 1 && !environment.kind().swings();
+        let stores = scene.dimensions() == 1 && environment.kind().frequency().is_none();
         stores.then(|| Self { environment: environment.clone(), rates: Rates::of(scene) })
     }
 

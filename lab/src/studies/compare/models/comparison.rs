@@ -47,7 +47,7 @@ impl Compared for Comparison {
         let built = built(model).map_err(|(_, error)| error)?;
         let breath = (BREATH / u64::from(model.steps_per_tick.get())).max(1);
         let run = |entrant| {
-            let mut meter = Meter::new(model.ticks(), model.servo_rate.get(), built.began());
+            let mut meter = Meter::new(model, built.began());
             let run = |each: &mut dyn FnMut(Tick) -> ControlFlow<()>| {
                 built.run(entrant, each);
                 Ok(())

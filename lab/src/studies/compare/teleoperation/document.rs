@@ -4,12 +4,14 @@ use serde::Serialize;
 
 use super::comparison::Comparison;
 use crate::files::scene::Seed;
-use crate::measure::teleoperation::{BOUND, Score};
+use crate::measure::teleoperation::{BAND, BOUND, Score};
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// The largest energy of a bounded run, as a multiple of the energy at the start.
+    /// The largest energy of a run that does not grow, as a multiple of the energy at the start.
     bound: f64,
+    /// The largest kinetic energy in the last tenth of a run that settles, likewise.
+    band: f64,
     teleoperators: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
 }
@@ -67,7 +69,11 @@ pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let rows = comparisons.iter().flat_map(|comparison| {
         comparison.scores().map(|score| Line { teleoperator: &comparison.name, score })
     });
-    let document =
-        Document { bound: BOUND, teleoperators: teleoperators.collect(), rows: rows.collect() };
+    let document = Document {
+        bound: BOUND,
+        band: BAND,
+        teleoperators: teleoperators.collect(),
+        rows: rows.collect(),
+    };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

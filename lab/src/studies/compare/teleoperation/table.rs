@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use crate::files::teleoperation::Teleoperator;
-use crate::measure::teleoperation::{BOUND, Score};
+use crate::measure::teleoperation::{BAND, BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{found, given};
 
@@ -27,10 +27,12 @@ pub(super) fn start(file: &Teleoperator) -> String {
     let cap =
         if cap.is_infinite() { "no damping cap".to_owned() } else { format!("cap {}", given(cap)) };
     format!(
-        "{} mJ in the hand at the start, bounded within {} times that; an ideal link rests with {} N\n\
+        "{} mJ in the hand at the start; grows above {} times that, settles with {} of it in motion; \
+         an ideal link rests with {} N\n\
          {cap}, {} mm/s; tank of {} mJ, {} N.s/(m J), share {}; b = {} N.s/m, filters of {} ms",
         found(1e3 * file.stored_at_start()),
         given(BOUND),
+        given(BAND),
         found(file.ideal_force()),
         given(1e3 * file.stabilizer.drift_compensated.speed.get()),
         found(1e3 * layers.level),
@@ -45,7 +47,7 @@ pub(super) fn start(file: &Teleoperator) -> String {
 pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
     let motion = [
         Heading::word("stabilizer"),
-        Heading::word("bounded"),
+        Heading::word("verdict"),
         Heading::number("largest\nenergy\nmJ"),
         Heading::number("speed at\nthe end\nmm/s"),
         Heading::number("largest\nerror\nmm"),
@@ -77,7 +79,7 @@ pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
 fn in_motion(score: &Score) -> [Cell; 7] {
     [
         score.stabilizer.into(),
-        score.bounded.into(),
+        score.verdict.into(),
         score.energy.into(),
         score.speed.into(),
         score.error.into(),

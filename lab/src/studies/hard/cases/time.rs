@@ -1,8 +1,8 @@
 //! Long runs and late time stamps.
 
 use lyapunov::{
-    DampingLimit, Held, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar,
-    Stabilizer,
+    DampingLimit, Held, HeldTick, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample,
+    Scalar, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain},
     bodies::{Body, Impedance, PlantExt},
     effects::OnePortExt,
@@ -41,7 +41,9 @@ impl Counted {
     fn run<T: Scalar>(stabilizer: &mut impl Stabilizer<T>) -> Tally {
         let exp2 = |power: i32| T::of(f64::from(power).exp2());
         let (period, velocity, displacement, force) = (exp2(-10), exp2(-3), exp2(-13), exp2(-7));
-        let sample = |applied| PortSample::new(period, T::zero(), velocity, displacement, applied);
+        let sample = |applied| {
+            HeldTick { period, position: T::zero(), velocity, displacement, applied }.sample()
+        };
         let (absorbs, gives) = (sample(force), sample(-force));
         let mut tally = Tally::default();
         let mut told = T::zero();

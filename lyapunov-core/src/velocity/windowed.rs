@@ -1,8 +1,10 @@
 //! Velocity over an adaptive window of samples.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use nalgebra::SVector;
 
-/// A port whose velocities are taken over a window that is as long as the motion is straight:
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, VelocityEstimator};
+
+/// Velocity taken over a window that is as long as the motion is straight:
 /// `v(n) = (x(n) − x(n−i)) / (i T)`, `v(0) = 0`.
 ///
 /// `i` grows from 1 and stops before the first one whose line through `x(n)` and `x(n−i)` passes farther than `band`
@@ -10,9 +12,9 @@ use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement
 /// long window that a coarse encoder needs, fast motion the short one. This is the first-order adaptive windowing of
 /// Janabi-Sharifi, Hayward and Chen, in its end-fit form (Discrete-time adaptive windowing for velocity estimation,
 /// IEEE Transactions on Control Systems Technology 8(6), 2000). Each axis has its own window. A window of one tick is
-/// the backward difference, to the bit. `T` is the sample's period. Positions, displacements and work stay as they are.
+/// the backward difference, to the bit. `T` is the sample's period; samples are taken to be equally spaced.
 ///
-/// Instead of testing every line against every sample, the adaptor keeps the interval of slopes that fit all samples so
+/// Instead of testing every line against every sample, it keeps the interval of slopes that fit all samples so
 /// far. A sample just `band` away from the line is within: the band is widened by
 /// `4 ε (|x(n)| + |x(n) − x(n−j)| + band)`, with `ε` the distance from one to the next number, which covers the
 /// rounding of the positions and of the test. Without it, rounding would decide whether samples one count off a line,
@@ -20,8 +22,7 @@ use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement
 ///
 /// A position that is not finite ends the windows that would reach it; it affects the later ones in no other way.
 #[derive(Clone, Copy, Debug)]
-pub struct AdaptiveWindow<P, V: Signal, const N: usize> {
-    port: P,
+pub struct Windowed<V: Signal, const N: usize> {
     ticks: usize,
     band: V::Scalar,
     /// The earlier positions, latest first.
@@ -29,12 +30,16 @@ pub struct AdaptiveWindow<P, V: Signal, const N: usize> {
     known: usize,
 }
 
-impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
-    pub(crate) fn new(port: P, ticks: usize, band: V::Scalar) -> Result<Self, ParameterError> {
+impl<V: Signal, const N: usize> Windowed<V, N> {
+    /// A window of up to `ticks` samples, as long as positions lie within `band`, m, of a line; `N` is the capacity.
+    ///
+    /// # Errors
+    /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
+    pub fn new(ticks: usize, band: V::Scalar) -> Result<Self, ParameterError> {
         Requirement::Positive.check("window ticks", ticks as f64)?;
         Requirement::AtMost(N as f64).check("window ticks", ticks as f64)?;
         let band = Requirement::NonNegative.check("window band", band)?;
-        Ok(Self { port, ticks, band, past: [V::zero(); N], known: 0 })
+        Ok(Self { ticks, band, past: [V::zero(); N], known: 0 })
     }
 
     /// The slope of the longest line that fits, m per tick.
@@ -75,19 +80,39 @@ impl<P, V: Signal, const N: usize> AdaptiveWindow<P, V, N> {
     }
 }
 
-impl<V: Signal, P: OnePort<V>, const N: usize> OnePort<V> for AdaptiveWindow<P, V, N> {
+impl<V: Signal, const N: usize> VelocityEstimator<V> for Windowed<V, N> {
     #[inline]
-    fn respond(&mut self, sample: &PortSample<V>) -> V {
+    fn velocity(&mut self, sample: &PortSample<V>) -> V {
         let velocity = self.slope(sample).map(|slope| slope / sample.period);
         let window = &mut self.past[..self.ticks];
         window.rotate_right(1);
         window[0] = sample.position;
         self.known = (self.known + 1).min(self.ticks);
-        self.port.respond(&PortSample { velocity, ..*sample })
+        velocity
     }
 
-    #[inline]
-    fn correction(&self) -> Correction<V> {
-        self.port.correction()
+    fn interrupt(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        let unknown = V::splat(V::Scalar::of(f64::NAN));
+        for past in &mut self.past {
+            *past = V::choose(lanes, unknown, *past);
+        }
+    }
+
+    fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        self.interrupt(lanes);
+    }
+}
+
+impl<V: Signal, const N: usize> Snapshot for Windowed<V, N> {
+    /// The earlier positions, latest first and NaN where a window ends, and how many there are.
+    type State = (SVector<V, N>, usize);
+
+    fn state(&self) -> Self::State {
+        (SVector::from(self.past), self.known)
+    }
+
+    fn restored(self, (past, known): Self::State) -> Result<Self, ParameterError> {
+        Requirement::AtMost(self.ticks as f64).check("stored positions", known as f64)?;
+        Ok(Self { past: past.into(), known, ..self })
     }
 }
