@@ -16,6 +16,6 @@ pub use document::document;
 pub use objective::{Objective, ObjectiveError, Term};
 pub use report::page;
 pub use setting::{Number, Setting};
-pub use study::{TuneError, Tuned, Tuning, Watch};
+pub use study::{Change, TuneError, Tuned, Tuning, Watch};
 pub use table::table;
 pub use trial::Trial;
