@@ -168,7 +168,14 @@ fn least_with_damper(force: impl Fn(f64) -> f64, steps: &[f64]) -> f64 {
         energy += held * step + 0.5 * SLOPE * step * step;
         least = least.min(energy);
         position += step;
-        let sample = PortSample::new(PERIOD, position, step / PERIOD, *step, held);
+        let sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: step / PERIOD,
+            displacement: *step,
+            applied: held,
+        }
+        .sample();
         held = bound.stabilize(&sample, force(position)).effort;
     }
     least
