@@ -36,6 +36,9 @@ const FEEL: [Column; 8] = [
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
+    if let Some(sentence) = described::exceeded_cap(&comparison.scene) {
+        writeln!(f, "{sentence}")?;
+    }
     for columns in [BEHAVIOUR, FEEL] {
         let headings = columns.map(|column| match column {
             Column::Stabilizer | Column::Stable => Heading::word(column.heading()),
