@@ -32,9 +32,9 @@ pub(super) const RESULTS: &str = "compare.json";
 
 /// Compare stabilizers on the same scenes.
 ///
-/// Prints a table for each scene. All stabilizers take damping_cap from the scene's own stabilizer if it has one, POPC and
-/// LOLC its work and ledger as well; docs/family.md says what each of the others is set to. A `-` stands where a column
-/// does not apply; docs/compare.md defines the columns, docs/verdicts.md the verdicts.
+/// Prints a table for each scene. A name takes the scene's own table of that name if there is one; else its numbers follow
+/// from the loop, as docs/family.md says, and damping_cap, work and ledger are those of the table that the scene has. A
+/// `-` stands where a column does not apply; docs/compare.md defines the columns, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]

@@ -42,6 +42,13 @@ pub(crate) fn stabilizer(scene: &Scene) -> String {
     }
 }
 
+/// The sentence about a damping cap that is too high for the delay of a scene, if it is.
+pub(crate) fn exceeded_cap(scene: &Scene) -> Option<String> {
+    let (limit, ticks) = (given(scene.exceeded_cap()?), scene.delay_ticks());
+    let ticks = counted(ticks as usize, "tick");
+    Some(format!("the damping cap is above {limit} m / T, the limit for a delay of {ticks}"))
+}
+
 /// A number of a stabilizer in words; none where it has no value.
 fn number(parameter: &Parameter) -> Option<String> {
     let value = parameter.value()?;

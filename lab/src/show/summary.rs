@@ -34,6 +34,9 @@ struct Observed {
     observed_energy_most_mj: f64,
     observed_energy_end_mj: f64,
     active_percent: f64,
+    /// The limit of the damping cap for the delay, m / T, where the cap lies above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_cap_limit: Option<f64>,
     energy_asked_for_mj: f64,
     shortfall_mj: f64,
 }
@@ -69,6 +72,7 @@ impl Summary {
             observed_energy_least_mj: MILLI * self.observed_energy_least,
             observed_energy_most_mj: MILLI * self.observed_energy_most,
             observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
+            damping_cap_limit: self.scene.exceeded_cap(),
             active_percent: 100.0 * self.active as f64 / self.rows.max(1) as f64,
             energy_asked_for_mj: MILLI * self.injected,
             shortfall_mj: MILLI * self.shortfall,
@@ -135,6 +139,9 @@ impl Summary {
         }
         write_list("operator", &described::operator(scene), f)?;
         write!(f, "\n{}", described::stabilizer(scene))?;
+        if let Some(sentence) = described::exceeded_cap(scene) {
+            write!(f, "\n  cap          {sentence}")?;
+        }
         write_list("effects", &described::effects(scene), f)
     }
 

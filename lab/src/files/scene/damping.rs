@@ -65,6 +65,13 @@ impl Draft {
         Damping::default_cap(self.delay_ticks())
     }
 
+    /// The limit of the cap for the delay of the scene, m / T, where the cap that is written lies above it.
+    pub fn exceeded_cap(&self) -> Option<f64> {
+        let limit = self.default_cap();
+        let is_above = self.written_cap().is_some_and(|cap| cap > limit);
+        (self.delay_ticks() > 0 && is_above).then_some(limit)
+    }
+
     /// The factors of this loop's damping limit, for a stabilizer with the damping cap `cap`.
     pub(crate) fn damping(&self, cap: f64) -> Damping {
         Damping { cap, port_mass: self.port_mass(), period: self.period() }

@@ -5,11 +5,11 @@ use lyapunov::{
     effects::{Fallback, OnePortExt},
     environments::ForceLaw,
     integrators::{CoupledOscillators, Integrator, Oscillator},
-    stabilizers::NoStabilizer,
 };
 
 use super::plant::stepped;
 use super::seen::{Operator, Seen};
+use super::wrapper::Passing;
 use super::{AnyPlant, AnyStabilizer, AnyWrapper, Fitted, Port};
 use crate::files::scene::{Filter, Pace, Policy, Positive, Render, Scene, Velocity, of};
 use crate::simulate::building::Space;
@@ -102,13 +102,11 @@ fn answering<V: Space>(
     let (port, stabilizer) = match fitted {
         Fitted::Behind(stabilizer) => (port, stabilizer),
         Fitted::Around(wrapper) => {
-            let nothing = AnyStabilizer::new(NoStabilizer);
-            match wrapper.pace() {
-                Pace::Environment => (port, nothing),
-                Pace::Servo => {
-                    (wrapper.around(port, V::Scalar::of(scene.period()), seen)?, nothing)
-                }
-            }
+            let port = match wrapper.pace() {
+                Pace::Environment => port,
+                Pace::Servo => wrapper.around(port, V::Scalar::of(scene.period()), seen)?,
+            };
+            (port, AnyStabilizer::called(Passing))
         }
     };
     let port = match seen {

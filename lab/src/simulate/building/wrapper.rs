@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{Correction, OnePort, ParameterError, PortSample, Signal};
+use lyapunov::{Correction, OnePort, ParameterError, PortSample, Signal, Stabilizer};
 
 use super::{Port, Seen, Space};
 use crate::files::scene::Pace;
@@ -68,6 +68,17 @@ impl<V: Space> AnyWrapper<V> {
 impl<V: Signal> fmt::Debug for AnyWrapper<V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("AnyWrapper").field("pace", &self.pace).finish_non_exhaustive()
+    }
+}
+
+/// Stabilizer behind a port that stabilizes by itself: what is not finite is rejected, and the rest passes.
+pub(super) struct Passing;
+
+impl<V: Signal> Stabilizer<V> for Passing {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let sound = sample.finite();
+        let effort = V::choose(sound, effort, V::zero());
+        Correction { accepted: sound, ..Correction::none(effort) }.checked()
     }
 }
 

@@ -27,6 +27,9 @@ struct Circumstances<'a> {
     /// None: no limit.
     damping_cap: Option<f64>,
     settings_from_scene: bool,
+    /// The limit of the cap for the delay, m / T, where the cap lies above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_cap_limit: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -54,6 +57,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
             work: comparison.settings.work_name(),
             damping_cap,
             settings_from_scene: comparison.settings.from_scene,
+            damping_cap_limit: comparison.scene.exceeded_cap(),
         }
     });
     let rows = comparisons.iter().flat_map(|comparison| {

@@ -47,6 +47,9 @@ const PHYSICAL: [Column; 6] = [
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
+    if let Some(sentence) = described::exceeded_cap(&comparison.scene) {
+        writeln!(f, "{sentence}")?;
+    }
     if let Some(by) = by_speed(&comparison.scene) {
         writeln!(f, "judged {by}")?;
     }

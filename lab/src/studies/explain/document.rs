@@ -15,6 +15,9 @@ struct Document<'a> {
     spectral_radius: Option<f64>,
     groups: DimensionlessGroups,
     broken: Vec<Broken>,
+    /// The limit of the damping cap for the delay, m / T, where the cap lies above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_cap_limit: Option<f64>,
     first_contact: Option<Balance>,
     whole_run: Balance,
     remedies: Vec<Tried>,
@@ -49,6 +52,7 @@ impl Explanation {
             spectral_radius: self.limits.spectral_radius,
             groups: self.groups,
             broken: broken.map(|(limit, _, most, times)| Broken { limit, most, times }).collect(),
+            damping_cap_limit: self.scene.exceeded_cap(),
             first_contact: self.first_contact,
             whole_run: self.whole_run,
             remedies: self.remedies.iter().map(tried).collect(),

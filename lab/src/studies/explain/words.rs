@@ -5,6 +5,7 @@ use std::fmt;
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::{Balance, Verdict};
+use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
 use crate::text::{found, given};
@@ -61,6 +62,9 @@ impl Explanation {
         }
         if over.is_empty() {
             writeln!(f, "  broken       no limit that applies")?;
+        }
+        if let Some(sentence) = described::exceeded_cap(&self.scene) {
+            writeln!(f, "  cap          {sentence}")?;
         }
         Ok(())
     }

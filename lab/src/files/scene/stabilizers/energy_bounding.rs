@@ -16,7 +16,7 @@ table! {
             /// device and d ticks of delay.
             c1: Positive, "N/m", "c1 = 500.0  # N/m",
             |_, on| on.burns() / (1.0 + f64::from(on.delay)),
-            |_, on| Search::ratios(0.01 * on.burns() / (1.0 + f64::from(on.delay)), on.burns() / (1.0 + f64::from(on.delay)));
+            |at, _| Search::ratios(0.01 * at, at);
             /// How fast energy may be handed back in N/m, greater than 0 and at most c1; default: c1.
             c2: Positive, "N/m", "c2 = 500.0  # N/m", |own, on| own.c1(on), |_, _| None;
         }

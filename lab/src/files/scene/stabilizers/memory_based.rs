@@ -20,7 +20,7 @@ table! {
             /// Length of each of the 256 cells in m, greater than 0; default: one count of the encoder, without an
             /// encoder what a tick moves at the speed of the energy that the motion starts with.
             cell: Positive, "m", "cell = 1e-5  # m",
-            |_, on| on.cell(), |_, on| Search::ratios(0.1 * on.cell(), 10.0 * on.cell());
+            |_, on| on.cell(), |at, _| Search::ratios(0.1 * at, 10.0 * at);
         }
     }
 }

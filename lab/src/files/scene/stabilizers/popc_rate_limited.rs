@@ -21,7 +21,7 @@ table! {
             /// environment.
             rate: Cap, "N/s", "rate = 2000.0  # N/s",
             |own, on| on.rate(own.damping_cap(on)),
-            |own, on| Search::ratios(1e-2 * on.rate(own.damping_cap(on)), 10.0 * on.rate(own.damping_cap(on)));
+            |at, _| Search::ratios(0.01 * at, 10.0 * at);
         }
     }
 }

@@ -19,7 +19,7 @@ table! {
             |_, on| on.limit.cap, |_, on| on.caps();
             /// Time after which credit expires in s, greater than 0, in 8 slots; default: one swing of the hand.
             window: Positive, "s", "window = 0.5  # s",
-            |_, on| on.swing, |_, on| Search::ratios(SLOTS as f64 * on.limit.period, 10.0 * on.swing);
+            |_, on| on.swing, |at, on| Search::ratios(SLOTS as f64 * on.limit.period, 10.0 * at);
         }
     }
 }

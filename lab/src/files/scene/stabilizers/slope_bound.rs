@@ -15,7 +15,7 @@ table! {
             /// the device and d ticks of delay.
             slope: Positive, "N/m", "slope = 1000.0  # N/m",
             |_, on| on.burns() / on.lateness(),
-            |_, on| Search::ratios(0.01 * on.burns() / on.lateness(), 10.0 * on.burns() / on.lateness());
+            |at, _| Search::ratios(0.01 * at, 10.0 * at);
             /// Rate at which a force that is held back comes through in N/s, 0 or more; default 0.
             creep: NonNegative, "N/s", "creep = 0.0  # N/s", |_, _| 0.0, |_, _| None;
         }

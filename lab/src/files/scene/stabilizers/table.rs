@@ -2,8 +2,9 @@
 
 /// A table of a stabilizer, all of whose keys are optional.
 ///
-/// `words` are keys with a default of their own; `numbers` have one that follows from the loop, as functions of the
-/// table and of the [`Basis`](super::Basis): the default, and the [`Search`](super::kind::Search) of a better value.
+/// `words` are keys with a default of their own. `numbers` have one that follows from the loop: a function of the table
+/// and of the [`Basis`](super::Basis) gives it, and one of that default and of the basis the range to
+/// [search](super::kind::Search).
 macro_rules! table {
     (
         $(#[$about:meta])*
@@ -62,15 +63,15 @@ macro_rules! table {
                 vec![$({
                     use $crate::files::scene::Quantity;
                     type Type = $crate::files::scene::$Quantity;
-                    let search: fn(&Self, &super::Basis) -> Option<super::Search> = $search;
-                    let unwritten = Self { $key: None, ..*self };
+                    let search: fn(f64, &super::Basis) -> Option<super::Search> = $search;
+                    let default = Self { $key: None, ..*self }.$key(on);
                     super::Parameter {
                         key: concat!("stabilizer.", $name, ".", stringify!($key)),
                         unit: $unit,
                         written: self.$key.map(Quantity::number),
-                        default: <Type as Quantity>::of(unwritten.$key(on)).ok().map(Quantity::number),
+                        default: <Type as Quantity>::of(default).ok().map(Quantity::number),
                         is_whole: <Type as Quantity>::IS_WHOLE,
-                        search: search(&unwritten, on),
+                        search: search(default, on),
                     }
                 },)*]
             }

@@ -14,7 +14,7 @@ table! {
         numbers {
             /// Energy in it at the start in J, 0 or more; default: the energy that the motion starts with.
             start: NonNegative, "J", "start = 1e-3  # J",
-            |_, on| on.energy, |_, on| Search::ratios(1e-3 * on.energy, 2.0 * on.energy);
+            |_, on| on.energy, |at, _| Search::ratios(1e-3 * at, 2.0 * at);
             /// Energy that is never handed out in J, 0 or more, at most that at the start; default 0.
             floor: NonNegative, "J", "floor = 0.0  # J", |_, _| 0.0, |_, _| None;
             /// Most energy that it holds in J, at least that at the start, inf for no limit; default: twice that at the

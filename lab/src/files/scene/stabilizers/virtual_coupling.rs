@@ -16,13 +16,13 @@ table! {
             /// the device and d ticks of delay.
             stiffness: Positive, "N/m", "stiffness = 500.0  # N/m",
             |_, on| 0.5 * on.burns() / on.lateness(),
-            |_, on| Search::ratios(0.05 * on.burns() / on.lateness(), on.burns() / on.lateness());
+            |at, _| Search::ratios(0.1 * at, 2.0 * at);
             /// Damper between device and proxy in N.s/m, 0 or more; default: half the damping of the device.
             damping: NonNegative, "N.s/m", "damping = 0.05  # N.s/m",
-            |_, on| 0.5 * on.damping, |_, on| Search::up_to(on.damping);
+            |_, on| 0.5 * on.damping, |at, _| Search::up_to(2.0 * at);
             /// Damper on the proxy alone in N.s/m, 0 or more; default: k T / 2 + B of the environment at its own rate.
             drag: NonNegative, "N.s/m", "drag = 5.0  # N.s/m",
-            |_, on| on.drag, |_, on| Search::ratios(0.1 * on.drag, 10.0 * on.drag);
+            |_, on| on.drag, |at, _| Search::ratios(0.1 * at, 10.0 * at);
         }
     }
 }
