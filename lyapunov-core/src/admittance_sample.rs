@@ -26,6 +26,14 @@ use crate::{PortSample, Signal};
 /// assert_eq!(PortSample::from(load).work, -2e-4); // the port gave 0.2 mJ away
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct AdmittanceSample<V: Signal> {
     /// Time since the last call, s.
     pub period: V::Scalar,

@@ -4,6 +4,16 @@ use crate::{Mask, Scalar, Signal};
 
 /// Correction of one tick: the effort to command, and what the stabilizer did to it, as numbers.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize, \
+                     <V::Scalar as Scalar>::Mask: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>, \
+                       <V::Scalar as Scalar>::Mask: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Correction<V: Signal> {
     /// The effort to command, correction included, N.
     pub effort: V,

@@ -13,6 +13,14 @@ use crate::{Scalar, Signal};
 /// ([`PortSample::new`]). Over several periods it is the sum of theirs ([`PortSample::spanning`]), which is why it
 /// is a field: a round trip displaces nothing and still does work.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct PortSample<V: Signal> {
     /// Time since the last call, s.
     pub period: V::Scalar,
