@@ -50,12 +50,26 @@
 //! | [`accumulators`] | plain, compensated and wide sums |
 //! | [`lanes`] | several rollouts in one number |
 //! | [`laws`] | checks to run on parts of your own |
+//! | [`telemetry`] | the last ticks in a ring, and the energies of all of them |
+//!
+//! What is chosen at run time is a [`Member`](stabilizers::Member) of the family; with the feature `alloc` a
+//! `Box<dyn Stabilizer<V>>` is a stabilizer too. A stabilizer or candidate of your own: docs/own-stabilizer.md in the
+//! repository goes through it from the first `if` to the last law.
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `alloc` | boxes of stabilizers, candidates, ports and plants are such |
+//! | `approx` | comparison within a tolerance for samples, corrections and other values |
+//! | `defmt` | `Format` for the same, to log them over a debug probe |
+//! | `serde` | `Serialize` and `Deserialize` for the same |
+//!
+//! A feature that is off adds nothing; none of them changes a step.
 #![no_std]
 
 pub use lyapunov_core::{
     AdmittanceSample, Correction, Dissipation, Held, Ledger, LyapunovCandidate, Mask, Observer,
     OnePort, ParameterError, Plant, PortEnergy, PortSample, Requirement, Sampled, Scalar, Signal,
-    Stabilized, Stabilizer, StorageFunction, Work, lanes, laws,
+    Stabilized, Stabilizer, StorageFunction, Work, lanes, laws, telemetry,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
@@ -146,11 +160,11 @@ pub mod stabilizers {
         AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint, ContactReset,
         CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
-        InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, MemoryBased,
-        Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit, ReferenceDamper,
-        ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
-        TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, WaveFilter,
-        WaveFollower, WaveTransform, WindowedCredit,
+        InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, Member,
+        MemoryBased, Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit,
+        ReferenceDamper, ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt,
+        Tank, TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling,
+        WaveFilter, WaveFollower, WaveTransform, WindowedCredit,
     };
 }
 

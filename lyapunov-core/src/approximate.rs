@@ -9,6 +9,7 @@
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
+use crate::telemetry::{EnergySummary, RecordedTick};
 use crate::{AdmittanceSample, Correction, DoubleDouble, PortSample, Scalar, Signal, State};
 
 /// Implementation of `approx`'s three traits for a type whose fields all have them, with the tolerance of the first
@@ -89,6 +90,11 @@ approximate!(impl[V: Signal] Correction<V>, of V, V::Scalar {
     effort, observed_energy, alpha, shortfall; same Correction::accepted_alike
 });
 approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
+approximate!(impl[V: Signal] RecordedTick<V>, of PortSample<V>, Correction<V> { sample, correction });
+approximate!(impl[T: PartialEq] EnergySummary<T>, of T {
+    active, rejected, now, least, most, injected, absorbed, shortfall, largest_shortfall;
+    same EnergySummary::of_as_many_ticks
+});
 
 /// Tolerances are `f64`, whose range reaches far below the last digit.
 impl AbsDiffEq for DoubleDouble {

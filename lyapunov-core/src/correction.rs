@@ -4,6 +4,7 @@ use crate::{Mask, Scalar, Signal};
 
 /// Correction of one tick: the effort to command, and what the stabilizer did to it, as numbers.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
@@ -25,6 +26,13 @@ pub struct Correction<V: Signal> {
     pub shortfall: V::Scalar,
     /// Whether the sample was accepted, lane by lane; if not, a stabilizer gives a zero effort, a guard its fallback.
     pub accepted: <V::Scalar as Scalar>::Mask,
+}
+
+/// The correction before the first tick: no effort, nothing corrected, accepted.
+impl<V: Signal> Default for Correction<V> {
+    fn default() -> Self {
+        Self::none(V::zero())
+    }
 }
 
 impl<V: Signal> PartialEq for Correction<V> {

@@ -25,9 +25,28 @@ use crate::{Scalar, Signal};
 /// assert!(lacking.magnitude().below(DoubleDouble::epsilon()));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(from = "Stored"))]
 pub struct DoubleDouble {
     high: f64,
     low: f64,
+}
+
+/// Pair of numbers as it is stored, which may not be one of ours.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(rename = "DoubleDouble")]
+struct Stored {
+    high: f64,
+    low: f64,
+}
+
+#[cfg(feature = "serde")]
+impl From<Stored> for DoubleDouble {
+    fn from(Stored { high, low }: Stored) -> Self {
+        let own = high + low == high && high.is_finite();
+        if own { Self { high, low } } else { Self::normalized(high, sound(low)) }
+    }
 }
 
 impl DoubleDouble {

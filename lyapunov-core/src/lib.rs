@@ -8,7 +8,7 @@
 //!
 //! Everything is generic over the [`Scalar`] (`f32`, `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and
 //! the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor an allocator, and does not panic.
-//! [`laws`] checks parts of your own.
+//! [`laws`] checks parts of your own, [`telemetry`] keeps what happened.
 //!
 //! The traits are written for impedance causality: motion in, effort out. For the dual, effort in and motion out, an
 //! [`AdmittanceSample`] takes the place of the `PortSample`, and a flow that of the effort.
@@ -16,10 +16,15 @@
 //! Not here: scheduling, clocks, threads, names of signals at run time, graphs of blocks. The caller calls.
 #![no_std]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 mod accumulator;
 mod admittance_sample;
 #[cfg(feature = "approx")]
 mod approximate;
+#[cfg(feature = "alloc")]
+mod boxed;
 mod candidate;
 mod correction;
 mod dissipation;
@@ -40,6 +45,7 @@ mod scalar;
 mod signal;
 mod stabilizer;
 mod state;
+pub mod telemetry;
 
 #[cfg(feature = "approx")]
 #[doc(hidden)]

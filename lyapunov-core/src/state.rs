@@ -10,6 +10,7 @@ use crate::{Scalar, Signal};
 ///
 /// It is a [`Signal`] with the axes of both, so that integrators add and scale it like any other state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<Q> {
     /// The coordinates, m.

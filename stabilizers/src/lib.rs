@@ -4,13 +4,16 @@
 //! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
 //! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
 //! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit or a gentler correction.
-//! [`LeastNorm`] looks one period ahead.
+//! [`LeastNorm`] looks one period ahead. A [`Member`] is one of them, chosen at run time.
 //!
 //! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping;
 //! they reduce efforts whose energy is not covered. Around an environment stand [`CoupledPort`], a spring and a damper,
 //! and [`InputToState`], which asks it a little before the device is there. At the ends of a channel stand two
 //! [`TwoPortSide`]s, two [`TwoLayer`]s, or a [`WaveTransform`] that codes the signals that go through it.
 #![no_std]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
 
 mod booked;
 mod coupled_port;
@@ -23,6 +26,7 @@ mod force_bounding;
 mod input_to_state;
 mod least_norm;
 mod lolc;
+mod member;
 mod memory_based;
 mod no_stabilizer;
 mod path_memory;
@@ -48,6 +52,7 @@ pub use force_bounding::{
 pub use input_to_state::InputToState;
 pub use least_norm::{Constraint, Input, LeastNorm};
 pub use lolc::Lolc;
+pub use member::Member;
 pub use memory_based::MemoryBased;
 pub use no_stabilizer::NoStabilizer;
 pub use path_memory::PathMemory;

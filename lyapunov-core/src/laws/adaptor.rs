@@ -61,13 +61,23 @@ pub fn adaptor<V: Signal, P: OnePort<V>>(
     let inside = probe.correction;
     let mut port = wrap(probe);
     for (tick, (sample, _)) in samples.into_iter().enumerate() {
-        port.respond(&sample);
-        let (now, told) = (Tick(tick), port.correction());
-        now.same(Law::HandsOn, told.effort, inside.effort)?;
-        now.same(Law::HandsOn, told.observed_energy, inside.observed_energy)?;
-        now.same(Law::HandsOn, told.alpha, inside.alpha)?;
-        now.same(Law::HandsOn, told.shortfall, inside.shortfall)?;
-        now.require(Law::HandsOn, told.accepted, told.observed_energy)?;
+        let effort = port.respond(&sample);
+        let told = alike(Tick(tick), &port.correction(), &inside);
+        told.map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
+}
+
+fn alike<V: Signal>(
+    now: Tick,
+    told: &Correction<V>,
+    inside: &Correction<V>,
+) -> Result<(), Violation> {
+    let law = Law::HandsOn;
+    now.told("reported effort", "N").same(law, told.effort, inside.effort)?;
+    let [energy, inner] = [told, inside].map(|it| it.observed_energy);
+    now.told("reported observed energy", "J").same(law, energy, inner)?;
+    now.told("reported damping", "N·s/m").same(law, told.alpha, inside.alpha)?;
+    now.told("reported shortfall", "J").same(law, told.shortfall, inside.shortfall)?;
+    now.told("reported acceptance", "").holds::<V::Scalar>(law, told.accepted)
 }

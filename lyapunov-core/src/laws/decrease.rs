@@ -28,15 +28,15 @@ pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
     for (index, sample) in samples.enumerate() {
         let now = Tick(index + 1);
         let here = value(&sample);
-        now.finite(Law::Finite, here)?;
+        now.told("V", "J").finite(Law::Finite, here)?;
         told += candidate.decrease(&sample);
-        now.finite(Law::Finite, told)?;
+        now.told("sum of the decreases", "J").finite(Law::Finite, told)?;
         travelled += (here - last).magnitude();
         rounding += (told.magnitude() + here.magnitude() + last.magnitude()) * V::Scalar::epsilon();
         last = here;
         let apart = told - (start - here);
         let allowed = share * travelled + rounding;
-        now.require(Law::AddsUp, !apart.magnitude().above(allowed), apart)?;
+        now.told("sum of the decreases", "J").within(Law::AddsUp, apart, allowed)?;
     }
     Ok(())
 }
