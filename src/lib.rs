@@ -172,3 +172,8 @@ pub mod stabilizers {
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The page about a stabilizer of one's own, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/own-stabilizer.md")]
+struct OwnStabilizer;

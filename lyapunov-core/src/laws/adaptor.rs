@@ -1,6 +1,6 @@
 //! The law of an adaptor: a port that owns another.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{Correction, OnePort, PortSample, Scalar, Signal};
 
 /// Port with a correction that no other port reports, which [`adaptor`] puts inside the adaptor under test.
@@ -74,10 +74,10 @@ fn alike<V: Signal>(
     inside: &Correction<V>,
 ) -> Result<(), Violation> {
     let law = Law::HandsOn;
-    now.told("reported effort", "N").same(law, told.effort, inside.effort)?;
+    now.told(quantity::REPORTED_EFFORT).same(law, told.effort, inside.effort)?;
     let [energy, inner] = [told, inside].map(|it| it.observed_energy);
-    now.told("reported observed energy", "J").same(law, energy, inner)?;
-    now.told("reported damping", "N·s/m").same(law, told.alpha, inside.alpha)?;
-    now.told("reported shortfall", "J").same(law, told.shortfall, inside.shortfall)?;
-    now.told("reported acceptance", "").holds::<V::Scalar>(law, told.accepted)
+    now.told(quantity::REPORTED_OBSERVED_ENERGY).same(law, energy, inner)?;
+    now.told(quantity::REPORTED_DAMPING).same(law, told.alpha, inside.alpha)?;
+    now.told(quantity::REPORTED_SHORTFALL).same(law, told.shortfall, inside.shortfall)?;
+    now.told(quantity::REPORTED_ACCEPTANCE).holds::<V::Scalar>(law, told.accepted)
 }

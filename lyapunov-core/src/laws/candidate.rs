@@ -1,6 +1,6 @@
 //! The laws of a Lyapunov candidate.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Check of a `candidate` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
@@ -26,7 +26,7 @@ fn tick_of<V: Signal, C: LyapunovCandidate<V> + Clone>(
     other: &mut C,
     sample: &PortSample<V>,
 ) -> Result<(), Violation> {
-    let told = now.told("decrease", "J");
+    let told = now.told(quantity::DECREASE);
     let decrease = one.decrease(sample);
     told.finite(Law::Finite, decrease)?;
     told.same(Law::Repeatable, decrease, other.decrease(sample))?;
@@ -36,11 +36,11 @@ fn tick_of<V: Signal, C: LyapunovCandidate<V> + Clone>(
     resting.decrease(&still);
     let credited = resting.decrease(&still);
     let zero = V::Scalar::of(0.0);
-    now.told("decrease at rest", "J").same(Law::NothingForNothing, credited, zero)?;
+    now.told(quantity::DECREASE_AT_REST).same(Law::NothingForNothing, credited, zero)?;
 
     let mut shaken = one.clone();
     let nan = V::splat(V::Scalar::of(f64::NAN));
     shaken.decrease(&PortSample::new(sample.period, nan, nan, nan, nan));
-    let after = now.told("next decrease", "J").finite(Law::Recovers, shaken.decrease(sample));
+    let after = now.told(quantity::NEXT_DECREASE).finite(Law::Recovers, shaken.decrease(sample));
     after.map_err(|broken| broken.after("motion", f64::NAN))
 }

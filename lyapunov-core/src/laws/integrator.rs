@@ -3,7 +3,7 @@
 use num_traits::Float;
 
 use super::tick::spread;
-use crate::laws::{Allowed, Law, Tick, Violation};
+use crate::laws::{Allowed, Law, Tick, Violation, quantity};
 use crate::{Dynamics, Integrator, Scalar, Signal};
 
 /// Steps of the coarse runs over the interval.
@@ -131,9 +131,8 @@ where
             return Err(Violation {
                 law: Law::Converges,
                 tick: now.0,
-                lane,
-                quantity: "order",
-                unit: "",
+                lane: lane as u32,
+                quantity: quantity::ORDER,
                 value: slope,
                 allowed: Allowed::From(f64::from(order) - SLACK),
                 drive: None,

@@ -1,6 +1,6 @@
 //! The laws of a one-port.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{OnePort, PortSample, Signal};
 
 /// Check of a `port` over `samples`: the laws [`Finite`](Law::Finite) and [`Repeatable`](Law::Repeatable).
@@ -13,7 +13,7 @@ pub fn one_port<V: Signal, P: OnePort<V> + Clone>(
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (port.clone(), port.clone());
     for (tick, (sample, _)) in samples.into_iter().enumerate() {
-        let now = Tick(tick).told("effort", "N");
+        let now = Tick(tick).told(quantity::EFFORT);
         let effort = one.respond(&sample);
         now.finite(Law::Finite, effort)
             .and_then(|()| now.same(Law::Repeatable, effort, other.respond(&sample)))

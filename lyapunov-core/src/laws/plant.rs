@@ -1,6 +1,6 @@
 //! The laws of a plant.
 
-use crate::laws::{Allowed, Law, Tick, Violation};
+use crate::laws::{Allowed, Law, Tick, Violation, quantity};
 use crate::{Plant, PortSample, Scalar, Signal};
 
 /// Check of a `plant` under the efforts of `samples`: the laws [`Finite`](Law::Finite),
@@ -15,14 +15,14 @@ pub fn plant<V: Signal, P: Plant<V> + Clone>(
     let (mut one, mut other) = (plant.clone(), plant.clone());
     let mut last = one.start();
     let zero = V::zero();
-    Tick(0).told("first displacement", "m").same(Law::TellsTheTruth, last.displacement, zero)?;
-    Tick(0).told("first work", "J").same(Law::TellsTheTruth, last.work, zero)?;
+    Tick(0).told(quantity::FIRST_DISPLACEMENT).same(Law::TellsTheTruth, last.displacement, zero)?;
+    Tick(0).told(quantity::FIRST_WORK).same(Law::TellsTheTruth, last.work, zero)?;
     for (tick, (_, effort)) in samples.into_iter().enumerate() {
         let sample = one.advance(effort);
         tells(Tick(tick), &last, &sample, effort)
             .and_then(|()| {
                 let again = other.advance(effort).position;
-                Tick(tick).told("position", "m").same(Law::Repeatable, sample.position, again)
+                Tick(tick).told(quantity::POSITION).same(Law::Repeatable, sample.position, again)
             })
             .map_err(|broken| broken.under(&sample, effort))?;
         last = sample;
@@ -37,13 +37,18 @@ fn tells<V: Signal>(
     effort: V,
 ) -> Result<(), Violation> {
     let finite = |_| Allowed::Finite;
-    now.told("sample", "").require(Law::Finite, sample.finite(), sample.position.sum(), finite)?;
-    now.told("applied effort", "N").same(Law::TellsTheTruth, sample.applied, effort)?;
+    now.told(quantity::SAMPLE).require(
+        Law::Finite,
+        sample.finite(),
+        sample.position.sum(),
+        finite,
+    )?;
+    now.told(quantity::APPLIED_EFFORT).same(Law::TellsTheTruth, sample.applied, effort)?;
     let apart = (sample.position - last.position - sample.displacement).map(Scalar::magnitude);
     let size = sample.position.map(Scalar::magnitude) + last.position.map(Scalar::magnitude);
     let rounding = V::Scalar::of(16.0) * V::Scalar::epsilon() * size.sum();
     let allowed = rounding + V::Scalar::smallest_normal();
-    now.told("displacement", "m").within(Law::TellsTheTruth, apart.sum(), allowed)?;
+    now.told(quantity::DISPLACEMENT).within(Law::TellsTheTruth, apart.sum(), allowed)?;
     let work = effort.times(sample.displacement);
-    now.told("work", "J").same(Law::TellsTheTruth, sample.work, work)
+    now.told(quantity::WORK).same(Law::TellsTheTruth, sample.work, work)
 }

@@ -1,7 +1,7 @@
 //! The laws of a stabilizer.
 
 use super::tick::spread;
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{Correction, PortSample, Scalar, Signal, Stabilizer};
 
 /// Check of a `stabilizer` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
@@ -68,11 +68,11 @@ fn check<V: Signal, S: Stabilizer<V> + Clone>(
 
 fn finite<V: Signal>(now: Tick, correction: &Correction<V>) -> Result<(), Violation> {
     let Correction { effort, observed_energy, alpha, shortfall, accepted } = *correction;
-    now.told("effort", "N").finite(Law::Finite, effort)?;
-    now.told("observed energy", "J").finite(Law::Finite, observed_energy)?;
-    now.told("damping", "N·s/m").finite(Law::Finite, alpha)?;
-    now.told("shortfall", "J").finite(Law::Finite, shortfall)?;
-    now.told("acceptance of a sound sample", "").holds::<V::Scalar>(Law::Finite, accepted)
+    now.told(quantity::EFFORT).finite(Law::Finite, effort)?;
+    now.told(quantity::OBSERVED_ENERGY).finite(Law::Finite, observed_energy)?;
+    now.told(quantity::DAMPING).finite(Law::Finite, alpha)?;
+    now.told(quantity::SHORTFALL).finite(Law::Finite, shortfall)?;
+    now.told(quantity::ACCEPTANCE).holds::<V::Scalar>(Law::Finite, accepted)
 }
 
 fn repeats<V: Signal>(
@@ -90,10 +90,10 @@ fn alike<V: Signal>(
     one: &Correction<V>,
     other: &Correction<V>,
 ) -> Result<(), Violation> {
-    now.told("effort", "N").same(law, one.effort, other.effort)?;
+    now.told(quantity::EFFORT).same(law, one.effort, other.effort)?;
     let [energy, again] = [one, other].map(|it| it.observed_energy);
-    now.told("observed energy", "J").same(law, energy, again)?;
-    now.told("damping", "N·s/m").same(law, one.alpha, other.alpha)
+    now.told(quantity::OBSERVED_ENERGY).same(law, energy, again)?;
+    now.told(quantity::DAMPING).same(law, one.alpha, other.alpha)
 }
 
 /// Check of each lane against the same stabilizer with that lane's numbers in all lanes.
@@ -118,7 +118,7 @@ fn lane_by_lane<V: Signal, S: Stabilizer<V> + Clone>(
         };
         let own = before.clone().stabilize(&alone, spread(effort, lane));
         let told = alike(now, Law::LaneByLane, &of_lane(correction, lane), &of_lane(&own, lane));
-        told.map_err(|broken| Violation { lane, ..broken })?;
+        told.map_err(|broken| Violation { lane: lane as u32, ..broken })?;
     }
     Ok(())
 }
@@ -139,11 +139,11 @@ fn keeps_its_word<V: Signal>(
 ) -> Result<(), Violation> {
     let zero = V::Scalar::of(0.0);
     let law = Law::NoNegativeDamping;
-    now.told("damping", "N·s/m").not_below_zero(law, correction.alpha, zero)?;
-    now.told("shortfall", "J").not_below_zero(law, correction.shortfall, zero)?;
+    now.told(quantity::DAMPING).not_below_zero(law, correction.alpha, zero)?;
+    now.told(quantity::SHORTFALL).not_below_zero(law, correction.shortfall, zero)?;
     let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
     let served = correction.observed_energy + burnt + correction.shortfall;
-    now.told("served energy with the shortfall", "J").not_below_zero(
+    now.told(quantity::SERVED).not_below_zero(
         Law::Served,
         served,
         correction.observed_energy.magnitude(),
@@ -159,11 +159,7 @@ fn opposes<V: Signal>(
     let power = (correction.effort - effort).inner(sample.velocity);
     let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
     let size = size.inner(sample.velocity.map(Scalar::magnitude));
-    now.told("power that the correction takes out of the motion", "W").not_below_zero(
-        Law::Opposes,
-        power,
-        size,
-    )
+    now.told(quantity::POWER_TAKEN).not_below_zero(Law::Opposes, power, size)
 }
 
 /// Check that the effort is between 0 and the given effort on every axis.
@@ -179,7 +175,7 @@ fn no_larger<V: Signal>(
         (out - most).larger(zero) + (least - out).larger(zero)
     });
     let size = effort.map(Scalar::magnitude).sum();
-    now.told("room left by the effort", "N").not_below_zero(Law::NoLarger, -beyond.sum(), size)
+    now.told(quantity::ROOM_IN_EFFORT).not_below_zero(Law::NoLarger, -beyond.sum(), size)
 }
 
 /// Check of samples with one bad field each, every one followed by a sound sample.
@@ -202,7 +198,7 @@ fn survives<V: Signal, S: Stabilizer<V> + Clone>(
     ] {
         let mut stabilizer = stabilizer.clone();
         let effort_then = stabilizer.stabilize(&flawed, effort).effort;
-        now.told("effort", "N")
+        now.told(quantity::EFFORT)
             .finite(Law::Rejects, effort_then)
             .and_then(|()| recovers(now, &mut stabilizer, sample, effort))
             .map_err(|broken| broken.after(field, bad))?;
@@ -219,10 +215,10 @@ fn rejects<V: Signal>(
     bad: f64,
 ) -> Result<(), Violation> {
     let rejected = stabilizer.stabilize(sample, V::splat(V::Scalar::of(bad)));
-    now.told("effort", "N")
+    now.told(quantity::EFFORT)
         .finite(Law::Rejects, rejected.effort)
         .and_then(|()| {
-            now.told("rejection", "").holds::<V::Scalar>(Law::Rejects, !rejected.accepted)
+            now.told(quantity::REJECTION).holds::<V::Scalar>(Law::Rejects, !rejected.accepted)
         })
         .and_then(|()| recovers(now, &mut stabilizer, sample, effort))
         .map_err(|broken| broken.after("effort", bad))
@@ -236,6 +232,6 @@ fn recovers<V: Signal>(
     effort: V,
 ) -> Result<(), Violation> {
     let next = stabilizer.stabilize(sample, effort);
-    now.told("next effort", "N").finite(Law::Recovers, next.effort)?;
-    now.told("acceptance of the next sample", "").holds::<V::Scalar>(Law::Recovers, next.accepted)
+    now.told(quantity::NEXT_EFFORT).finite(Law::Recovers, next.effort)?;
+    now.told(quantity::NEXT_ACCEPTANCE).holds::<V::Scalar>(Law::Recovers, next.accepted)
 }

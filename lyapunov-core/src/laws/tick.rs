@@ -1,6 +1,6 @@
 //! Checks on one tick.
 
-use super::{Allowed, Law, Violation};
+use super::{Allowed, Law, Quantity, Violation, quantity};
 use crate::{Mask, Scalar, Signal};
 
 /// Index of the tick that is being checked.
@@ -9,30 +9,29 @@ pub(super) struct Tick(pub(super) usize);
 
 /// Quantity of a tick that is being checked.
 #[derive(Clone, Copy)]
-pub(super) struct Quantity {
+pub(super) struct Told {
     tick: usize,
-    name: &'static str,
-    unit: &'static str,
+    quantity: &'static Quantity,
 }
 
 impl Tick {
-    /// The quantity of that name and unit on this tick.
-    pub(super) fn told(self, name: &'static str, unit: &'static str) -> Quantity {
-        Quantity { tick: self.0, name, unit }
+    /// The quantity on this tick.
+    pub(super) fn told(self, quantity: &'static Quantity) -> Told {
+        Told { tick: self.0, quantity }
     }
 
     /// Breaks `law` where a number is not finite.
     pub(super) fn finite<V: Signal>(self, law: Law, signal: V) -> Result<(), Violation> {
-        self.told("result", "").finite(law, signal)
+        self.told(quantity::RESULT).finite(law, signal)
     }
 
     /// Breaks `law` where two signals that must be equal differ.
     pub(super) fn same<V: Signal>(self, law: Law, one: V, other: V) -> Result<(), Violation> {
-        self.told("result", "").same(law, one, other)
+        self.told(quantity::RESULT).same(law, one, other)
     }
 }
 
-impl Quantity {
+impl Told {
     /// Breaks `law` where `kept` is false, and reports that lane of `value`.
     pub(super) fn require<T: Scalar>(
         self,
@@ -41,11 +40,11 @@ impl Quantity {
         value: T,
         allowed: impl FnOnce(usize) -> Allowed,
     ) -> Result<(), Violation> {
-        let Self { tick, name: quantity, unit } = self;
+        let Self { tick, quantity } = self;
         match (0..T::LANES).find(|&lane| !kept.lane(lane)) {
             Some(lane) => {
-                let (value, allowed) = (value.lane(lane), allowed(lane));
-                Err(Violation { law, tick, lane, quantity, unit, value, allowed, drive: None })
+                let (value, allowed, lane) = (value.lane(lane), allowed(lane), lane as u32);
+                Err(Violation { law, tick, lane, quantity, value, allowed, drive: None })
             }
             None => Ok(()),
         }

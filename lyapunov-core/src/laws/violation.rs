@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::Law;
+use super::{Law, Quantity};
 use crate::{PortSample, Scalar, Signal};
 
 /// Breach of a law: which law, at which sample and under which force, with which number, and how far it was allowed.
@@ -18,7 +18,7 @@ use crate::{PortSample, Scalar, Signal};
 ///     }
 /// }
 /// let broken = laws::candidate(&Generous, laws::Samples::new(1e-3)).unwrap_err();
-/// assert_eq!((broken.law, broken.value, broken.unit), (laws::Law::NothingForNothing, 5e-4, "J"));
+/// assert_eq!((broken.law, broken.value, broken.quantity.unit), (laws::Law::NothingForNothing, 5e-4, "J"));
 /// let told = broken.to_string();
 /// assert!(told.starts_with("sample 0: where nothing happens, nothing must be credited; the decrease at rest is off by"));
 /// assert!(told.contains("5.000e-4 J, allowed is 0 J") && told.contains("likely cause: a credit that"));
@@ -30,11 +30,9 @@ pub struct Violation {
     /// The sample, counted from 0.
     pub tick: usize,
     /// The lane.
-    pub lane: usize,
-    /// The quantity that breaks it.
-    pub quantity: &'static str,
-    /// Its unit; empty where the law knows none.
-    pub unit: &'static str,
+    pub lane: u32,
+    /// The quantity that breaks it, and its unit.
+    pub quantity: &'static Quantity,
     /// Its value.
     pub value: f64,
     /// How far it might have gone.
@@ -69,8 +67,6 @@ pub struct Drive {
     pub displacement: f64,
     /// The period, s.
     pub period: f64,
-    /// Number of axes.
-    pub axes: usize,
     /// The field of the sample that the check replaced, and by what.
     pub spoilt: Option<(&'static str, f64)>,
 }
@@ -85,16 +81,14 @@ impl Drive {
                 axis
             });
             let norm = signal.inner(signal).sqrt().lane(lane);
-            (if count == 1 { first } else { norm }, count)
+            if count == 1 { first } else { norm }
         };
-        let (effort, axes) = size(effort);
         Self {
-            effort,
-            applied: size(sample.applied).0,
-            velocity: size(sample.velocity).0,
-            displacement: size(sample.displacement).0,
+            effort: size(effort),
+            applied: size(sample.applied),
+            velocity: size(sample.velocity),
+            displacement: size(sample.displacement),
             period: sample.period.lane(lane),
-            axes,
             spoilt: None,
         }
     }
@@ -103,7 +97,7 @@ impl Drive {
 impl Violation {
     /// This breach, under `sample` and `effort`.
     pub(super) fn under<V: Signal>(self, sample: &PortSample<V>, effort: V) -> Self {
-        let drive = Drive::of(sample, effort, self.lane);
+        let drive = Drive::of(sample, effort, self.lane as usize);
         let spoilt = self.drive.and_then(|told| told.spoilt);
         Self { drive: Some(Drive { spoilt, ..drive }), ..self }
     }
@@ -117,12 +111,9 @@ impl Violation {
 
 impl fmt::Display for Drive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { effort, applied, velocity, displacement, period, axes, spoilt } = self;
+        let Self { effort, applied, velocity, displacement, period, spoilt } = self;
         write!(f, "driven by {effort:.3e} N at {velocity:.3e} m/s over {period:.3e} s, ")?;
         write!(f, "{applied:.3e} N applied before over {displacement:.3e} m")?;
-        if *axes > 1 {
-            write!(f, " (magnitudes on {axes} axes)")?;
-        }
         match spoilt {
             Some((field, bad)) => write!(f, ", with its {field} replaced by {bad}"),
             None => Ok(()),
@@ -132,9 +123,10 @@ impl fmt::Display for Drive {
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { law, tick, lane, quantity, unit, value, allowed, drive } = self;
+        let Self { law, tick, lane, quantity, value, allowed, drive } = self;
+        let Quantity { name, unit } = quantity;
         let space = if unit.is_empty() { "" } else { " " };
-        write!(f, "sample {tick}: {law}; the {quantity}")?;
+        write!(f, "sample {tick}: {law}; the {name}")?;
         match allowed {
             Allowed::Finite => write!(f, " is {value}{space}{unit}")?,
             Allowed::True => f.write_str(" is false")?,
