@@ -177,3 +177,8 @@ struct Readme;
 #[cfg(doctest)]
 #[doc = include_str!("../docs/own-stabilizer.md")]
 struct OwnStabilizer;
+
+/// The page about telemetry and choice at run time, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/telemetry.md")]
+struct Telemetry;

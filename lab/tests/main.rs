@@ -12,4 +12,5 @@ mod integrators;
 mod map;
 mod models;
 mod shipped;
+mod telemetry;
 mod teleoperation;

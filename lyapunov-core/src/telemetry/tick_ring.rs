@@ -97,3 +97,11 @@ impl<V: Signal, const N: usize> Default for TickRing<V, N> {
         Self::new()
     }
 }
+
+/// Ticks of one axis and of six can be logged: `nalgebra` formats its vectors only with a feature of its own.
+#[cfg(feature = "defmt")]
+const _: () = {
+    const fn formats<T: defmt::Format>() {}
+    formats::<RecordedTick<f32>>();
+    formats::<RecordedTick<nalgebra::Vector6<f64>>>();
+};
