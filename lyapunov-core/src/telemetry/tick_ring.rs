@@ -36,6 +36,7 @@ pub struct RecordedTick<V: Signal> {
 /// }
 /// let positions: [f32; 3] = core::array::from_fn(|index| ring.iter().nth(index).unwrap().sample.position);
 /// assert_eq!((ring.seen(), ring.len(), positions), (5, 3, [2.0, 3.0, 4.0]));
+/// # assert_eq!(size_of::<lyapunov_core::telemetry::RecordedTick<f32>>(), 44);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickRing<V: Signal, const N: usize> {
