@@ -9,7 +9,7 @@
 use std::env;
 
 use lyapunov::{
-    DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer,
+    DampingLimit, ParameterError, Popc, PortEnergy, Reading, Readings, Stabilizer,
     stabilizers::{EnergyBounding, Member, NoStabilizer, StabilizerExt},
     telemetry::{EnergyMeter, TickRing},
 };
@@ -37,13 +37,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .ok_or_else(|| format!("`{name}` is none of none, popc, popc-bounded, energy-bounding"))?;
     let (mut ring, mut meter) = (TickRing::<f32, 600>::new(), EnergyMeter::new());
 
-    let (mut position, mut velocity) = (-0.002_f32, 0.05_f32);
-    let (mut last, mut applied) = (position, 0.0_f32);
+    let mut readings = Readings::every(PERIOD)?;
+    let (mut position, mut velocity, mut applied) = (-0.002_f32, 0.05_f32, 0.0_f32);
     for _ in 0..1000 {
-        let displacement = position - last;
-        let sample =
-            PortSample::new(PERIOD, position, displacement / PERIOD, displacement, applied);
-        last = position;
+        let sample = readings.read(Reading { position, applied }).sample;
 
         let wall = 3000.0 * position.max(0.0);
         let correction = stabilizer.stabilize(&sample, wall);

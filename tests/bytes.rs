@@ -4,7 +4,7 @@ use lyapunov::{
     bodies::{Body, ExternalForce, Grip, HandMotion, Impedance, Jitter},
     effects::{
         AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, LowPass, Noise, Saturation,
-        ZeroOrderHold,
+        Scaled, ZeroOrderHold,
     },
     environments::Wall,
     trajectories::{Constant, Pulse},
@@ -23,6 +23,7 @@ fn an_adaptor_adds_its_own_numbers() {
     let numbers = [
         ("nothing", added::<BackwardDifference<Port>, Port, f64>(), 0.0),
         ("force", added::<Saturation<Port, f64>, Port, f64>(), 1.0),
+        ("scale", added::<Scaled<Port, f64>, Port, f64>(), 1.0),
         ("resolution, last", added::<Encoder<Port, f64>, Port, f64>(), 1.0 + 2.0),
         ("rate, last", added::<LowPass<Port, f64>, Port, f64>(), 1.0 + 2.0),
         (

@@ -3,18 +3,20 @@
 use lyapunov::lanes::{AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Samples};
 use lyapunov::{
-    Correction, DampingLimit, Dissipation, Held, Lolc, OnePort, Plant, Popc, PortEnergy,
-    PortSample, Scalar, Signal, Stabilizer,
+    Correction, DampingLimit, Dissipation, Held, HeldTick, Lolc, OnePort, Plant, Popc, PortEnergy,
+    Scalar, Signal, Snapshot, Stabilizer,
     accumulators::Plain,
     bodies::{Body, Impedance},
     environments::Wall,
     stabilizers::{
         AlongDirection, AxisWeights, DirectedDamping, EnergyBounding, ForceBound, ForceBounding,
-        LeastNorm, Member, NoStabilizer, SlopeBound, StabilizerExt, Tank, TankLimits,
+        LeastNorm, Member, MemberState, NoStabilizer, SlopeBound, StabilizerExt, Tank, TankLimits,
         WindowedCredit,
     },
 };
 use nalgebra::{Vector3, Vector6};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 const PERIOD: f64 = 1e-3;
 
@@ -107,6 +109,40 @@ fn each_is_what_it_holds() {
     are_what_they_hold::<Vector3<AutoF64x4>>();
 }
 
+/// Every member, at every tick, from a stored memory; and the memory of another member is refused.
+fn resume<V: Signal + Serialize + DeserializeOwned>()
+where
+    V::Scalar: Serialize + DeserializeOwned,
+{
+    let samples = Samples::<V>::new(V::Scalar::of(PERIOD));
+    for &name in Member::<V>::NAMES {
+        let (mut member, _) = named::<V>(name).expect(name);
+        laws::snapshot(&member, samples).expect(name);
+        for (sample, effort) in samples.take(300) {
+            member.stabilize(&sample, effort);
+        }
+        let mut bytes = Vec::new();
+        ciborium::into_writer(&member.state(), &mut bytes).expect("it is written");
+        let state: MemberState<V, _> = ciborium::from_reader(&bytes[..]).expect("it is read");
+        assert_eq!(state, member.state(), "{name}");
+        for &other in Member::<V>::NAMES {
+            let (fresh, _) = named::<V>(other).expect(other);
+            let restored = fresh.restored(state);
+            assert_eq!(restored.is_ok(), name == other, "{name} in {other}");
+            if let Err(error) = restored {
+                assert_eq!(error.parameter, "place of the stored member");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_stored_member_goes_on_as_itself_only() {
+    resume::<f64>();
+    resume::<f32>();
+    resume::<Vector3<f64>>();
+}
+
 /// The names that commands know are the same; the others belong to a type that docs/stabilizers.md has.
 #[test]
 fn the_names_are_those_of_the_pages() {
@@ -161,6 +197,13 @@ fn a_box_goes_on_a_port_and_a_port_in_a_box() {
 fn a_candidate_of_ones_own_is_chosen_too() {
     let credit = Dissipation::of(5.0).expect("a damping");
     let own: Member<f64, Dissipation<f64>> = Member::Lolc(Lolc::new(credit, limit()));
-    let sample = PortSample::new(PERIOD, 0.0, 0.1, 1e-4, -2.0);
+    let tick = HeldTick {
+        period: PERIOD,
+        position: 0.0,
+        velocity: 0.1,
+        displacement: 1e-4,
+        applied: -2.0,
+    };
+    let sample = tick.sample();
     assert_eq!({ own }.stabilize(&sample, 0.0).observed_energy, 5.0 * (0.1 * 0.1 * PERIOD));
 }

@@ -6,7 +6,8 @@ use std::process::Command;
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
-    Correction, DampingLimit, LyapunovCandidate, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
+    Correction, DampingLimit, HeldTick, LyapunovCandidate, PortEnergy, PortSample, Scalar, Signal,
+    Stabilizer,
 };
 use nalgebra::Vector3;
 
@@ -161,7 +162,10 @@ fn both_keep_the_laws_everywhere() {
 fn the_candidate_credits_the_path_on_each_axis() {
     let mut candidate = DryFriction::of(0.5).expect("a friction");
     let (moved, applied) = (Vector3::new(1e-3, -2e-3, 0.0), Vector3::new(2.0, 1.0, 9.0));
-    let sample = PortSample::new(PERIOD, Vector3::zeros(), Vector3::zeros(), moved, applied);
+    let rest = Vector3::zeros();
+    let tick =
+        HeldTick { period: PERIOD, position: rest, velocity: rest, displacement: moved, applied };
+    let sample = tick.sample();
     let decrease: f64 = candidate.decrease(&sample);
     approx::assert_abs_diff_eq!(decrease, 0.0 + 0.5 * 3e-3, epsilon = 1e-18);
     assert!(DryFriction::of(-0.1).is_err());

@@ -6,12 +6,20 @@ use lyapunov::lanes::{AutoF32x4, AutoF64x4};
 use lyapunov::laws::Samples;
 use lyapunov::telemetry::{EnergyMeter, EnergySummary, RecordedTick, TickRing};
 use lyapunov::{
-    Correction, DampingLimit, Popc, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
+    Correction, DampingLimit, HeldTick, Popc, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
     accumulators::DoubleDouble,
 };
 use nalgebra::{Vector2, Vector4};
 
 const PERIOD: f64 = 1e-3;
+
+/// A period over which `applied` was held.
+fn tick<T: Signal<Scalar = T>>(
+    period: T,
+    [position, velocity, displacement, applied]: [T; 4],
+) -> PortSample<T> {
+    HeldTick { period, position, velocity, displacement, applied }.sample()
+}
 
 fn popc<T: Scalar>() -> Popc<T> {
     Popc::new(PortEnergy, DampingLimit::at(T::of(100.0)).expect("a limit"))
@@ -137,7 +145,7 @@ fn a_period_that_is_none_counts_as_the_one_before() {
 #[test]
 fn a_rejected_tick_is_told() {
     let mut ring = TickRing::<f64, 2>::new();
-    let bad = PortSample::new(PERIOD, f64::NAN, 0.0, 0.0, 1.0);
+    let bad = tick(PERIOD, [f64::NAN, 0.0, 0.0, 1.0]);
     ring.push(&bad, &popc().stabilize(&bad, 2.0));
     ring.push(&bad, &Correction { accepted: false, ..popc().stabilize(&bad, f64::NAN) });
     let csv = ring.csv().to_string();
@@ -194,7 +202,7 @@ fn the_meter_sums_what_sums_of_thirty_digits_do() {
 #[test]
 fn in_f32_the_sums_do_not_stop() {
     let mut meter = EnergyMeter::<f32>::new();
-    let sample = PortSample::<f32>::new(1e-3, 0.0, 1.0, 1e-3, 1.0);
+    let sample = tick::<f32>(1e-3, [0.0, 1.0, 1e-3, 1.0]);
     let correction = Correction { alpha: 2.0, accepted: false, ..Correction::none(0.0) };
     let ticks = 1_u64 << 25;
     for _ in 0..ticks {
@@ -251,10 +259,10 @@ fn each_lane_is_metered_as_alone() {
 #[test]
 fn what_is_not_finite_is_left_out() {
     let mut meter = EnergyMeter::new();
-    let sound = PortSample::new(PERIOD, 0.0, 0.1, 1e-4, 2.0);
+    let sound = tick(PERIOD, [0.0, 0.1, 1e-4, 2.0]);
     meter.add(&sound, &Correction { observed_energy: -1e-3, ..Correction::none(0.0) });
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let spoilt = PortSample::new(bad, bad, bad, bad, bad);
+        let spoilt = tick(bad, [bad; 4]);
         meter.add(&spoilt, &Correction { accepted: false, ..Correction::none(0.0) });
     }
     let summary = meter.summary();

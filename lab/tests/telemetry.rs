@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use lyapunov::telemetry::{EnergyMeter, TickRing};
 use lyapunov::{
-    Correction, DampingLimit, OnePort, Plant, Popc, PortEnergy, PortSample, Signal,
+    Correction, DampingLimit, HeldTick, OnePort, Plant, Popc, PortEnergy, PortSample, Signal,
     bodies::{Body, Impedance},
     effects::OnePortExt,
     environments::{Contact, Plane, Wall},
@@ -75,7 +75,10 @@ fn the_axes_add_up() {
     let (mut at, mut v) = (Vector2::new(-0.002, 0.0), Vector2::new(0.05, 0.03));
     let (mut applied, mut moved) = (Vector2::zeros(), Vector2::zeros());
     for _ in 0..2000 {
-        let sample = PortSample::new(PERIOD, at, moved.scale(1.0 / PERIOD), moved, applied);
+        let velocity = moved.scale(1.0 / PERIOD);
+        let tick =
+            HeldTick { period: PERIOD, position: at, velocity, displacement: moved, applied };
+        let sample = tick.sample();
         applied = port.respond(&sample);
         ring.push(&sample, &OnePort::<Vector2<f64>>::correction(&port));
         v -= (applied + at * 50.0) * (PERIOD / 0.3);

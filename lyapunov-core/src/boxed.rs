@@ -22,7 +22,7 @@ use crate::{Correction, LyapunovCandidate, OnePort, Plant, PortSample, Signal, S
 /// }
 /// let chosen: Box<dyn Stabilizer<f64>> = Box::new(Damper(2.0));
 /// let mut port = Wall.stabilized(chosen);
-/// assert_eq!(port.respond(&PortSample::new(1e-3, 1e-3, 0.5, 1e-3, 0.0)), 9.0);
+/// assert_eq!(port.respond(&PortSample::starting(1e-3, 1e-3, 0.5)), 9.0);
 /// ```
 impl<V: Signal, S: Stabilizer<V> + ?Sized> Stabilizer<V> for Box<S> {
     #[inline]

@@ -26,27 +26,11 @@ use crate::{Scalar, Signal};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(from = "Stored"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "(f64, f64)", into = "(f64, f64)"))]
 pub struct DoubleDouble {
     high: f64,
     low: f64,
-}
-
-/// Pair of numbers as it is stored, which may not be one of ours.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(rename = "DoubleDouble")]
-struct Stored {
-    high: f64,
-    low: f64,
-}
-
-#[cfg(feature = "serde")]
-impl From<Stored> for DoubleDouble {
-    fn from(Stored { high, low }: Stored) -> Self {
-        let own = high + low == high && high.is_finite();
-        if own { Self { high, low } } else { Self::normalized(high, sound(low)) }
-    }
 }
 
 impl DoubleDouble {
@@ -102,6 +86,22 @@ fn halves(value: f64) -> [f64; 2] {
     let spread = 134_217_729.0 * value; // 2^27 + 1
     let first = spread - (spread - value);
     [first, value - first]
+}
+
+/// The sum of two numbers, which need not be apart in size.
+impl From<(f64, f64)> for DoubleDouble {
+    #[inline]
+    fn from((high, low): (f64, f64)) -> Self {
+        // A sum would turn −0 into 0.
+        if low == 0.0 { Self { high, low } } else { Self::sum_of(high, low) }
+    }
+}
+
+impl From<DoubleDouble> for (f64, f64) {
+    #[inline]
+    fn from(value: DoubleDouble) -> Self {
+        (value.high, value.low)
+    }
 }
 
 impl From<f64> for DoubleDouble {

@@ -1,8 +1,10 @@
 //! Member of the family, chosen at run time.
 
+use core::fmt;
+
 use lyapunov_core::{
-    Correction, Dissipation, Held, LyapunovCandidate, Plain, PortEnergy, PortSample, Signal,
-    Stabilizer,
+    Correction, Dissipation, Held, LyapunovCandidate, ParameterError, Plain, PortEnergy,
+    PortSample, Requirement, Signal, Snapshot, Stabilizer,
 };
 
 use crate::{
@@ -21,7 +23,7 @@ type Window<V> = WindowedCredit<Of<V>, Plain<Of<V>>, 8>;
 macro_rules! members {
     (
         $(#[$about:meta])*
-        pub enum $enum:ident<$v:ident, $c:ident = $default:ty> {
+        pub enum $enum:ident<$v:ident, $c:ident = $default:ty>, remembered as $state:ident {
             $($(#[$told:meta])* $variant:ident $name:literal $type:ty,)+
         }
     ) => {
@@ -56,7 +58,92 @@ macro_rules! members {
                 }
             }
         }
+
+        /// Memory of a member: that of what it holds, under its name.
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(
+            feature = "serde",
+            serde(bound(
+                serialize = "V: serde::Serialize, V::Scalar: serde::Serialize, \
+                             C::State: serde::Serialize",
+                deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>, \
+                               C::State: serde::Deserialize<'de>"
+            ))
+        )]
+        #[non_exhaustive]
+        pub enum $state<$v: Signal, $c: Snapshot> {
+            $(
+                #[doc = concat!("Of `", $name, "`.")]
+                #[cfg_attr(feature = "serde", serde(rename = $name))]
+                $variant(<$type as Snapshot>::State),
+            )+
+        }
+
+        impl<$v: Signal, $c: Snapshot> Clone for $state<$v, $c> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<$v: Signal, $c: Snapshot> Copy for $state<$v, $c> {}
+
+        impl<$v: Signal, $c: Snapshot> PartialEq for $state<$v, $c> {
+            fn eq(&self, other: &Self) -> bool {
+                match (self, other) {
+                    $((Self::$variant(one), Self::$variant(other)) => one == other,)+
+                    _ => false,
+                }
+            }
+        }
+
+        impl<$v: Signal, $c: Snapshot> fmt::Debug for $state<$v, $c> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self {
+                    $(Self::$variant(state) => f.debug_tuple($name).field(state).finish(),)+
+                }
+            }
+        }
+
+        /// A memory of another member is refused: the error tells the two by their places in
+        #[doc = concat!("[`NAMES`](", stringify!($enum), "::NAMES).")]
+        impl<$v, $c> Snapshot for $enum<$v, $c>
+        where
+            $v: Signal,
+            $c: Snapshot + 'static,
+        {
+            type State = $state<$v, $c>;
+
+            fn state(&self) -> Self::State {
+                match self {
+                    $(Self::$variant(member) => $state::$variant(member.state()),)+
+                }
+            }
+
+            fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+                let (own, stored) = (
+                    self.name(),
+                    match state {
+                        $($state::$variant(_) => $name,)+
+                    },
+                );
+                match (self, state) {
+                    $((Self::$variant(member), $state::$variant(state)) => {
+                        member.restored(state).map(Self::$variant)
+                    })+
+                    _ => Err(another(Self::NAMES, stored, own)),
+                }
+            }
+        }
     };
+}
+
+/// The error of a memory of `stored` that was given to a member called `own`.
+fn another(names: &[&str], stored: &str, own: &str) -> ParameterError {
+    let place = |name| names.iter().position(|it| *it == name).unwrap_or(0) as f64;
+    let (value, own) = (place(stored), place(own));
+    let (most, least) = (Requirement::AtMost(own), Requirement::AtLeast(own));
+    let requirement = if value > own { most } else { least };
+    ParameterError { parameter: "place of the stored member", value, requirement }
 }
 
 members! {
@@ -70,12 +157,15 @@ members! {
     /// ([`ContactReset`](crate::ContactReset)), one that serves several axes only ([`PerAxis`](crate::PerAxis)), and the
     /// sides of a two-port; box them (`Box<dyn Stabilizer<V>>`, feature `alloc`), or write an enumeration of two members.
     ///
+    /// Its [state](Snapshot) is stored with the name of the member. What is changed between ticks (an account, a limit) is
+    /// changed in the member itself: `if let Member::Popc(popc) = &mut member { popc.owe(debt)?; }`.
+    ///
     /// A value takes the room of the largest member, the windowed credit, and a tag: with the default candidate 104 bytes
     /// in `f64` and 72 in `f32` (56 on a processor of 32 bits, 64 there on six axes). A step costs a call more than the
     /// member's own (docs/telemetry.md has numbers). The code of all members is linked in.
     ///
     /// ```
-    /// use lyapunov_core::{PortEnergy, PortSample, Stabilizer, ParameterError};
+    /// use lyapunov_core::{HeldTick, ParameterError, PortEnergy, Stabilizer};
     /// use lyapunov_stabilizers::{DampingLimit, ForceBound, Member, NoStabilizer, Popc, StabilizerExt};
     /// fn named(name: &str) -> Result<Member<f64>, ParameterError> {
     ///     let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
@@ -86,14 +176,15 @@ members! {
     ///         _ => Member::NoStabilizer(NoStabilizer),
     ///     })
     /// }
-    /// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // a debt of 0.2 mJ
+    /// let tick = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 };
+    /// let sample = tick.sample(); // a debt of 0.2 mJ
     /// let efforts = ["none", "popc"].map(|name| named(name).unwrap().stabilize(&sample, 0.5).effort);
     /// assert!(efforts[0] == 0.5 && efforts[1] > 0.5);
     /// assert_eq!(named("popc-bounded")?.name(), "popc-bounded");
     /// assert_eq!((size_of::<Member<f64>>(), size_of::<Member<f32>>()), (104, 72));
     /// # Ok::<(), ParameterError>(())
     /// ```
-    pub enum Member<V, C = (PortEnergy, Dissipation<Of<V>>)> {
+    pub enum Member<V, C = (PortEnergy, Dissipation<Of<V>>)>, remembered as MemberState {
         NoStabilizer "none" NoStabilizer,
         Popc "popc" Popc<Of<V>>,
         Lolc "lolc" Lolc<Of<V>, C>,

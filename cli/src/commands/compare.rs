@@ -1,14 +1,16 @@
 //! The command `lyapunov compare` of scenes.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_figures::Figure;
 use lyapunov_lab::compare::{
-    Column, CompareError, Comparison, Energies, Entrants, TradeOff, document,
+    Broken, Column, CompareError, Comparison, Energies, Entrants, TradeOff, document,
 };
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::{Scalar, Scene};
@@ -30,7 +32,7 @@ pub(super) const RESULTS: &str = "compare.json";
 ///
 /// Prints a table for each scene. All stabilizers take damping_cap from the scene's own stabilizer if it has one, POPC and
 /// LOLC its work and ledger as well; docs/family.md says what each of the others is set to. A `-` stands where a column
-/// does not apply; docs/compare.md defines the columns.
+/// does not apply; docs/compare.md defines the columns, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -38,13 +40,14 @@ pub(crate) struct Compare {
     /// The scene files, or files of models or of teleoperators, TOML.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
-    /// Who takes part, by the names of docs/family.md, or all; files that are no scenes have rows of their own.
-    #[arg(long, default_value_t = StabilizerNames::standard(), value_name = "NAMES")]
-    pub(super) stabilizers: StabilizerNames,
+    /// Who takes part, by name, or all: of scenes docs/family.md has the names, and default are none, popc and lolc with
+    /// each candidate; of models docs/any-plant.md and of teleoperators docs/teleoperation.md, and default are all.
+    #[arg(long, value_name = "NAMES")]
+    stabilizers: Option<String>,
     /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
-    /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
-    /// transparent it is, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
+    /// Of each scene: positions and sums over time, forces over time, energy by cause, and on how many walls the run stays
+    /// bounded against how transparent they are, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
@@ -70,8 +73,10 @@ impl Compare {
                 return subjects::run::<teleoperation::Comparison>(self, &them);
             }
         };
+        let named = self.entrants()?.unwrap_or_else(StabilizerNames::standard);
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-        let (comparisons, answers): (Vec<_>, Vec<_>) = self.compare(&scenes)?.into_iter().unzip();
+        let compared = self.compare(&scenes, &named)?;
+        let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let text = document(&comparisons).map_err(End::internal)?;
         if let Some(folder) = folder {
             fill(&folder, &self.scenes, comparisons.iter().zip(&answers), &text)?;
@@ -85,21 +90,38 @@ impl Compare {
             let gap = if index == 0 { "" } else { "\n" };
             write!(out, "{gap}{comparison}").map_err(standard_output)?;
         }
+        let broken = Broken::of(shown);
+        if shown.len() > 1 && !broken.is_empty() {
+            write!(out, "\n{broken}").map_err(standard_output)?;
+        }
         Ok(())
     }
 
-    fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<(Comparison, Answers)>, End> {
+    /// The entrants that are named, if any: the kind of file says who has a name.
+    pub(super) fn entrants<N>(&self) -> Result<Option<N>, End>
+    where
+        N: FromStr<Err: Display>,
+    {
+        let named = self.stabilizers.as_deref().map(str::parse).transpose();
+        named.map_err(|error| End::input(format!("--stabilizers: {error}")))
+    }
+
+    fn compare(
+        &self,
+        scenes: &[(String, Scene)],
+        named: &StabilizerNames,
+    ) -> Result<Vec<(Comparison, Answers)>, End> {
         let ticks = |scene: &Scene| {
             let once = scene.ticks() + 1;
             let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
             once + self.out.as_ref().map_or(0, |_| drawn)
         };
-        let entrants = self.stabilizers.len() as u64;
+        let entrants = named.len() as u64;
         let ticks = scenes.iter().map(|(_, scene)| entrants * ticks(scene)).sum();
         let bar = self.progress(ticks);
         let met = scenes.iter().map(|(name, scene)| match scene.scalar {
-            Scalar::F64 => self.meet::<f64>(name, scene, &bar),
-            Scalar::F32 => self.meet::<f32>(name, scene, &bar),
+            Scalar::F64 => self.meet(name, scene, &Entrants::<f64>::of(named.on(scene)), &bar),
+            Scalar::F32 => self.meet(name, scene, &Entrants::<f32>::of(named.on(scene)), &bar),
         });
         let met = met.collect();
         bar.finish_and_clear();
@@ -118,6 +140,7 @@ impl Compare {
         &self,
         name: &str,
         scene: &Scene,
+        entrants: &Entrants<T>,
         bar: &ProgressBar,
     ) -> Result<(Comparison, Answers), End> {
         let watch = |ticks| {
@@ -127,21 +150,19 @@ impl Compare {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let entrants = Entrants::<T>::of(self.stabilizers.on(scene));
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),
         };
-        let mut comparison =
-            Comparison::watched(name, scene, &entrants, &watch).map_err(refused)?;
+        let mut comparison = Comparison::watched(name, scene, entrants, &watch).map_err(refused)?;
         if let Some(column) = self.by {
             comparison.sort_by(column);
         }
         let mut answers = Answers::default();
         if self.out.is_some() {
-            let energies = Energies::of(&comparison, &entrants, &watch).map_err(refused)?;
+            let energies = Energies::of(&comparison, entrants, &watch).map_err(refused)?;
             answers.push("energy", &energies.figure(), energies.csv())?;
-            let trade_off = TradeOff::of(&comparison, &entrants, &watch).map_err(refused)?;
+            let trade_off = TradeOff::of(&comparison, entrants, &watch).map_err(refused)?;
             if let Some(trade_off) = trade_off {
                 answers.push("trade-off", &trade_off.figure(), trade_off.csv())?;
             }

@@ -3,21 +3,33 @@
 use serde::Serialize;
 
 use super::trace::Trace;
+use super::verdict::{Findings, Verdict};
+use crate::files::models::Model;
 use crate::simulate::models::{Entrant, Tick};
+use crate::text::names::Named;
 
-/// The largest V of a bounded run, as a multiple of V at the start: 4, which is twice as far from rest where V is
-/// quadratic.
+/// The largest V of a run that does not grow, as a multiple of V at the start: 4, which is twice as far from rest where V
+/// is quadratic.
 pub const BOUND: f64 = 4.0;
+
+/// The largest V in the last tenth of a run that settles, as a multiple of V at the start: a twentieth of the distance
+/// from rest where V is quadratic.
+pub const BAND: f64 = 0.0025;
+
+/// The least number of answers of the controller in a run that is judged: the last tenth then has two.
+const ANSWERS: u64 = 20;
 
 /// All measures along a run.
 #[derive(Debug)]
 pub(crate) struct Meter {
     expected: u64,
+    is_short: bool,
     servo_rate: f64,
     began: f64,
     ticks: u64,
     active: u64,
     largest: f64,
+    tail: f64,
     last: f64,
     effort: f64,
     shortfall: f64,
@@ -26,19 +38,24 @@ pub(crate) struct Meter {
 }
 
 impl Meter {
-    /// The meter of a run of `ticks` + 1 ticks that starts with V = `began`.
-    pub(crate) fn new(ticks: u64, servo_rate: f64, began: f64) -> Self {
-        let expected = ticks + 1;
-        let trace = Trace::new(ticks);
+    /// The meter of a run of `model` that starts with V = `began`.
+    pub(crate) fn new(model: &Model, began: f64) -> Self {
+        let (last, servo_rate) = (model.ticks(), model.servo_rate.get());
+        let answer =
+            u64::from(model.controller.hold.get()) + u64::from(model.controller.delay.get());
+        let (expected, is_short) = (last + 1, last < ANSWERS * answer);
+        let trace = Trace::new(last);
         let (ticks, active) = (0, 0);
-        let [largest, last, effort, shortfall, taken] = [0.0; 5];
+        let [largest, tail, last, effort, shortfall, taken] = [0.0; 6];
         Self {
             expected,
+            is_short,
             servo_rate,
             began,
             ticks,
             active,
             largest,
+            tail,
             last,
             effort,
             shortfall,
@@ -49,6 +66,10 @@ impl Meter {
 
     pub(crate) fn add(&mut self, tick: Tick) {
         self.trace.add(self.ticks as f64 / self.servo_rate, tick.value);
+        // The last tenth of the run, as of a scene.
+        if 10 * self.ticks >= 9 * (self.expected - 1) {
+            self.tail = self.tail.max(tick.value);
+        }
         self.ticks += 1;
         self.active += u64::from(tick.alpha > 0.0);
         self.largest = self.largest.max(tick.value);
@@ -64,7 +85,12 @@ impl Meter {
         let told = |value: f64| value.is_finite().then_some(value);
         let score = Score {
             stabilizer: entrant.name(),
-            bounded: complete && self.largest <= BOUND * self.began,
+            verdict: Verdict::of(Findings {
+                is_lost: !complete || self.largest > BOUND * self.began,
+                is_short: self.is_short,
+                grows: false,
+                settles: self.tail <= BAND * self.began,
+            }),
             largest: told(self.largest).filter(|_| complete),
             end: told(self.last).filter(|_| complete),
             effort: told(self.effort).filter(|_| complete),
@@ -83,8 +109,9 @@ impl Meter {
 pub struct Score {
     /// The entrant.
     pub stabilizer: &'static str,
-    /// Whether the run stayed within the range of the scalar and V within [`BOUND`] times its start.
-    pub bounded: bool,
+    /// The verdict on the run, by V: it grows beyond [`BOUND`] times V at the start or out of the range of the scalar, and
+    /// settles within [`BAND`] of V at the start.
+    pub verdict: Verdict,
     /// The largest V.
     #[serde(rename = "v_largest")]
     pub largest: Option<f64>,

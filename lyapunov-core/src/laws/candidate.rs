@@ -1,7 +1,7 @@
 //! The laws of a Lyapunov candidate.
 
 use crate::laws::{Law, Tick, Violation, quantity};
-use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
+use crate::{HeldTick, LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Check of a `candidate` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NothingForNothing`](Law::NothingForNothing) and [`Recovers`](Law::Recovers).
@@ -40,7 +40,14 @@ fn tick_of<V: Signal, C: LyapunovCandidate<V> + Clone>(
 
     let mut shaken = one.clone();
     let nan = V::splat(V::Scalar::of(f64::NAN));
-    shaken.decrease(&PortSample::new(sample.period, nan, nan, nan, nan));
+    let spoilt = HeldTick {
+        period: sample.period,
+        position: nan,
+        velocity: nan,
+        displacement: nan,
+        applied: nan,
+    };
+    shaken.decrease(&spoilt.sample());
     let after = now.told(quantity::NEXT_DECREASE).finite(Law::Recovers, shaken.decrease(sample));
     after.map_err(|broken| broken.after("motion", f64::NAN))
 }

@@ -45,6 +45,8 @@ pub enum Law {
     Slope,
     /// The candidate's decreases sum to the difference of `V`.
     AddsUp,
+    /// A value to which a state was restored goes on as the one it was taken from.
+    Resumes,
 }
 
 impl fmt::Display for Law {
@@ -69,6 +71,7 @@ impl fmt::Display for Law {
             Self::Positive => "V must be above 0 away from rest",
             Self::Slope => "the gradient must be the slope of V",
             Self::AddsUp => "the decreases must sum to the difference of V",
+            Self::Resumes => "a restored state must go on as the one it was taken from",
         })
     }
 }
@@ -133,6 +136,9 @@ impl Law {
             Self::Slope => "a term of the gradient with a wrong factor or sign",
             Self::AddsUp => {
                 "a rate times the period in place of a difference, or a term of `V` that the candidate leaves out"
+            }
+            Self::Resumes => {
+                "a number that changes from tick to tick and is not in `Snapshot::State`"
             }
         }
     }

@@ -32,8 +32,10 @@ mod one_port;
 mod plant;
 mod quantity;
 mod samples;
+mod snapshot;
 mod stabilizer;
 mod tick;
+mod velocity_estimator;
 mod violation;
 
 pub use adaptor::{Probe, adaptor};
@@ -47,7 +49,9 @@ pub use one_port::one_port;
 pub use plant::plant;
 pub use quantity::Quantity;
 pub use samples::Samples;
+pub use snapshot::snapshot;
 pub use stabilizer::{limiter, stabilizer};
+pub use velocity_estimator::velocity_estimator;
 pub use violation::{Allowed, Drive, Violation};
 
 use tick::Tick;

@@ -49,6 +49,11 @@ quantities! {
     REJECTION: "rejection" in "";
     NEXT_EFFORT: "next effort" in "N";
     NEXT_ACCEPTANCE: "acceptance of the next sample" in "";
+    VELOCITY: "velocity" in "m/s";
+    NEXT_VELOCITY: "next velocity" in "m/s";
+    VELOCITY_AFTER_RESTART: "velocity after a restart" in "m/s";
+    RESTORED: "acceptance of its own state" in "";
+    NEXT_STATE: "sameness of the states after it" in "";
     RESULT: "result" in "";
     ORDER: "order" in "";
 }

@@ -84,7 +84,7 @@ fn repeats<V: Signal>(
 }
 
 /// Comparison of effort, observed energy and damping.
-fn alike<V: Signal>(
+pub(super) fn alike<V: Signal>(
     now: Tick,
     law: Law,
     one: &Correction<V>,

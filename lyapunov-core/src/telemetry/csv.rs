@@ -26,7 +26,7 @@ use crate::{DoubleDouble, Mask, Scalar, Signal};
 /// ```
 /// use core::fmt::Write;
 /// use lyapunov_core::telemetry::TickRing;
-/// use lyapunov_core::{Correction, PortSample};
+/// use lyapunov_core::{Correction, HeldTick, PortSample};
 /// # struct Uart(String);
 /// # impl Write for Uart {
 /// #     fn write_str(&mut self, text: &str) -> core::fmt::Result {
@@ -39,7 +39,8 @@ use crate::{DoubleDouble, Mask, Scalar, Signal};
 /// # let mut uart = Uart(String::new());
 /// let mut ring = TickRing::<f64, 8>::new();
 /// ring.push(&PortSample::starting(1e-3, 0.0, 0.0), &Correction::none(2.0));
-/// ring.push(&PortSample::new(1e-3, 1e-4, 0.1, 1e-4, 1.5), &Correction::none(3.0)); // 1.5 N of the 2 N acted
+/// let tick = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: 1.5 };
+/// ring.push(&tick.sample(), &Correction::none(3.0)); // 1.5 N of the 2 N acted
 /// dump(&ring, &mut uart)?;
 /// assert_eq!(
 ///     uart.0,

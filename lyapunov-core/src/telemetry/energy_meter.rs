@@ -6,11 +6,11 @@ use crate::{Accumulator, Compensated, Correction, Mask, PortSample, Scalar, Sign
 ///
 /// ```
 /// use lyapunov_core::telemetry::EnergyMeter;
-/// use lyapunov_core::{Correction, PortSample};
+/// use lyapunov_core::{Correction, HeldTick};
 /// let mut meter = EnergyMeter::new();
-/// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // gave 0.2 mJ away
+/// let tick = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 };
 /// let correction = Correction { observed_energy: -2e-4, alpha: 15.0, shortfall: 5e-5, ..Correction::none(1.5) };
-/// meter.add(&sample, &correction);
+/// meter.add(&tick.sample(), &correction); // the port gave 0.2 mJ away
 /// let summary = meter.summary();
 /// assert_eq!((summary.ticks, summary.active, summary.least), (1, 1.0, -2e-4));
 /// assert_eq!((summary.absorbed, summary.injected), (-2e-4, 15.0 * (0.1 * 0.1 * 1e-3)));

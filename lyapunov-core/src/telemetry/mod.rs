@@ -7,9 +7,11 @@
 //! ```
 //! use lyapunov_core::telemetry::{EnergyMeter, TickRing};
 //! use lyapunov_core::{Correction, PortSample};
+//! # use lyapunov_core::HeldTick;
 //! let (mut ring, mut meter) = (TickRing::<f64, 256>::new(), EnergyMeter::new());
 //! # let stabilize = |_: &PortSample<f64>| Correction::none(2.0);
-//! # for sample in [PortSample::starting(1e-3, 0.0, 0.0), PortSample::new(1e-3, 1e-4, 0.1, 1e-4, 2.0)] {
+//! # let moved = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: 2.0 };
+//! # for sample in [PortSample::starting(1e-3, 0.0, 0.0), moved.sample()] {
 //! let correction = stabilize(&sample); // in a loop of ports: let correction = port.correction();
 //! ring.push(&sample, &correction);
 //! meter.add(&sample, &correction);

@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use super::score::Score;
 use crate::show::table::Cell;
+use crate::simulate::family::Judgement;
 use crate::text::nearest;
 
 /// Column of the table; its name is its key in `compare.json`.
@@ -13,8 +14,8 @@ use crate::text::nearest;
 pub enum Column {
     /// The entrant's name.
     Stabilizer,
-    /// Whether the run was bounded and did not grow.
-    Stable,
+    /// The verdict on the run.
+    Verdict,
     /// Settling time.
     SettlingTime,
     /// Peak force in short contacts.
@@ -41,13 +42,23 @@ pub enum Column {
     StepTime,
     /// Size of the state.
     StateBytes,
+    /// Energy that the port gave.
+    EnergyGiven,
+    /// Energy that the port gave beyond what it and the device's damper took.
+    EnergyBeyondDamper,
+    /// Force felt, as a share of the environment's own.
+    ForceFelt,
+    /// Whether it broke a loop that is bounded alone.
+    BrokeIt,
+    /// Numbers that judge the entrant.
+    JudgedBy,
 }
 
 impl Column {
     /// All columns, in the order of the table.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 20] = [
         Self::Stabilizer,
-        Self::Stable,
+        Self::Verdict,
         Self::SettlingTime,
         Self::ShortPeak,
         Self::LongPeak,
@@ -61,13 +72,18 @@ impl Column {
         Self::Active,
         Self::StepTime,
         Self::StateBytes,
+        Self::EnergyGiven,
+        Self::EnergyBeyondDamper,
+        Self::ForceFelt,
+        Self::BrokeIt,
+        Self::JudgedBy,
     ];
 
     /// The key in `compare.json`, unit included.
     pub fn key(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
-            Self::Stable => "stable",
+            Self::Verdict => "verdict",
             Self::SettlingTime => "settling_time_s",
             Self::ShortPeak => "peak_force_short_contact_n",
             Self::LongPeak => "peak_force_long_contact_n",
@@ -81,6 +97,11 @@ impl Column {
             Self::Active => "active_percent",
             Self::StepTime => "ns_per_step",
             Self::StateBytes => "state_bytes",
+            Self::EnergyGiven => "energy_given_mj",
+            Self::EnergyBeyondDamper => "energy_given_beyond_damper_mj",
+            Self::ForceFelt => "force_felt_percent",
+            Self::BrokeIt => "broke_it",
+            Self::JudgedBy => "judged_by",
         }
     }
 
@@ -88,7 +109,7 @@ impl Column {
     pub(super) fn heading(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
-            Self::Stable => "stable",
+            Self::Verdict => "verdict",
             Self::SettlingTime => "settled\ns",
             Self::ShortPeak => "peak force\n< 0.5 s\nN",
             Self::LongPeak => "peak force\n>= 0.5 s\nN",
@@ -106,6 +127,11 @@ impl Column {
             }
             Self::StepTime => "time per step\nmedian (range)\nns",
             Self::StateBytes => "state\nbytes",
+            Self::EnergyGiven => "given\nby port\nmJ",
+            Self::EnergyBeyondDamper => "given beyond\nthe damper\nmJ",
+            Self::ForceFelt => "force\nfelt\n%",
+            Self::BrokeIt => "broke it",
+            Self::JudgedBy => "judged by",
         }
     }
 
@@ -113,7 +139,7 @@ impl Column {
     pub(super) fn cell(self, score: &Score) -> Cell {
         match self {
             Self::Stabilizer => score.stabilizer.as_str().into(),
-            Self::Stable => score.stable.into(),
+            Self::Verdict => score.verdict.into(),
             Self::StepTime => {
                 let told = score.step_time.map(|time| {
                     let decimals = if time.median < 100.0 { 2 } else { 0 };
@@ -123,6 +149,10 @@ impl Column {
                 told.into()
             }
             Self::StateBytes => score.state_bytes.to_string().into(),
+            Self::BrokeIt => {
+                score.broke_it.map(|broke| if broke { "broke it" } else { "no" }).into()
+            }
+            Self::JudgedBy => score.judged_by.map(Judgement::words).into(),
             Self::Active => score.active.map(|share| format!("{share:.1}")).into(),
             _ => self.value(score).into(),
         }
@@ -133,6 +163,9 @@ impl Column {
         if self == Self::Stabilizer {
             return one.stabilizer.cmp(&other.stabilizer);
         }
+        if self == Self::Verdict {
+            return one.verdict.cmp(&other.verdict);
+        }
         match (self.value(one), self.value(other)) {
             (Some(one), Some(other)) => one.total_cmp(&other),
             (one, other) => other.is_some().cmp(&one.is_some()),
@@ -142,8 +175,7 @@ impl Column {
     /// The number that sorts the column.
     fn value(self, score: &Score) -> Option<f64> {
         match self {
-            Self::Stabilizer => None,
-            Self::Stable => score.stable.map(|stable| if stable { 0.0 } else { 1.0 }),
+            Self::Stabilizer | Self::Verdict | Self::JudgedBy => None,
             Self::SettlingTime => score.settling_time,
             Self::ShortPeak => score.short_peak,
             Self::LongPeak => score.long_peak,
@@ -157,6 +189,10 @@ impl Column {
             Self::Active => score.active,
             Self::StepTime => score.step_time.map(|time| time.median),
             Self::StateBytes => Some(score.state_bytes as f64),
+            Self::EnergyGiven => score.energy_given,
+            Self::EnergyBeyondDamper => score.energy_given_beyond_damper,
+            Self::ForceFelt => score.force_felt,
+            Self::BrokeIt => score.broke_it.map(|broke| if broke { 1.0 } else { 0.0 }),
         }
     }
 }

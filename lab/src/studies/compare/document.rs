@@ -2,9 +2,11 @@
 
 use serde::Serialize;
 
-use super::Comparison;
 use super::contacts::wall;
 use super::score::Score;
+use super::{Broken, Comparison};
+use crate::measure::Yardstick;
+use crate::simulate::Criterion;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -12,12 +14,14 @@ struct Document<'a> {
     not_deterministic: [&'static str; 1],
     scenes: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
+    broken: Broken,
 }
 
 /// Values that all rows of a scene share.
 #[derive(Serialize)]
 struct Circumstances<'a> {
     scene: &'a str,
+    verdict_by: Yardstick,
     stiffness_asked_n_per_m: Option<f64>,
     work: &'static str,
     /// None: no limit.
@@ -38,13 +42,14 @@ struct Line<'a> {
 /// None: every part can be written as JSON.
 pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
-        let cap = comparison.settings.damping_cap.get();
+        let cap = comparison.settings.damping_cap;
         (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {
         let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);
         Circumstances {
             scene: &comparison.name,
+            verdict_by: Yardstick::of(&Criterion::of(&comparison.scene)),
             stiffness_asked_n_per_m,
             work: comparison.settings.work_name(),
             damping_cap,
@@ -58,6 +63,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
         not_deterministic: ["ns_per_step"],
         scenes: scenes.collect(),
         rows: rows.collect(),
+        broken: Broken::of(comparisons),
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

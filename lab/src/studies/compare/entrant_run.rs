@@ -5,13 +5,14 @@ use std::ops::ControlFlow;
 use lyapunov::Scalar;
 
 use super::compared::{BREATH, RunError, watched};
-use super::contacts::{Contacts, Touch, wall};
+use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
 use crate::files::Scene;
-use crate::measure::{Boundedness, Chatter, Energies, Share, Summary, Trace};
-use crate::simulate::{Criterion, Rollout, Space, Tick};
+use crate::measure::{Chatter, Energies, Physical, Share, Summary, Trace, Verdict};
+use crate::simulate::family::Judgement;
+use crate::simulate::{Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
 pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
@@ -38,11 +39,11 @@ impl<V: Space> EntrantRun<V> {
         entrant: &Entrant<V>,
         watch: &Watch<'_>,
     ) -> Result<Self, RunError> {
-        let stabilizer = entrant.stabilizer(scene)?;
-        let state_bytes = stabilizer.state_bytes();
+        let fitted = entrant.fitted(scene)?;
+        let state_bytes = fitted.state_bytes();
         let mut meters = Meters::new::<V>(scene);
         let mut samples = Vec::new();
-        let rollout = Rollout::assemble(scene, stabilizer)?;
+        let rollout = Rollout::assemble(scene, fitted)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
             // The caller who asked for an early end knows of it.
             let _ = { rollout }.try_for_each(each);
@@ -55,6 +56,9 @@ impl<V: Space> EntrantRun<V> {
             }
         })?;
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
+        let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
+        let active = score.active.filter(|_| damps);
+        let score = Score { active, judged_by: entrant.judgement, ..score };
         Ok(Self { score, curves, samples })
     }
 }
@@ -62,13 +66,11 @@ impl<V: Space> EntrantRun<V> {
 /// All measures along a run.
 #[derive(Debug)]
 struct Meters {
-    stiffness: Option<f64>,
     share: Share,
     summary: Summary,
-    criterion: Criterion,
-    boundedness: Boundedness<f64>,
     contacts: Contacts,
     energies: Energies<f64>,
+    physical: Physical,
     chatter: Option<Chatter<f64>>,
     position: Trace,
     observed_energy: Trace,
@@ -78,13 +80,11 @@ struct Meters {
 impl Meters {
     fn new<V: Space>(scene: &Scene) -> Self {
         Self {
-            stiffness: wall(scene).map(|wall| wall.stiffness.get()),
             share: Share::new::<V>(scene),
             summary: Summary::new(scene),
-            criterion: Criterion::of(scene),
-            boundedness: Boundedness::new(scene.ticks()),
             contacts: Contacts::new(scene),
             energies: Energies::new(),
+            physical: Physical::new(scene),
             chatter: Chatter::new(scene.servo_rate.get()),
             position: Trace::new(scene.ticks()),
             observed_energy: Trace::new(scene.ticks()),
@@ -101,9 +101,9 @@ impl Meters {
             environment: split.environment,
         };
         self.summary.add(tick);
-        self.boundedness.add(touch.position);
         self.contacts.add(&touch);
         self.energies.add(touch.position, split.environment, split.controller);
+        self.physical.add(tick, &split);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(touch.force);
         }
@@ -114,30 +114,35 @@ impl Meters {
 
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
         self.contacts.end();
-        let Self { summary, contacts, energies, .. } = &self;
-        let stable = self.boundedness.verdict(0, &self.criterion);
+        let Self { summary, contacts, energies, physical, .. } = &self;
+        let verdict = summary.verdict();
         let told = |value: Option<f64>| value.filter(|value| value.is_finite());
         let millijoules = |energy: f64| told(Some(1e3 * energy));
-        let felt = told(contacts.stiffness());
+        let (stiffness, percent) = physical.stiffness_felt().unzip();
+        let [given, beyond_damper] = physical.millijoules_given().map(|energy| told(Some(energy)));
+        let of_bounded = |value: Option<f64>| told(value.filter(|_| verdict != Verdict::Grows));
         let active = 100.0 * summary.active as f64 / summary.rows as f64;
         let score = Score {
             stabilizer,
-            stable,
+            verdict,
             settling_time: summary.settled.filter(|_| summary.left_range().is_none()),
             short_peak: contacts.short_peak(),
             long_peak: contacts.long_peak(),
             energy_injected: millijoules(energies.injected()),
             energy_taken: millijoules(energies.taken()),
             shortfall: millijoules(summary.shortfall),
-            stiffness_felt: felt,
-            stiffness_percent: told(
-                felt.zip(self.stiffness).map(|(felt, asked)| 100.0 * felt / asked),
-            ),
-            force_error: told(contacts.force_error().filter(|_| stable == Some(true))),
+            stiffness_felt: told(stiffness),
+            stiffness_percent: told(percent),
+            force_error: of_bounded(contacts.force_error()),
             chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
             active: told(Some(active)),
             step_time: None,
             state_bytes,
+            energy_given: given,
+            energy_given_beyond_damper: beyond_damper,
+            force_felt: of_bounded(physical.force_felt()),
+            broke_it: None,
+            judged_by: None,
         };
         let [position, observed_energy, force] =
             [self.position, self.observed_energy, self.force].map(Trace::finish);

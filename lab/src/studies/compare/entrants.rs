@@ -5,8 +5,8 @@ use std::fmt;
 use lyapunov::{ParameterError, Scalar, Stabilizer};
 
 use crate::files::Scene;
-use crate::simulate::family::{StabilizerName, StabilizerNames};
-use crate::simulate::{AnyStabilizer, Space};
+use crate::simulate::family::{Judgement, StabilizerName, StabilizerNames};
+use crate::simulate::{AnyStabilizer, Fitted, Space};
 
 /// The entrants of a comparison: names, and the way to make each stabilizer for a scene.
 ///
@@ -34,11 +34,12 @@ pub struct Entrants<V: Space = f64> {
 }
 
 /// Constructor of an entrant's stabilizer.
-type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
+type Make<V> = dyn Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync;
 
 /// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
     pub(super) name: String,
+    pub(super) judgement: Option<Judgement>,
     make: Box<Make<V>>,
 }
 
@@ -55,7 +56,9 @@ impl<V: Space> Entrants<V> {
         name: impl Into<String>,
         make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entered(name.into(), move |scene| make(scene).map(AnyStabilizer::new))
+        self.entered(name.into(), None, move |scene| {
+            make(scene).map(|made| Fitted::Behind(AnyStabilizer::new(made)))
+        })
     }
 
     /// The names, in the order of registration.
@@ -70,9 +73,10 @@ impl<V: Space> Entrants<V> {
     fn entered(
         mut self,
         name: String,
-        make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
+        judgement: Option<Judgement>,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entries.push(Entrant { name, make: Box::new(make) });
+        self.entries.push(Entrant { name, judgement, make: Box::new(make) });
         self
     }
 }
@@ -86,13 +90,14 @@ impl<T: Scalar + Space> Entrants<T> {
     /// These members of the family, set as the scene says.
     pub fn of(members: impl IntoIterator<Item = StabilizerName>) -> Self {
         members.into_iter().fold(Self::empty(), |others, member| {
-            others.entered(member.name().to_owned(), move |scene| member.on(scene))
+            let (name, judgement) = (member.name().to_owned(), Some(member.judgement()));
+            others.entered(name, judgement, move |scene| member.on(scene))
         })
     }
 }
 
 impl<V: Space> Entrant<V> {
-    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+    pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
         (self.make)(scene)
     }
 }

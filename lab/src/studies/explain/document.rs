@@ -5,12 +5,13 @@ use serde_json::{Map, Value};
 
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::Balance;
+use crate::measure::{Balance, Verdict, Yardstick};
 
 #[derive(Serialize)]
 struct Document<'a> {
     scene: &'a str,
-    bounded: bool,
+    verdict: Verdict,
+    verdict_by: Yardstick,
     spectral_radius: Option<f64>,
     groups: DimensionlessGroups,
     broken: Vec<Broken>,
@@ -29,7 +30,7 @@ struct Broken {
 #[derive(Serialize)]
 struct Tried {
     set: Map<String, Value>,
-    bounded: bool,
+    verdict: Verdict,
     peak_force_n: f64,
     force_error_rms_n: f64,
 }
@@ -43,7 +44,8 @@ impl Explanation {
         let broken = broken(&self.limits).into_iter();
         let document = Document {
             scene,
-            bounded: self.is_bounded,
+            verdict: self.verdict,
+            verdict_by: self.verdict_by,
             spectral_radius: self.limits.spectral_radius,
             groups: self.groups,
             broken: broken.map(|(limit, _, most, times)| Broken { limit, most, times }).collect(),
@@ -63,7 +65,7 @@ fn tried(remedy: &Remedy) -> Tried {
     let set = remedy.changes.iter().map(|(key, change)| (key.clone(), value(change)));
     Tried {
         set: set.collect(),
-        bounded: true,
+        verdict: remedy.verdict,
         peak_force_n: remedy.peak_force,
         force_error_rms_n: remedy.force_error,
     }

@@ -1,4 +1,4 @@
-//! Stability maps over any two numbers of a scene, under several stabilizers.
+//! Maps of the verdicts over any two numbers of a scene, under several stabilizers.
 
 mod axis;
 mod bounds;
@@ -9,6 +9,7 @@ mod kernel;
 mod merge;
 mod outcome;
 mod picture;
+mod rendered;
 mod report;
 mod run;
 mod shard;
@@ -27,6 +28,7 @@ pub use kernel::{Instructions, Kernel, Lanes};
 pub use merge::{MergeError, merge};
 pub use outcome::{Measure, Measures, Outcome};
 pub use picture::{NamedFigure, figures};
+pub use rendered::Rendered;
 pub use report::{areas, page};
 pub use run::{Method, Run, RunError, TakeOutcomes, Workload};
 pub use shard::{Shard, ShardError};

@@ -4,7 +4,7 @@ use lyapunov::{ParameterError, Scalar};
 
 use super::outcome::{Measures, Outcome};
 use crate::files::scene::{Scalar as Width, Scene};
-use crate::measure::{Boundedness, Chatter, Energies, Settling, Share};
+use crate::measure::{Chatter, Energies, Fate, Physical, Settling, Share, Verdict};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Criterion, Rollout, Space, Tick};
 
@@ -28,16 +28,15 @@ fn run<T: Scalar + Space>(
     member: StabilizerName,
     go_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<Outcome>, ParameterError> {
-    let criterion = Criterion::of(scene);
-    let mut boundedness = Boundedness::<f64>::new(scene.ticks());
-    let mut meters = Meters::new::<T>(scene, &criterion);
+    let mut fate = Fate::<f64>::of(scene);
+    let mut meters = Meters::new::<T>(scene, fate.criterion(0));
     let mut ticks = 0;
     for tick in Rollout::<T>::under(scene, member)? {
-        boundedness.add(tick.truth.position.axis(0));
+        fate.add_tick(&tick);
         meters.add(&tick);
         ticks += 1;
         if ticks % STRETCH == 0 {
-            if boundedness.is_lost(0, &criterion) {
+            if fate.is_lost(0) {
                 break;
             }
             if !go_on() {
@@ -45,9 +44,15 @@ fn run<T: Scalar + Space>(
             }
         }
     }
-    let stable = boundedness.verdict(0, &criterion);
-    let measures = if stable == Some(false) { Measures::default() } else { meters.finish(scene) };
-    Ok(Some(Outcome { stable, measures }))
+    let verdict = fate.verdict(0);
+    let measures = match verdict {
+        Verdict::Grows => Measures::default(),
+        _ => {
+            let measures = meters.finish(scene);
+            Measures { active: measures.active.filter(|_| member.adds_damping()), ..measures }
+        }
+    };
+    Ok(Some(Outcome { verdict, verdict_by: fate.verdict_by(0), measures }))
 }
 
 struct Meters {
@@ -57,6 +62,7 @@ struct Meters {
     settling: Settling<f64>,
     share: Share,
     energies: Energies<f64>,
+    physical: Physical,
     chatter: Option<Chatter<f64>>,
 }
 
@@ -70,6 +76,7 @@ impl Meters {
             settling: Settling::new(rest, band),
             share: Share::new::<V>(scene),
             energies: Energies::new(),
+            physical: Physical::new(scene),
             chatter: Chatter::new(scene.servo_rate.get()),
         }
     }
@@ -82,12 +89,14 @@ impl Meters {
         self.peak = self.peak.max(force.abs());
         self.settling.add(position);
         self.energies.add(position, split.environment, split.controller);
+        self.physical.add(tick, &split);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(force);
         }
     }
 
     fn finish(&self, scene: &Scene) -> Measures {
+        let [given, beyond_damper] = self.physical.millijoules_given();
         Measures {
             peak_force: Some(self.peak),
             settling_time: self.settling.since(0).map(|tick| tick / scene.servo_rate.get()),
@@ -95,6 +104,10 @@ impl Meters {
             energy_taken: Some(1e3 * self.energies.taken()),
             active: Some(100.0 * self.active as f64 / self.ticks as f64),
             chatter: self.chatter.as_ref().and_then(Chatter::root_mean_square),
+            energy_given: Some(given),
+            energy_given_beyond_damper: Some(beyond_damper),
+            force_felt: self.physical.force_felt(),
+            stiffness_felt: self.physical.stiffness_felt().map(|(_, percent)| percent),
         }
         .in_range()
     }

@@ -27,6 +27,7 @@ use pulp::NullaryFnOnce;
 use crate::files::scene::{
     Candidate, Draft, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
+use crate::measure::{Verdict, Yardstick};
 use crate::simulate::family::{BasicName, Settings};
 use crate::studies::map::grid::{Grid, GridError};
 use crate::studies::map::outcome::Measures;
@@ -94,7 +95,8 @@ impl Kernel {
         self.instructions
     }
 
-    /// Whether the run of each of `cells` under `basic_name` is bounded. A lost run is not run to its end.
+    /// The verdict on the run of each of `cells` under `basic_name`, and the quantity that it is judged by. A run that is
+    /// sure to grow is not run to its end.
     ///
     /// Polls `go_on` now and then; none if it returned false.
     ///
@@ -105,7 +107,7 @@ impl Kernel {
         basic_name: BasicName,
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Option<Vec<Option<bool>>>, ParameterError> {
+    ) -> Result<Option<Vec<(Verdict, Yardstick)>>, ParameterError> {
         self.run(Run { kernel: self, basic_name, cells, go_on }, Judge)
     }
 
@@ -185,30 +187,18 @@ trait Watching: std::marker::Copy {
     type Reading: std::marker::Copy + Send;
     type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
 
-    /// Whether `run` uses instructions that multiply and add at once.
-    const FUSES: bool;
-
     fn empty(self) -> Self::Reading;
-
-    /// Runs `job` compiled for `instructions` if that is faster.
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
 #[derive(Clone, Copy)]
 struct Judge;
 
 impl Watching for Judge {
-    type Reading = Option<bool>;
+    type Reading = (Verdict, Yardstick);
     type Meter<T: Fuse> = Verdicts<T>;
 
-    const FUSES: bool = true;
-
-    fn empty(self) -> Option<bool> {
-        None
-    }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        instructions.run(job)
+    fn empty(self) -> (Verdict, Yardstick) {
+        (Verdict::TooShort, Yardstick::Distance)
     }
 }
 
@@ -219,17 +209,8 @@ impl Watching for MeasureAll {
     type Reading = Measures;
     type Meter<T: Fuse> = Everything<T>;
 
-    const FUSES: bool = false;
-
     fn empty(self) -> Measures {
         Measures::default()
-    }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        // The sums of the chatter lie side by side in memory line by line. Wider vectors gather them one by one,
-        // which takes four times as long.
-        let _ = instructions;
-        job.call()
     }
 }
 
@@ -241,10 +222,11 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
-        let candidate = match self.basic_name.on(&self.kernel.along.base) {
+        let candidate = match self.basic_name.table(&self.kernel.along.base) {
             None => return self.under::<T, NoStabilizer, W>(watching),
-            Some(Stabilizer::Popc(_)) => Candidate::Spring,
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
+            // POPC: no other has a basic name.
+            Some(_) => Candidate::Spring,
         };
         match candidate {
             Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
@@ -258,10 +240,9 @@ impl Run<'_> {
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         let seats = Seats::new(&self.kernel.along, self.cells);
-        let fuses = W::FUSES && self.kernel.fuses();
-        let empty = watching.empty();
+        let (empty, fuses) = (watching.empty(), self.kernel.fuses());
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
         // One rollout at a time gains nothing from vectors.
-        if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
+        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
     }
 }
