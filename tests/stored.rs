@@ -6,8 +6,8 @@ use ciborium::Value;
 use lyapunov::laws::Samples;
 use lyapunov::telemetry::{EnergyMeter, EnergySummary, RecordedTick};
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, Popc, PortEnergy, PortSample, Scalar, Signal,
-    Stabilizer,
+    AdmittanceSample, CheckedSample, Correction, DampingLimit, Popc, PortEnergy, PortSample,
+    Reading, Readings, Scalar, Signal, Stabilizer,
     accumulators::DoubleDouble,
     integrators::State,
     poses::{BodyAxes, Pose, Screw, WithPose},
@@ -94,6 +94,23 @@ fn what_is_not_finite_comes_back_too() {
         comes_back(&PortSample::starting(1e-3, odd, odd));
         comes_back(&RecordedTick { correction: Correction::none(odd), ..RecordedTick::default() });
     }
+}
+
+/// A reading and what was found in it.
+#[test]
+fn readings_come_back() {
+    let mut readings =
+        Readings::every(1e-3).expect("a period").no_faster_than(2.0).expect("a speed");
+    let mut told = Vec::new();
+    for position in [0.3, 0.3005, f64::NAN, 0.0, 0.301] {
+        let reading = Reading { position, applied: 2.0 };
+        comes_back(&reading);
+        told.push(readings.read(reading));
+    }
+    told.iter().for_each(comes_back);
+    assert!(told[0] == told[0] && told[0] != told[1]);
+    let late = CheckedSample { late: !told[1].late, ..told[1] };
+    assert_ne!(late, told[1]);
 }
 
 /// A port of a rigid body.

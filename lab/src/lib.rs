@@ -64,7 +64,9 @@ pub use show::csv::{COLUMNS, Csv};
 pub use show::output_error::OutputError;
 
 // Studies, one for each command.
-pub use studies::{accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes};
+pub use studies::{
+    accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes, tune,
+};
 
 // Names of other crates that the interface above uses.
 #[doc(no_inline)]

@@ -14,3 +14,4 @@ mod models;
 mod shipped;
 mod telemetry;
 mod teleoperation;
+mod tune;

@@ -1,5 +1,6 @@
 //! The correction of one tick.
 
+use crate::scalar::same_lanes;
 use crate::{Mask, Scalar, Signal};
 
 /// Correction of one tick: the effort to command, and what the stabilizer did to it, as numbers.
@@ -48,7 +49,7 @@ impl<V: Signal> PartialEq for Correction<V> {
 impl<V: Signal> Correction<V> {
     /// Whether both accept the same lanes.
     pub(crate) fn accepted_alike(&self, other: &Self) -> bool {
-        (0..V::Scalar::LANES).all(|lane| self.accepted.lane(lane) == other.accepted.lane(lane))
+        same_lanes::<V::Scalar>(self.accepted, other.accepted)
     }
 
     /// The correction of a port without a stabilizer: `effort` unchanged, and nothing else.

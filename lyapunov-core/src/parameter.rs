@@ -71,6 +71,13 @@ impl Requirement {
 impl Requirement {
     /// `signal` if every lane of every axis is right.
     ///
+    /// ```
+    /// use lyapunov_core::Requirement;
+    /// use nalgebra::Vector2;
+    /// let refused = Requirement::NonNegative.check_axes("weight", Vector2::new(1.0, -0.5)).unwrap_err();
+    /// assert_eq!(refused.value, -0.5);
+    /// ```
+    ///
     /// # Errors
     /// A [`ParameterError`] that names `parameter` and the first value that is not right.
     pub fn check_axes<V: Signal>(

@@ -2,7 +2,7 @@
 
 use crate::{Correction, OnePort, PortSample, Signal};
 
-/// Stabilizer: it watches a port and corrects its effort just enough, just in time, to keep the loop bounded.
+/// Stabilizer: it watches a port and corrects its effort, so that the loop stays bounded.
 ///
 /// Impedance causality: motion comes in, effort goes out. For admittance causality give it an
 /// [`AdmittanceSample`](crate::AdmittanceSample) as the sample and a flow as the effort; it then adds a velocity in

@@ -18,7 +18,9 @@ use crate::{DampingLimit, LimitCredit};
 /// The served energy is `L + α v² T`. Served energy plus shortfall is never negative, and the served energy is never
 /// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
 /// few units in the last place, so that this holds exactly for a reader who recomputes it as `α · ((v · v) · T)`, as
-/// long as `α` and that product are normal numbers.
+/// long as `α` and that product are normal numbers. These are identities of bookkeeping: the shortfall is what is
+/// missing, and a tick may bring any debt. A run with `L ≥ 0` on every tick is one whose port gave no more than it took
+/// and was credited; that every run is like this is not promised.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
 /// code. A sample is rejected where `L`, `v² T` and the corrected effort do not add up to a finite number: the effort
@@ -70,7 +72,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// The same stabilizer with `energy` more joules of stored credit: a budget for the energy stored at the start.
     ///
     /// A loop that starts from rest in a compressed spring gives that energy away without having absorbed it first.
-    /// With `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and `L ≥ 0` bounds the energy that the port gives by `E₀`.
+    /// With `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and where `L ≥ 0` the port has given at most `E₀`.
     /// Credit for an energy that the port does not store only delays the controller.
     ///
     /// # Errors

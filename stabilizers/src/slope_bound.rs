@@ -21,10 +21,12 @@ use crate::StabilizerExt;
 /// over displacement, a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller
 /// would brake all, and this does nothing. So the port is not passive. It is bounded where what moves dissipates more
 /// than that, which a linear damper does at every size of the swing or at none: a hand and device of the damping `b`
-/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. For a wall, whose force does not decrease
-/// with the position, no such loop is there, only the hold's leak of `μ Δx² / 2` a tick: a device damping of
-/// `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
-/// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
+/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. A linear wall makes no such loop, nor
+/// does a force with a slope within 0 and `μ`: there is only the hold's leak of `μ Δx² / 2` a tick, and a device damping
+/// of `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
+/// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness). For a linear wall `F² / (2 μ)` is a storage of port
+/// and damper if it is stiffer than `μ`, and the spring's own energy if it is softer. A wall that is steep at first and
+/// then flat does make one, with a long step in and short ones out.
 ///
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A
 /// creep of `ρ` N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.

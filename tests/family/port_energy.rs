@@ -1,5 +1,5 @@
-//! Energy bound of a port: it gives no more than its budget and the reported shortfall,
-//! `E₀ + Σ −ΔV + α v² T + shortfall ≥ 0`, by a sum of the test's own.
+//! Account of a port: `E₀ + Σ −ΔV + α v² T + shortfall ≥ 0`, by a sum of the test's own. It checks that a debt is told, and
+//! not that there is none.
 
 use proptest::prelude::any;
 use proptest::prop_assert;

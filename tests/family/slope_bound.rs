@@ -160,6 +160,51 @@ fn what_it_may_cost_and_what_bounds_it() {
     assert!(above.1 > 0.1, "{above:?} m");
 }
 
+/// The least of `Σ F Δx + b Δx² / T` over a motion of these steps before a wall `force`, with `b = μ T / 2`.
+fn least_with_damper(force: impl Fn(f64) -> f64, steps: &[f64]) -> f64 {
+    let (mut bound, mut position, mut energy, mut least) = (bound(), 0.0, 0.0, 0f64);
+    let mut held = bound.stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), force(0.0)).effort;
+    for step in steps {
+        energy += held * step + 0.5 * SLOPE * step * step;
+        least = least.min(energy);
+        position += step;
+        let sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: step / PERIOD,
+            displacement: *step,
+            applied: held,
+        }
+        .sample();
+        held = bound.stabilize(&sample, force(position)).effort;
+    }
+    least
+}
+
+#[test]
+fn port_and_damper_give_nothing_before_a_linear_wall_whatever_the_motion() {
+    for (seed, stiffness) in
+        (0..400).zip([0.5, 1.0, 1.7, 10.0, 1e4].map(|it| it * SLOPE).into_iter().cycle())
+    {
+        let mut dice = Dice::of(seed);
+        let steps: Vec<f64> =
+            (0..200).map(|_| dice.within(1e-3) * 10f64.powf(dice.within(1.0) - 1.0)).collect();
+        let least = least_with_damper(|x| (stiffness * x).max(0.0), &steps);
+        assert!(least >= -1e-15, "{least:e} J at {stiffness} N/m, seed {seed}");
+    }
+}
+
+/// In at once over `X` under no force, which is then `μ X` all the way out: `μ X²` for a damper that took half of it.
+#[test]
+fn a_wall_that_is_steep_and_then_flat_makes_a_loop() {
+    let (depth, count) = (1e-3, 100);
+    let out = -depth / f64::from(count);
+    let steps = [&[depth][..], &vec![out; count as usize]].concat();
+    let flat = |x: f64| (1e6 * x).clamp(0.0, 1.0);
+    let expected = -SLOPE * depth * depth * (0.5 - 0.5 / f64::from(count));
+    assert_abs_diff_eq!(least_with_damper(flat, &steps), expected, epsilon = 1e-9 * SLOPE * depth);
+}
+
 /// A held spring that the device's own damper makes passive needs no help: POPC, which does not know the damper, corrects it
 /// all the same.
 #[test]

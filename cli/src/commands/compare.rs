@@ -14,10 +14,12 @@ use lyapunov_lab::compare::{
 };
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::tune::{Objective, Tuned, Tuning};
 use lyapunov_lab::{Space, models, teleoperation};
 
 use super::folder::Folder;
 use super::subjects::{self, Subjects};
+use super::tune::tune;
 use super::{BAR, End, heed_interrupts, shown, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
@@ -44,6 +46,10 @@ pub(crate) struct Compare {
     /// each candidate; of models docs/any-plant.md and of teleoperators docs/teleoperation.md, and default are all.
     #[arg(long, value_name = "NAMES")]
     stabilizers: Option<String>,
+    /// Tune each of them on each scene first, for this objective (lyapunov tune), and let the tuned ones take part too.
+    #[arg(long, value_name = "TERMS", num_args = 0..=1, require_equals = true,
+        default_missing_value = "settling")]
+    tuned: Option<Objective>,
     /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
     /// Of each scene: positions and sums over time, forces over time, energy by cause, and on how many walls the run stays
@@ -68,6 +74,10 @@ impl Compare {
         heed_interrupts(true);
         let scenes = match Subjects::load(&self.scenes)? {
             Subjects::Scenes(scenes) => scenes,
+            _ if self.tuned.is_some() => {
+                let remedy = "leave it away for files of models and of teleoperators";
+                return Err(End::input(format!("--tuned is for scenes\n  = {remedy}")));
+            }
             Subjects::Models(models) => return subjects::run::<models::Comparison>(self, &models),
             Subjects::Teleoperators(them) => {
                 return subjects::run::<teleoperation::Comparison>(self, &them);
@@ -116,16 +126,29 @@ impl Compare {
             let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
             once + self.out.as_ref().map_or(0, |_| drawn)
         };
-        let entrants = named.len() as u64;
-        let ticks = scenes.iter().map(|(_, scene)| entrants * ticks(scene)).sum();
-        let bar = self.progress(ticks);
-        let met = scenes.iter().map(|(name, scene)| match scene.scalar {
-            Scalar::F64 => self.meet(name, scene, &Entrants::<f64>::of(named.on(scene)), &bar),
-            Scalar::F32 => self.meet(name, scene, &Entrants::<f32>::of(named.on(scene)), &bar),
+        let tuned: Result<Vec<_>, End> =
+            scenes.iter().map(|(name, scene)| self.tuned(name, scene, named)).collect();
+        let tuned = tuned?;
+        let entrants = |tuned: &[Tuned]| (named.len() + tuned.len()) as u64;
+        let each = scenes.iter().zip(&tuned);
+        let bar =
+            self.progress(each.clone().map(|(it, tuned)| entrants(tuned) * ticks(&it.1)).sum());
+        let met = each.map(|((name, scene), tuned)| match scene.scalar {
+            Scalar::F64 => self.meet(name, scene, &entered::<f64>(named, scene, tuned), &bar),
+            Scalar::F32 => self.meet(name, scene, &entered::<f32>(named, scene, tuned), &bar),
         });
         let met = met.collect();
         bar.finish_and_clear();
         met
+    }
+
+    /// The tuned stabilizers that take part: those with a number to tune.
+    fn tuned(&self, name: &str, scene: &Scene, named: &StabilizerNames) -> Result<Vec<Tuned>, End> {
+        let Some(objective) = self.tuned else { return Ok(Vec::new()) };
+        let tuning = Tuning { objective, ..Tuning::default() };
+        let mut tuned = tune(&tuning, name, scene, named, self.quiet)?;
+        tuned.retain(|one| !one.settings[1].numbers().is_empty());
+        Ok(tuned)
     }
 
     /// Progress bar, hidden for a short comparison.
@@ -169,6 +192,18 @@ impl Compare {
         }
         Ok((comparison, answers))
     }
+}
+
+/// The stabilizers that are `named`, then the `tuned` ones.
+fn entered<T: lyapunov::Scalar + Space>(
+    named: &StabilizerNames,
+    scene: &Scene,
+    tuned: &[Tuned],
+) -> Entrants<T> {
+    tuned.iter().fold(Entrants::of(named.on(scene)), |entrants, one| {
+        let (name, setting) = (format!("{} tuned", one.name), one.settings[1].clone());
+        entrants.with_fitted(name, one.name, move |scene| setting.fitted(scene))
+    })
 }
 
 /// Files of the figures that take runs of their own: the end of each file's name, and its text or picture.

@@ -22,6 +22,21 @@ pub struct Steady;
 /// | the same as the last, as of a clock too coarse | a period | by a period |
 /// | before the last: a clock set back, or a counter that overflowed | a period | from there |
 ///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?.clocked();
+/// let mut period = |now| {
+///     let told = readings.read_at(now, Reading { position: 0.0_f64, applied: 0.0 });
+///     (1e3 * told.sample.period, told.timed)
+/// };
+/// assert_eq!(period(5.000), (1.0, true));
+/// assert_eq!(period(f64::NAN), (1.0, false));
+/// assert_eq!(period(2.000), (1.0, false)); // set back
+/// let (late, timed) = period(2.002);
+/// assert!((late - 2.0).abs() < 1e-9 && timed);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+///
 /// Held work does not depend on time at all; the credit of a damper, and what a correction is said to dissipate, do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Clocked {

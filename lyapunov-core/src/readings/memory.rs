@@ -52,7 +52,8 @@ impl<V: Signal> Heard<V> {
     #[inline(always)]
     fn careful(&self, velocity: V) -> V {
         let zero = V::Scalar::of(0.0);
-        velocity.zip(self.displacement, |told, moved| {
+        // Of the very numbers that a backward difference divides, so that it is not divided twice.
+        velocity.zip(self.motion().displacement, |told, moved| {
             let mean = moved / self.span;
             let slower = mean.magnitude().below(told.magnitude());
             let turned = (mean * told).below(zero);

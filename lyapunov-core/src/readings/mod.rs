@@ -5,6 +5,7 @@ mod memory;
 
 pub use clock::{Clocked, Steady};
 
+use crate::scalar::same_lanes;
 use crate::{
     Differenced, LowPassed, Mask, ParameterError, PortSample, Requirement, Scalar, Signal,
     Snapshot, VelocityEstimator, Windowed,
@@ -12,6 +13,14 @@ use crate::{
 use memory::Memory;
 
 /// Reading of a device: where it stands, and the effort that acted since the reading before.
+///
+/// ```
+/// use lyapunov_core::Reading;
+/// use nalgebra::Vector3;
+/// let (position, applied) = (Vector3::new(0.3, 0.0, 0.1), Vector3::zeros());
+/// let reading = Reading { position, applied };
+/// # let _ = reading;
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -36,6 +45,16 @@ pub struct MovingReading<V> {
 }
 
 /// Port sample made of a reading, and what [`Readings`] found in it, lane by lane.
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?;
+/// readings.read(Reading { position: 0.3_f64, applied: 0.0 });
+/// let bad = readings.read(Reading { position: f64::NAN, applied: 2.0 });
+/// assert!(!bad.accepted && !bad.jumped);
+/// assert!(bad.sample.position == 0.3 && bad.sample.velocity == 0.0 && bad.sample.work.is_nan());
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -59,6 +78,17 @@ pub struct CheckedSample<V: Signal> {
     pub late: <V::Scalar as Scalar>::Mask,
     /// Whether the time could be used; always true of a fixed period.
     pub timed: bool,
+}
+
+impl<V: Signal> PartialEq for CheckedSample<V> {
+    fn eq(&self, other: &Self) -> bool {
+        let same = same_lanes::<V::Scalar>;
+        self.sample == other.sample
+            && same(self.accepted, other.accepted)
+            && same(self.jumped, other.jumped)
+            && same(self.late, other.late)
+            && self.timed == other.timed
+    }
 }
 
 /// Velocities measured by the device: those of [`MovingReading`]s.
@@ -90,7 +120,7 @@ pub struct Measured;
 /// **The next accepted reading spans the gap**: its period is all the time since the accepted one before, its
 /// displacement leads from there, and its work is that of the efforts meanwhile: exactly `f Δx` if one effort was
 /// held, and with several the least of `f Δx` over all of them, axis by axis. That is a lower bound where the motion did
-/// not turn round within the gap. An effort that is not finite counts as the one before it. The velocity of such a
+/// not turn round within the gap. An effort that is not finite counts as one of those before it. The velocity of such a
 /// sample is, axis by axis, the smaller in magnitude of the estimate and the mean over the gap, and 0 where their
 /// directions differ, so that no damper is credited with more than the mean motion dissipated.
 ///
@@ -101,8 +131,9 @@ pub struct Measured;
 /// **Time** is one period a call ([`Steady`]), or that of a clock that the caller reads
 /// ([`clocked`](Self::clocked), whose page says what becomes of NaN and of clocks that stand or run backwards).
 ///
-/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A guard (`guarded`) does the
-/// same for a whole port; behind readings it has nothing left to do and would count a gap twice.
+/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A guard (`guarded`) does
+/// the same for a whole port, in which no time passes meanwhile; behind readings it would count the time of a gap twice.
+/// Put the stabilizer outside of a hold: one inside is told the sum over the held ticks, NaN with them, and loses it.
 #[derive(Clone, Copy, Debug)]
 pub struct Readings<V: Signal, E = Differenced, C = Steady> {
     period: V::Scalar,

@@ -12,6 +12,18 @@ use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, V
 /// the backward difference; an infinite one would be that, which is [`Differenced`](crate::Differenced).
 ///
 /// A velocity that is not finite is told once and then forgotten, axis by axis.
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?.low_passed(30.0)?;
+/// let mut velocity: f64 = 0.0;
+/// for tick in 0..100 {
+///     let position = 0.5e-3 * f64::from(tick); // 0.5 m/s
+///     velocity = readings.read(Reading { position, applied: 0.0 }).sample.velocity;
+/// }
+/// assert!((velocity - 0.5).abs() < 1e-6);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LowPassed<V: Signal> {
     /// `ω`, rad/s.

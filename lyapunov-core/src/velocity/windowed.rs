@@ -21,6 +21,18 @@ use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, V
 /// which are common, are in or out.
 ///
 /// A position that is not finite ends the windows that would reach it; it affects the later ones in no other way.
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?.windowed::<16>(16, 1e-5)?; // counts of 10 µm
+/// let mut velocity: f64 = 0.0;
+/// for tick in 0..100 {
+///     let position = 1e-5 * f64::from(tick / 4); // a count every fourth tick: 2.5 mm/s
+///     velocity = readings.read(Reading { position, applied: 0.0 }).sample.velocity;
+/// }
+/// assert!((velocity - 2.5e-3).abs() < 0.4e-3); // a difference says 0 or 10 mm/s
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Windowed<V: Signal, const N: usize> {
     ticks: usize,

@@ -9,7 +9,7 @@ use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
-use crate::files::Scene;
+use crate::files::scene::{Scalar as Width, Scene};
 use crate::measure::{Chatter, Energies, Physical, Share, Summary, Trace, Verdict};
 use crate::simulate::family::Judgement;
 use crate::simulate::{Rollout, Space, Tick};
@@ -61,6 +61,22 @@ impl<V: Space> EntrantRun<V> {
         let score = Score { active, judged_by: entrant.judgement, ..score };
         Ok(Self { score, curves, samples })
     }
+}
+
+/// The score of `scene` under its own stabilizer, in its own scalar.
+///
+/// # Errors
+/// [`RunError::Stopped`] if `watch` stops the run; a scene that was never checked.
+pub(crate) fn own_score(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    match scene.scalar {
+        Width::F64 => of_own::<f64>(scene, watch),
+        Width::F32 => of_own::<f32>(scene, watch),
+    }
+}
+
+fn of_own<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    let own = Entrant::<V>::own(scene);
+    EntrantRun::of(scene, &own, watch).map(|run| run.score)
 }
 
 /// All measures along a run.

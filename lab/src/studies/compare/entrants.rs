@@ -61,6 +61,17 @@ impl<V: Space> Entrants<V> {
         })
     }
 
+    /// Adds an entrant that `make` fits to each scene, behind the environment or around it; `like` says how to judge it.
+    #[must_use]
+    pub fn with_fitted(
+        self,
+        name: impl Into<String>,
+        like: StabilizerName,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entered(name.into(), Some(like.judgement()), make)
+    }
+
     /// The names, in the order of registration.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.entries.iter().map(|entrant| entrant.name.as_str())
@@ -97,6 +108,12 @@ impl<T: Scalar + Space> Entrants<T> {
 }
 
 impl<V: Space> Entrant<V> {
+    /// The stabilizer that `scene` itself names.
+    pub(super) fn own(scene: &Scene) -> Self {
+        let name = scene.stabilizer.map_or("none", |table| table.name()).to_owned();
+        Self { name, judgement: None, make: Box::new(Fitted::of) }
+    }
+
     pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
         (self.make)(scene)
     }

@@ -3,11 +3,12 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::Case;
-use super::claims::{Claim, Judged, RATES, Unstated, Verdict, number};
+use super::claims::{Claim, Judged, RATES, Verdict};
 use super::figures::NamedFigure;
 use super::study::Study;
 use crate::show::html;
 use crate::show::table::{Cell, Heading, Table};
+use crate::text::found;
 
 /// The parts of the page.
 pub(super) struct Report<'a> {
@@ -32,7 +33,7 @@ impl Report<'_> {
                 " draws of what the paper does not state."
             }
             h2 { "Claims" }
-            (self.verdicts().to_html(""))
+            (self.verdicts().to_html("counts"))
             h2 { "Numbers" }
             p {
                 "Of our controller: the median over the draws that have the number, and the range without the lowest and the \
@@ -41,13 +42,15 @@ impl Report<'_> {
             (self.numbers().to_html(""))
             h2 { "What moves the claims" }
             p {
-                "Main effects on our controller: the share of the variance between draws that each constant explains by \
-                 itself, in percent. Those of 5 % and more are named in the verdicts."
+                "Main effects on our controller: the share of the variance between draws that a constant explains by itself, \
+                 in percent. Those of 5 % and more are named; all others are smaller."
             }
-            (self.effects().to_html("counts"))
             (self.influences().to_html("counts"))
             h2 { "Runs that settle and runs that grow" }
-            p { "In percent of the runs, by the observer's rate. The rest is still swinging after 30 s." }
+            p {
+                "In percent of the runs, by the observer's rate. The rest is still swinging after 30 s. The last columns are the \
+                 median settling times of those that settle, in seconds."
+            }
             (self.outcomes().to_html("short"))
             h2 { "Figures" }
             p { "Each curve is a single run, at the paper's numbers and in one phase of the clock." }
@@ -94,7 +97,7 @@ impl Report<'_> {
         Table::new(headings).with_rows(self.study.claims.iter().map(|claim| {
             let judged = &claim.ours;
             let range =
-                judged.range.map(|[low, high]| format!("{} to {}", number(low), number(high)));
+                judged.range.map(|[low, high]| format!("{} to {}", found(low), found(high)));
             [
                 claim.paper.into(),
                 claim.reading.into(),
@@ -105,23 +108,11 @@ impl Report<'_> {
         }))
     }
 
-    fn effects(&self) -> Table {
-        let constants = Unstated::ALL.map(|unstated| Heading::number(unstated.name()));
-        let headings = std::iter::once(Heading::word("the paper says")).chain(constants);
-        Table::new(headings).with_rows(self.study.claims.iter().map(|claim| {
-            let effect = |name: &str| {
-                let found = claim.ours.influences.iter().find(|it| it.constant == name);
-                found.map_or("".into(), |it| Cell::from(format!("{:.0}", 100.0 * it.effect)))
-            };
-            let effects = Unstated::ALL.map(|unstated| effect(unstated.name()));
-            std::iter::once(Cell::from(claim.paper)).chain(effects)
-        }))
-    }
-
     fn influences(&self) -> Table {
         let headings = [
             Heading::word("the paper says"),
             Heading::word("moved by"),
+            Heading::number("main effect, %"),
             Heading::word("value: holds in %"),
         ];
         let rows = self.study.claims.iter().flat_map(|claim| {
@@ -131,7 +122,8 @@ impl Report<'_> {
                     .iter()
                     .map(|group| format!("{}: {}", group.values, group.percent()));
                 let groups = groups.collect::<Vec<_>>().join("; ");
-                [claim.paper.into(), influence.constant.into(), groups.into()]
+                let effect = format!("{:.0}", 100.0 * influence.effect);
+                [claim.paper.into(), influence.constant.into(), effect.into(), groups.into()]
             })
         });
         Table::new(headings).with_rows(rows)
@@ -141,7 +133,7 @@ impl Report<'_> {
         let words = ["wall", "stabilizer"].map(Heading::word);
         let at = |what: &str| RATES.map(|rate| Heading::number(format!("{what}\n{rate} Hz")));
         let headings = words.into_iter().chain(at("settles")).chain(at("grows"));
-        let headings = headings.chain(at("median settling time, s"));
+        let headings = headings.chain(at("median s,"));
         Table::new(headings).with_rows(self.study.outcomes.iter().map(|outcomes| {
             let percent = |count: usize, of: usize| {
                 Cell::from(format!("{:.0}", 100.0 * count as f64 / of.max(1) as f64))
@@ -149,8 +141,8 @@ impl Report<'_> {
             let words = [outcomes.wall.into(), outcomes.stabilizer.into()];
             let settle = outcomes.rates.map(|share| percent(share.settle, share.of));
             let grow = outcomes.rates.map(|share| percent(share.grow, share.of));
-            let times = outcomes.rates.map(|share| share.settling_time.map_or_else(dash, number));
-            words.into_iter().chain(settle).chain(grow).chain(times.map(Cell::from))
+            let times = outcomes.rates.map(|share| Cell::from(share.settling_time));
+            words.into_iter().chain(settle).chain(grow).chain(times)
         }))
     }
 
@@ -206,7 +198,7 @@ impl Report<'_> {
                 balance.end,
                 balance.residual(),
             ];
-            let numbers = parts.map(|joules| Cell::from(number(1e3 * joules)));
+            let numbers = parts.map(|joules| Cell::from(1e3 * joules));
             std::iter::once(Cell::from(*name)).chain(numbers)
         }))
     }
@@ -221,15 +213,17 @@ fn dash() -> String {
 /// A number of a claim with its unit, to four digits; a dash where there is none.
 fn with_unit(claim: &Claim, value: Option<f64>) -> String {
     let unit = if claim.unit == "1" { String::new() } else { format!(" {}", claim.unit) };
-    value.map_or_else(dash, |value| number(value) + &unit)
+    value.map_or_else(dash, |value| format!("{}{unit}", found(value)))
 }
 
-/// A verdict in its colour.
+/// A verdict, its word in its colour.
 fn verdict(judged: &Judged) -> Cell {
     let class = match judged.verdict {
         Verdict::Reproduced => "yes",
         Verdict::DependsOn(_) => "open",
         Verdict::NotReproduced => "no",
     };
-    html::verdict(class, &judged.verdict.to_string()).into()
+    let (words, word) = (judged.verdict.to_string(), judged.verdict.word());
+    let rest = words.strip_prefix(word).unwrap_or_default();
+    html! { (html::verdict(class, word)) (rest) }.into()
 }

@@ -77,16 +77,3 @@ impl Judged {
         format!("{share} ({low} to {high})").replace(".0", "")
     }
 }
-
-/// Four significant digits.
-pub(in super::super) fn number(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&size) {
-        let decimals = (3 - size.log10().floor() as i32).clamp(0, 6) as usize;
-        format!("{value:.decimals$}")
-    } else {
-        format!("{value:.3e}")
-    }
-}

@@ -3,6 +3,7 @@
 use crate::files::scene::{Conflict, Finite, Positive, Scene};
 use crate::simulate::ensemble::{Constant, Ensemble, Moves};
 use crate::studies::paper::{Case, PaperError};
+use crate::text::found;
 
 /// The paper's start, m.
 pub const START: f64 = -0.004;
@@ -87,9 +88,7 @@ impl Unstated {
     /// The order of its groups, in words.
     pub(in super::super) fn order(self) -> &'static str {
         match self {
-            Self::ContactPhase => {
-                "from the moment the plant reaches the wall to the wall's next tick, in eighths of a tick"
-            }
+            Self::ContactPhase => "from touching the wall to its next tick, in eighths of a tick",
             Self::ObserverRate => "100, 200, 500 and 1000 Hz over a wall at 100 Hz",
             Self::LimitMass => "operator and device, device alone",
             Self::Cap => "from 0.25 to 1, in eighths",
@@ -107,7 +106,9 @@ impl Unstated {
             _ => (0.9, 1.1),
         };
         let end = |index: usize| low + (high - low) * index as f64 / EIGHTHS as f64;
-        (0..EIGHTHS).map(|index| format!("{:.3} to {:.3}", end(index), end(index + 1))).collect()
+        (0..EIGHTHS)
+            .map(|index| format!("{} to {}", found(end(index)), found(end(index + 1))))
+            .collect()
     }
 }
 

@@ -30,5 +30,3 @@ pub use rows::claims;
 pub use runs::{Runs, SOFT, STIFF, WALLS};
 pub use trace::{Point, Trace};
 pub use verdict::Verdict;
-
-pub(super) use claim::number;
