@@ -49,13 +49,27 @@
 //! | [`accumulators`] | plain, compensated and wide sums |
 //! | [`lanes`] | several rollouts in one number |
 //! | [`laws`] | checks to run on parts of your own |
+//! | [`telemetry`] | the last ticks in a ring, and the energies of all of them |
+//!
+//! What is chosen at run time is a [`Member`](stabilizers::Member) of the family; with the feature `alloc` a
+//! `Box<dyn Stabilizer<V>>` is a stabilizer too. A stabilizer or candidate of your own: docs/own-stabilizer.md in the
+//! repository goes through it from the first `if` to the last law.
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `alloc` | boxes of stabilizers, candidates, ports and plants are such |
+//! | `approx` | comparison within a tolerance for samples, corrections and other values |
+//! | `defmt` | `Format` for the same, to log them over a debug probe |
+//! | `serde` | `Serialize` and `Deserialize` for the same |
+//!
+//! A feature that is off adds nothing; none of them changes a step.
 #![no_std]
 
 pub use lyapunov_core::{
     AdmittanceSample, CheckedSample, Correction, Dissipation, Held, HeldFlow, HeldTick, Ledger,
     LyapunovCandidate, Mask, MovingReading, Observer, OnePort, ParameterError, Plant, PortEnergy,
     PortSample, Reading, Readings, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilized,
-    Stabilizer, StorageFunction, Work, lanes, laws,
+    Stabilizer, StorageFunction, Work, lanes, laws, telemetry,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
@@ -163,10 +177,10 @@ pub mod stabilizers {
         ContactReset, CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
         Inertia, InertiaLimit, InertiaMetric, Input, InputToState, JointInertia, KeptCredit,
-        LeastNorm, LimitCredit, MemoryBased, Metric, NoStabilizer, OpenValve, PartLimits,
-        PathMemory, PerAxis, PerPart, RateLimit, ReferenceDamper, ReferenceFollowing, Sharing,
-        SlopeBound, SoftStart, Spread, StabilizerExt, Tank, TankLimits, TaskInertia, TwoLayer,
-        TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, Watchdog, WatchdogTimes,
+        LeastNorm, LimitCredit, Member, MemberState, MemoryBased, Metric, NoStabilizer, OpenValve,
+        PartLimits, PathMemory, PerAxis, PerPart, RateLimit, ReferenceDamper, ReferenceFollowing,
+        Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank, TankLimits, TaskInertia,
+        TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, Watchdog, WatchdogTimes,
         WaveFilter, WaveFollower, WaveTransform, WindowedCredit,
     };
 }
@@ -175,3 +189,13 @@ pub mod stabilizers {
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The page about a stabilizer of one's own, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/own-stabilizer.md")]
+struct OwnStabilizer;
+
+/// The page about telemetry and choice at run time, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/telemetry.md")]
+struct Telemetry;

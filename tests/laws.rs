@@ -318,10 +318,3 @@ fn a_faulty_state_is_caught() {
     assert_eq!(law(laws::one_port(&faulty, samples)), Law::Finite);
     assert_eq!(law(laws::plant(&faulty, samples)), Law::TellsTheTruth);
 }
-
-#[test]
-fn a_violation_names_its_sample_and_its_law() {
-    let told = Told(|d: &PortSample<f64>, f| Correction::none(f - d.velocity).checked());
-    let violation = laws::stabilizer(&told, Samples::new(PERIOD)).expect_err("broken");
-    assert!(violation.to_string().starts_with("sample 0: the correction must not feed power"));
-}

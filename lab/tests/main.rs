@@ -14,6 +14,7 @@ mod map;
 mod models;
 mod shipped;
 mod tables;
+mod telemetry;
 mod teleoperation;
 mod tune;
 mod worked;

@@ -1,6 +1,6 @@
 //! Admittance sample: a sample where force comes in and motion goes out.
 
-use crate::{PortSample, Signal};
+use crate::{PortSample, Scalar, Signal};
 
 /// Sample at an admittance port, where effort comes in and motion goes out: the dual of a [`PortSample`].
 ///
@@ -27,6 +27,15 @@ use crate::{PortSample, Signal};
 /// assert_eq!(PortSample::from(load).work, -2e-4); // the port gave 0.2 mJ away
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct AdmittanceSample<V: Signal> {
     /// Time since the last call, s.
     pub period: V::Scalar,
@@ -40,6 +49,13 @@ pub struct AdmittanceSample<V: Signal> {
     pub flow: V,
     /// Work that crossed the port since the last call, on each axis, J.
     pub work: V,
+}
+
+/// The sample of no time at all: all numbers are 0.
+impl<V: Signal> Default for AdmittanceSample<V> {
+    fn default() -> Self {
+        Self::starting(V::Scalar::of(0.0), V::zero())
+    }
 }
 
 /// One period under one held flow, of which [`sample`](Self::sample) makes an [`AdmittanceSample`] with its work.

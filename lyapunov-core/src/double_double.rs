@@ -25,6 +25,7 @@ use crate::{Scalar, Signal};
 /// assert!(lacking.magnitude().below(DoubleDouble::epsilon()));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "(f64, f64)", into = "(f64, f64)"))]
 pub struct DoubleDouble {

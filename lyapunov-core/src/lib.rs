@@ -9,7 +9,7 @@
 //!
 //! Everything is generic over the [`Scalar`] (`f32`, `f64`, [`lanes`] of either, [`DoubleDouble`] for references) and
 //! the [`Signal`] (one axis, or an `SVector` of several), needs neither `std` nor an allocator, and does not panic.
-//! [`laws`] checks parts of your own.
+//! [`laws`] checks parts of your own, [`telemetry`] keeps what happened.
 //!
 //! The port of a rigid body carries a [`Screw`], a wrench and a twist, beside the [`Pose`] ([`WithPose`]); a [`TaskPort`]
 //! and a [`Jacobian`] join it to the joints of an arm.
@@ -20,10 +20,15 @@
 //! Not here: scheduling, clocks, threads, names of signals at run time, graphs of blocks. The caller calls.
 #![no_std]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 mod accumulator;
 mod admittance_sample;
 #[cfg(feature = "approx")]
 mod approximate;
+#[cfg(feature = "alloc")]
+mod boxed;
 mod candidate;
 mod correction;
 mod dissipation;
@@ -47,6 +52,7 @@ mod signal;
 mod snapshot;
 mod stabilizer;
 mod state;
+pub mod telemetry;
 mod velocity;
 
 #[cfg(feature = "approx")]

@@ -12,6 +12,7 @@ use crate::{Scalar, Signal};
 /// assert_eq!(refused.unwrap_err().to_string(), "mass is -1.0; it must be above 0 and finite");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ParameterError {
     /// The parameter's name.
     pub parameter: &'static str,
@@ -23,6 +24,7 @@ pub struct ParameterError {
 
 /// Requirement on a parameter's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Requirement {
     /// Neither infinite nor NaN.

@@ -13,6 +13,15 @@ use crate::{Scalar, Signal};
 /// ([`HeldTick`]). Over several periods it is the sum of theirs ([`PortSample::spanning`]), which is why it
 /// is a field: a round trip displaces nothing and still does work.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct PortSample<V: Signal> {
     /// Time since the last call, s.
     pub period: V::Scalar,
@@ -26,6 +35,13 @@ pub struct PortSample<V: Signal> {
     pub applied: V,
     /// Work of the applied efforts since the last call, on each axis, J.
     pub work: V,
+}
+
+/// The sample of no time at all: all numbers are 0. Joined to another one it changes nothing.
+impl<V: Signal> Default for PortSample<V> {
+    fn default() -> Self {
+        Self::starting(V::Scalar::of(0.0), V::zero(), V::zero())
+    }
 }
 
 /// One period under one held effort, of which [`sample`](Self::sample) makes a [`PortSample`] with its work.

@@ -6,13 +6,16 @@
 //! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit, a gentler correction, or a
 //! [`Watchdog`]. [`LeastNorm`] looks one period ahead. On the port of a rigid body [`PerPart`] keeps translation and
 //! rotation apart, [`PartLimits`] limits both under one sum, and [`InertiaLimit`] takes the limit from an arm's inertia at
-//! every tick.
+//! every tick. A [`Member`] of the family is chosen at run time.
 //!
 //! [`EnergyBounding`], [`ForceBounding`], [`SlopeBound`], [`MemoryBased`], [`PathMemory`] and [`Tank`] add no damping;
 //! they reduce efforts whose energy is not covered. Around an environment stand [`CoupledPort`], a spring and a damper,
 //! and [`InputToState`], which asks it a little before the device is there. At the ends of a channel stand two
 //! [`TwoPortSide`]s, two [`TwoLayer`]s, or a [`WaveTransform`] that codes the signals that go through it.
 #![no_std]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
 
 mod account;
 mod booked;
@@ -27,6 +30,7 @@ mod inertia;
 mod input_to_state;
 mod least_norm;
 mod lolc;
+mod member;
 mod memory_based;
 mod no_stabilizer;
 mod parts;
@@ -56,6 +60,7 @@ pub use inertia::{Inertia, JointInertia, TaskInertia};
 pub use input_to_state::InputToState;
 pub use least_norm::{Constraint, Input, LeastNorm};
 pub use lolc::Lolc;
+pub use member::{Member, MemberState};
 pub use memory_based::MemoryBased;
 pub use no_stabilizer::NoStabilizer;
 pub use parts::{BodyInertia, PartLimits, PerPart};

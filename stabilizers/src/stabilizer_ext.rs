@@ -100,3 +100,15 @@ impl<S, T> StabilizerExt for VelocityThreshold<S, T> {}
 impl<S, T> StabilizerExt for Spread<S, T> {}
 impl<S, T> StabilizerExt for SoftStart<S, T> {}
 impl<S, V: Signal> StabilizerExt for RateLimit<S, V> {}
+
+/// ```
+/// use lyapunov_core::{PortEnergy, PortSample, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let chosen: Box<dyn Stabilizer<f64>> = Box::new(popc);
+/// let mut gentle = chosen.spread_over(5)?;
+/// assert_eq!(gentle.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), 2.0).effort, 2.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[cfg(feature = "alloc")]
+impl<S: ?Sized> StabilizerExt for alloc::boxed::Box<S> {}

@@ -1,7 +1,8 @@
 //! The law of a snapshot.
 
-use crate::laws::{Law, Tick, Violation};
-use crate::{PortSample, Scalar, Signal, Snapshot, Stabilizer};
+use super::stabilizer::alike;
+use crate::laws::{Law, Tick, Violation, quantity};
+use crate::{Mask, PortSample, Scalar, Signal, Snapshot, Stabilizer};
 
 /// Check of a `stabilizer` over `samples`: the law [`Resumes`](Law::Resumes). At every sample its state is given to a
 /// copy as it was at the start, which must do the same and remember the same.
@@ -36,19 +37,26 @@ pub fn snapshot<V: Signal, S: Stabilizer<V> + Snapshot + Clone>(
 ) -> Result<(), Violation> {
     let mut running = stabilizer.clone();
     for (tick, (sample, effort)) in samples.into_iter().enumerate() {
-        let now = Tick(tick);
-        let broken = |value: V::Scalar| Violation { law: Law::Resumes, tick, value: value.lane(0) };
-        let restored = stabilizer.clone().restored(running.state());
-        let mut restored = restored.map_err(|_| broken(effort.sum()))?;
-        let (one, other) =
-            (running.stabilize(&sample, effort), restored.stabilize(&sample, effort));
-        now.same(Law::Resumes, one.effort, other.effort)?;
-        now.same(Law::Resumes, one.observed_energy, other.observed_energy)?;
-        now.same(Law::Resumes, one.alpha, other.alpha)?;
-        now.same(Law::Resumes, one.shortfall, other.shortfall)?;
-        if running.state() != restored.state() {
-            return Err(broken(one.observed_energy));
-        }
+        let told = resumes(Tick(tick), stabilizer, &mut running, &sample, effort);
+        told.map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
+}
+
+fn resumes<V: Signal, S: Stabilizer<V> + Snapshot + Clone>(
+    now: Tick,
+    fresh: &S,
+    running: &mut S,
+    sample: &PortSample<V>,
+    effort: V,
+) -> Result<(), Violation> {
+    let Ok(mut restored) = fresh.clone().restored(running.state()) else {
+        let taken = <V::Scalar as Scalar>::Mask::of(false);
+        return now.told(quantity::RESTORED).holds::<V::Scalar>(Law::Resumes, taken);
+    };
+    let (one, other) = (running.stabilize(sample, effort), restored.stabilize(sample, effort));
+    alike(now, Law::Resumes, &one, &other)?;
+    now.told(quantity::SHORTFALL).same(Law::Resumes, one.shortfall, other.shortfall)?;
+    let remembered = <V::Scalar as Scalar>::Mask::of(running.state() == restored.state());
+    now.told(quantity::NEXT_STATE).holds::<V::Scalar>(Law::Resumes, remembered)
 }

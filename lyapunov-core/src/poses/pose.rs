@@ -25,6 +25,15 @@ use crate::{Scalar, Signal};
 /// assert!((pose.point(Vector3::new(0.1, 0.0, 0.0)) - Vector3::new(1.0, 0.1, 0.0)).norm() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Scalar + serde::Serialize",
+        deserialize = "T: Scalar + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Pose<T> {
     /// Position of the reference point in the world, m.
     pub position: Vector3<T>,

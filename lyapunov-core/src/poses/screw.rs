@@ -36,11 +36,21 @@ use crate::{Angle, Axes, Pose, Scalar, Signal, WorldAxes};
 /// assert!((seen.moving(&start).position - end.position).norm() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Scalar + serde::Serialize",
+        deserialize = "T: Scalar + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Screw<T, F = WorldAxes> {
     /// The part of translation.
     pub translation: Vector3<T>,
     /// The part of rotation.
     pub rotation: Vector3<T>,
+    #[cfg_attr(feature = "serde", serde(skip))]
     axes: PhantomData<F>,
 }
 

@@ -39,6 +39,15 @@ use crate::{Axes, Pose, Scalar, Screw, Signal, WorldAxes};
 /// assert!((effort.rotation.x - 2.0 * 0.5_f64.sin()).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Scalar + serde::Serialize",
+        deserialize = "T: Scalar + serde::Deserialize<'de>"
+    ))
+)]
 pub struct WithPose<T, F = WorldAxes> {
     /// The part that efforts act on.
     pub screw: Screw<T, F>,

@@ -5,6 +5,7 @@ mod memory;
 
 pub use clock::{Clocked, Steady};
 
+use crate::scalar::same_lanes;
 use crate::{
     Differenced, LowPassed, Mask, ParameterError, PortSample, Requirement, Scalar, Signal,
     Snapshot, VelocityEstimator, Windowed,
@@ -20,7 +21,9 @@ use memory::Memory;
 /// let reading = Reading { position, applied };
 /// # let _ = reading;
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Reading<V> {
     /// Position now, m.
     pub position: V,
@@ -29,7 +32,9 @@ pub struct Reading<V> {
 }
 
 /// Reading of a device that measures its velocity as well.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MovingReading<V> {
     /// Position now, m.
     pub position: V,
@@ -51,6 +56,16 @@ pub struct MovingReading<V> {
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "PortSample<V>: serde::Serialize, <V::Scalar as Scalar>::Mask: serde::Serialize",
+        deserialize = "PortSample<V>: serde::Deserialize<'de>, \
+                       <V::Scalar as Scalar>::Mask: serde::Deserialize<'de>"
+    ))
+)]
 pub struct CheckedSample<V: Signal> {
     /// The sample, for a controller and a stabilizer. Where the reading was not accepted it stands still at the last
     /// position, and its work is NaN, so that a stabilizer rejects it.
@@ -63,6 +78,17 @@ pub struct CheckedSample<V: Signal> {
     pub late: <V::Scalar as Scalar>::Mask,
     /// Whether the time could be used; always true of a fixed period.
     pub timed: bool,
+}
+
+impl<V: Signal> PartialEq for CheckedSample<V> {
+    fn eq(&self, other: &Self) -> bool {
+        let same = same_lanes::<V::Scalar>;
+        self.sample == other.sample
+            && same(self.accepted, other.accepted)
+            && same(self.jumped, other.jumped)
+            && same(self.late, other.late)
+            && self.timed == other.timed
+    }
 }
 
 /// Velocities measured by the device: those of [`MovingReading`]s.
