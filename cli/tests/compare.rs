@@ -272,7 +272,7 @@ fn the_family_takes_part_by_name() {
     assert!(table.lines().all(narrow), "{table}");
     for member in StabilizerName::ALL {
         let rows = table.lines().filter(|line| line.split(' ').next() == Some(member.name()));
-        assert_eq!(rows.count(), 2, "{member}: {table}");
+        assert_eq!(rows.count(), 3, "{member}: {table}");
     }
 
     let rows = |names: &str| {
@@ -289,4 +289,22 @@ fn the_family_takes_part_by_name() {
     refused(&[&scene, &"--stabilizers", &"tnk"], &["`tnk`", "did you mean `tank`?", "popc-rising"]);
     refused(&[&scene, &"--stabilizers", &"popc,popc"], &["`popc` is named twice"]);
     refused(&[&scene, &"--stabilizers", &"none,all"], &["`all` stands by itself"]);
+}
+
+#[test]
+fn every_key_is_on_its_page_and_broken_loops_are_counted() {
+    let (one, other) = (shipped("paper-50k-popc.toml"), shipped("press-1khz.toml"));
+    let output = compare(&[&one, &other, &"--json"]);
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let page = include_str!("../../docs/compare.md");
+    let objects = [&document, &document["rows"][0], &document["scenes"][0], &document["broken"][0]];
+    for key in objects.iter().flat_map(|it| it.as_object().unwrap().keys()) {
+        assert!(page.contains(&format!("`{key}`")), "docs/compare.md lacks `{key}`");
+    }
+    // Neither scene is stable alone.
+    let counts = document["broken"].as_array().unwrap();
+    assert_eq!(counts.len(), 5);
+    assert!(counts.iter().all(|row| row["stable_alone"] == 0 && row["broke"] == 0));
+    assert!(text(&compare(&[&one, &other]).stdout).contains("all scenes"));
+    assert!(!text(&compare(&[&one]).stdout).contains("all scenes"));
 }

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use lyapunov_lab::Scene;
-use lyapunov_lab::scene::Stabilizer;
 use lyapunov_lab::scenes::SCENES;
 use serde_json::Value;
 
@@ -55,11 +54,7 @@ fn every_command_says_the_same_of_every_shipped_scene() {
         if scene.dimensions() > 1 {
             continue;
         }
-        let name = match scene.stabilizer {
-            None => "none",
-            Some(Stabilizer::Popc(_)) => "popc",
-            Some(Stabilizer::Lolc(_)) => "lolc",
-        };
+        let name = scene.stabilizer.map_or("none", |stabilizer| stabilizer.name());
         assert_eq!(told(&lyapunov(&["explain", &file, "--json"])), run, "explain {file}");
         let compared = lyapunov(&["compare", &file, "--stabilizers", name, "--json"]);
         let of_compare = [&compared["rows"][0]["verdict"], &compared["scenes"][0]["verdict_by"]];

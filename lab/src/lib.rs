@@ -50,7 +50,8 @@ pub mod teleoperation {
 }
 
 // Simulation.
-pub use simulate::building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
+pub use simulate::building::{AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Space};
+pub use simulate::ensemble::{Constant, Ensemble, Moves};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;
 pub use simulate::row::Row;
@@ -63,7 +64,9 @@ pub use show::csv::{COLUMNS, Csv};
 pub use show::output_error::OutputError;
 
 // Studies, one for each command.
-pub use studies::{accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes};
+pub use studies::{
+    accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes, tune,
+};
 
 // Names of other crates that the interface above uses.
 #[doc(no_inline)]

@@ -13,3 +13,4 @@ mod map;
 mod models;
 mod shipped;
 mod teleoperation;
+mod tune;

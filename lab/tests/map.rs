@@ -4,7 +4,8 @@ use lyapunov_lab::bound::Limits;
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::map::{
-    BasicName, Bounds, Grid, Instructions, Kernel, Lanes, Measures, Outcome, OverExact, Run, Survey,
+    BasicName, Bounds, Grid, Instructions, Kernel, Lanes, Measures, Outcome, OverExact, Rendered,
+    Run, Survey,
 };
 use lyapunov_lab::{Scene, Verdict, Yardstick};
 use proptest::prelude::*;
@@ -137,6 +138,10 @@ fn cells_are_what_the_comparison_says() {
                     assert_eq!(it.energy_injected, score.energy_injected.map(|it| it + 0.0));
                     assert_eq!(it.energy_taken, score.energy_taken);
                     assert_eq!((it.active, it.chatter), (score.active, score.chatter));
+                    assert_eq!(it.energy_given, score.energy_given);
+                    assert_eq!(it.energy_given_beyond_damper, score.energy_given_beyond_damper);
+                    assert_eq!(it.force_felt, score.force_felt);
+                    assert_eq!(it.stiffness_felt, score.stiffness_percent);
                 }
             }
         }
@@ -278,4 +283,98 @@ fn stiffnesses_beyond_the_edge_count_as_the_edge() {
     assert_eq!(told_of(&x, &within), over(8000.0, true));
     // A map that begins beyond the bound shows what holds there.
     assert_eq!(told(&hard, [1, 1, 1]), over(20_000.0, false));
+}
+
+/// The survey of a map of `grid`.
+fn surveyed(grid: &Grid) -> Survey {
+    let mut survey = Survey::of(grid);
+    for (cell, outcomes) in (0..).zip(outcomes(grid, false, 2)) {
+        survey.add(cell, &outcomes);
+    }
+    survey
+}
+
+fn named(name: &str) -> StabilizerName {
+    name.parse().unwrap()
+}
+
+/// A law whose device can pay for next to nothing keeps every cell calm by rendering no wall.
+#[test]
+fn what_renders_no_wall_does_not_head_the_map() {
+    let names = [named("energy-bounding"), BasicName::NoStabilizer.into(), BasicName::Popc.into()];
+    let x = format!("{STIFFNESS}=500..9000:5");
+    let survey =
+        surveyed(&grid("duration = 2.0\n", &x, "environment.wall.damping=0..20:3", &names));
+    let share = |index: usize| survey.bounded(index).share.unwrap();
+    let rendered = |index: usize| survey.rendered(index).percent.unwrap();
+    assert!(share(0) == 1.0 && share(1) < 0.7 && share(2) == 1.0);
+    assert!(rendered(0) < 1.0 && rendered(1) > 10.0 && rendered(2) > 70.0);
+    assert_eq!(survey.ranking(), [2, 1, 0]);
+    // It is what it claims to be: nothing is given beyond the device's damper.
+    let bounding = survey.rendered(0);
+    assert!(bounding.energy_given_beyond_damper.unwrap() < 1e-12, "{bounding:?}");
+    assert!(survey.rendered(2).energy_given_beyond_damper.unwrap() > 0.1);
+}
+
+#[test]
+fn a_map_counts_what_is_rendered_and_what_is_broken() {
+    let names = [named("tank"), BasicName::NoStabilizer.into()];
+    let grid_of = |names: &[StabilizerName]| {
+        grid("", &format!("{STIFFNESS}=500..9000:4"), "environment.wall.damping=0..20:2", names)
+    };
+    let told = |verdict| Outcome {
+        verdict,
+        verdict_by: Yardstick::Distance,
+        measures: Measures::default(),
+    };
+    let cell = |verdict, force, stiffness, given| Outcome {
+        measures: Measures {
+            force_felt: force,
+            stiffness_felt: stiffness,
+            energy_given: Some(given),
+            energy_given_beyond_damper: Some(0.5 * given),
+            ..Measures::default()
+        },
+        ..told(verdict)
+    };
+    let lost = told(Verdict::Grows);
+    let bare = cell(Verdict::Swinging, Some(98.0), None, 0.0);
+    let rows = [
+        (cell(Verdict::Swinging, Some(90.0), Some(80.0), 1.0), lost),
+        (cell(Verdict::Swinging, Some(350.0), None, 3.0), bare),
+        (cell(Verdict::Swinging, Some(-5.0), Some(60.0), 2.0), bare),
+        (cell(Verdict::Swinging, None, None, 0.0), bare),
+        (lost, bare),
+        (lost, lost),
+        // A cell that is too short to judge is measured all the same.
+        (
+            cell(Verdict::TooShort, Some(10.0), None, 9.0),
+            cell(Verdict::TooShort, Some(90.0), None, 1.0),
+        ),
+        (lost, bare),
+    ];
+    let grid = grid_of(&names);
+    let mut survey = Survey::of(&grid);
+    for (number, (tank, none)) in (0..).zip(rows) {
+        survey.add(number, &[tank, none]);
+    }
+    let tank = Rendered {
+        percent: Some((90.0 + 100.0) / 7.0),
+        force_felt: Some((90.0 + 100.0 + 0.0 + 10.0) / 4.0),
+        stiffness_felt: Some(70.0),
+        energy_given: Some(9.0),
+        energy_given_beyond_damper: Some(4.5),
+        broke: Some(2),
+    };
+    assert_eq!(survey.rendered(0), tank);
+    assert_eq!(survey.rendered(1).percent, Some(5.0 * 98.0 / 7.0));
+    assert_eq!(survey.rendered(1).broke, Some(0));
+    assert_eq!(survey.ranking(), [1, 0]);
+
+    // Without `none` nobody knows what is bounded alone; without a force the bounded share ranks.
+    let mut survey = Survey::of(&grid_of(&[BasicName::Popc.into(), named("tank")]));
+    let calm = told(Verdict::Settles);
+    survey.add(0, &[lost, calm]);
+    assert_eq!(survey.rendered(0), Rendered::default());
+    assert_eq!(survey.ranking(), [1, 0]);
 }

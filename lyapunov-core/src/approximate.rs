@@ -9,7 +9,9 @@
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
-use crate::{AdmittanceSample, Correction, DoubleDouble, PortSample, Scalar, Signal, State};
+use crate::{
+    AdmittanceSample, Axes, Correction, DoubleDouble, PortSample, Scalar, Screw, Signal, State,
+};
 
 /// Implementation of `approx`'s three traits for a type whose fields all have them, with the tolerance of the first
 /// bound.
@@ -89,6 +91,7 @@ approximate!(impl[V: Signal] Correction<V>, of V, V::Scalar {
     effort, observed_energy, alpha, shortfall; same Correction::accepted_alike
 });
 approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
+approximate!(impl[T: Scalar, F: Axes] Screw<T, F>, of T { translation, rotation });
 
 /// Tolerances are `f64`, whose range reaches far below the last digit.
 impl AbsDiffEq for DoubleDouble {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::Scalar;
+use crate::{Scalar, Signal};
 
 /// Rejected parameter: its name, its value and what would be right.
 ///
@@ -62,6 +62,35 @@ impl Requirement {
         match (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(lane)) {
             Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(value),
+        }
+    }
+}
+
+impl Requirement {
+    /// `signal` if every lane of every axis is right.
+    ///
+    /// ```
+    /// use lyapunov_core::Requirement;
+    /// use nalgebra::Vector2;
+    /// let refused = Requirement::NonNegative.check_axes("weight", Vector2::new(1.0, -0.5)).unwrap_err();
+    /// assert_eq!(refused.value, -0.5);
+    /// ```
+    ///
+    /// # Errors
+    /// A [`ParameterError`] that names `parameter` and the first value that is not right.
+    pub fn check_axes<V: Signal>(
+        self,
+        parameter: &'static str,
+        signal: V,
+    ) -> Result<V, ParameterError> {
+        let mut refused = None;
+        let _ = signal.map(|axis| {
+            refused = refused.or(self.check(parameter, axis).err());
+            axis
+        });
+        match refused {
+            Some(error) => Err(error),
+            None => Ok(signal),
         }
     }
 }

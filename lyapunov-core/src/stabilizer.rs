@@ -2,7 +2,7 @@
 
 use crate::{Correction, OnePort, PortSample, Signal};
 
-/// Stabilizer: it watches a port and corrects its effort just enough, just in time, to keep the loop bounded.
+/// Stabilizer: it watches a port and corrects its effort, so that the loop stays bounded.
 ///
 /// Impedance causality: motion comes in, effort goes out. For admittance causality give it an
 /// [`AdmittanceSample`](crate::AdmittanceSample) as the sample and a flow as the effort; it then adds a velocity in
@@ -39,6 +39,18 @@ impl<P, S, V: Signal> Stabilized<P, S, V> {
     #[inline(always)]
     pub fn port(&self) -> &P {
         &self.port
+    }
+
+    /// The stabilizer in front of it.
+    #[inline]
+    pub fn stabilizer(&self) -> &S {
+        &self.stabilizer
+    }
+
+    /// The stabilizer in front of it, to be changed between ticks.
+    #[inline]
+    pub fn stabilizer_mut(&mut self) -> &mut S {
+        &mut self.stabilizer
     }
 }
 

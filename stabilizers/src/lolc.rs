@@ -2,9 +2,10 @@
 
 use lyapunov_core::{
     Accumulator, Correction, Held, Ledger, LyapunovCandidate, Mask, Observer, ParameterError,
-    Plain, PortSample, Requirement, Sampled, Scalar, Signal, Stabilizer, Work,
+    Plain, PortSample, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilizer, Work,
 };
 
+use crate::account::account;
 use crate::{DampingLimit, LimitCredit};
 
 /// Lyapunov observer/controller of Jafari, Etoundi and Chong.
@@ -17,7 +18,9 @@ use crate::{DampingLimit, LimitCredit};
 /// The served energy is `L + α v² T`. Served energy plus shortfall is never negative, and the served energy is never
 /// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
 /// few units in the last place, so that this holds exactly for a reader who recomputes it as `α · ((v · v) · T)`, as
-/// long as `α` and that product are normal numbers.
+/// long as `α` and that product are normal numbers. These are identities of bookkeeping: the shortfall is what is
+/// missing, and a tick may bring any debt. A run with `L ≥ 0` on every tick is one whose port gave no more than it took
+/// and was credited; that every run is like this is not promised.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
 /// code. A sample is rejected where `L`, `v² T` and the corrected effort do not add up to a finite number: the effort
@@ -25,12 +28,13 @@ use crate::{DampingLimit, LimitCredit};
 /// finite, as the past that the sample reports did happen.
 ///
 /// ```
-/// use lyapunov_core::{Dissipation, PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{Dissipation, HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Lolc};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T
 /// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper dissipates
 /// let mut lolc = Lolc::new(candidate, limit);
-/// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// let sample = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 }.sample();
 /// let correction = lolc.stabilize(&sample, 0.5);
 /// assert!(correction.observed_energy < 0.0 && correction.effort > 0.5 && correction.shortfall == 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -68,17 +72,20 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// The same stabilizer with `energy` more joules of stored credit: a budget for the energy stored at the start.
     ///
     /// A loop that starts from rest in a compressed spring gives that energy away without having absorbed it first.
-    /// With `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and `L ≥ 0` bounds the energy that the port gives by `E₀`.
+    /// With `E₀ = V(x₀)` credited, `L(n) = E₀ + Σ −ΔV`, and where `L ≥ 0` the port has given at most `E₀`.
     /// Credit for an energy that the port does not store only delays the controller.
     ///
     /// # Errors
     /// `energy` below 0, infinite or NaN.
     ///
     /// ```
-    /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+    /// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
     /// use lyapunov_stabilizers::{DampingLimit, Popc};
     /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
-    /// let sample = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // a spring pushes out: it gives 0.2 mJ
+    /// // a spring pushes out: it gives 0.2 mJ
+    /// let sample = HeldTick {
+    ///     period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0
+    /// }.sample();
     /// assert!({ popc }.stabilize(&sample, 2.0).alpha > 0.0);
     /// assert_eq!(popc.budgeted(1e-3)?.stabilize(&sample, 2.0).alpha, 0.0);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -97,13 +104,44 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     }
 }
 
-impl<T, C, W, A> Lolc<T, C, W, A> {
-    pub(crate) fn candidate(&self) -> &C {
+impl<T: Copy, C, W, A> Lolc<T, C, W, A> {
+    /// The candidate.
+    #[inline]
+    pub fn candidate(&self) -> &C {
         &self.observer.candidate
     }
 
-    pub(crate) fn candidate_mut(&mut self) -> &mut C {
+    /// The candidate, to be changed between ticks.
+    ///
+    /// What was summed stays, and from the next tick on the decrease of the changed one is added. `L ≥ 0` then bounds
+    /// what the sum of both says, each over its time; a term that credits more from now on weakens the bound from now on.
+    #[inline]
+    pub fn candidate_mut(&mut self) -> &mut C {
         &mut self.observer.candidate
+    }
+
+    /// The largest damping that is injected.
+    #[inline]
+    pub fn limit(&self) -> DampingLimit<T> {
+        self.limit
+    }
+
+    /// Changes the limit between ticks, as where the period or the moving mass changes.
+    ///
+    /// It changes no sum. With a debt open, a smaller limit serves it more slowly and reports the rest as shortfall, and
+    /// one of 0 only observes it; the debt stays. A limit that is too large for the period adds energy.
+    ///
+    /// ```
+    /// use lyapunov_core::PortEnergy;
+    /// use lyapunov_stabilizers::{DampingLimit, Popc};
+    /// let mut popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+    /// popc.set_limit(DampingLimit::of_mass(0.5, 0.2, 0.5e-3)?); // the loop runs at 2 kHz now
+    /// assert_eq!(popc.limit().most(), 200.0);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    #[inline]
+    pub fn set_limit(&mut self, limit: DampingLimit<T>) {
+        self.limit = limit;
     }
 }
 
@@ -189,5 +227,19 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         };
         self.observer.ledger = before;
         Correction { accepted, ..self.correct(sound) }
+    }
+}
+
+account!(impl[T: Scalar, C, W: Work, A: Accumulator<T>] Lolc<T, C, W, A>, in T, is observer.ledger);
+
+impl<T: Scalar, C: Snapshot, W: Work, A: Snapshot> Snapshot for Lolc<T, C, W, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
     }
 }

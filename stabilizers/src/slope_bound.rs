@@ -2,7 +2,7 @@
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -21,10 +21,12 @@ use crate::StabilizerExt;
 /// over displacement, a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller
 /// would brake all, and this does nothing. So the port is not passive. It is bounded where what moves dissipates more
 /// than that, which a linear damper does at every size of the swing or at none: a hand and device of the damping `b`
-/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. For a wall, whose force does not decrease
-/// with the position, no such loop is there, only the hold's leak of `μ Δx² / 2` a tick: a device damping of
-/// `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
-/// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness).
+/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. A linear wall makes no such loop, nor
+/// does a force with a slope within 0 and `μ`: there is only the hold's leak of `μ Δx² / 2` a tick, and a device damping
+/// of `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
+/// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness). For a linear wall `F² / (2 μ)` is a storage of port
+/// and damper if it is stiffer than `μ`, and the spring's own energy if it is softer. A wall that is steep at first and
+/// then flat does make one, with a long step in and short ones out.
 ///
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A
 /// creep of `ρ` N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
@@ -38,11 +40,13 @@ use crate::StabilizerExt;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::SlopeBound;
 /// let mut bound = SlopeBound::of_damping(0.5, 1e-3)?; // μ = 2 b / T = 1 kN/m
 /// bound.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let pressed = PortSample::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let pressed = HeldTick {
+///     period: 1e-3, position: 0.1e-3, velocity: 0.1, displacement: 0.1e-3, applied: 0.0
+/// }.sample();
 /// let effort: f64 = bound.stabilize(&pressed, 5.0).effort; // 50 kN/m
 /// assert_abs_diff_eq!(effort, 0.1, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -127,5 +131,20 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+impl<V: Signal, A: Snapshot> Snapshot for SlopeBound<V, A> {
+    /// The effort that was asked for and the one held back, N, and the energy.
+    type State = (Option<V>, V, A::State);
+
+    fn state(&self) -> Self::State {
+        (self.asked, self.held, self.energy.state())
+    }
+
+    fn restored(self, (asked, held, energy): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored effort", asked.unwrap_or(held))?;
+        let held = Requirement::Finite.check_axes("stored effort", held)?;
+        Ok(Self { asked, held, energy: self.energy.restored(energy)?, ..self })
     }
 }

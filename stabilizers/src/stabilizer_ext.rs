@@ -4,12 +4,12 @@ use lyapunov_core::{ParameterError, Scalar, Signal};
 
 use crate::{
     BoundedCredit, ContactReset, LimitCredit, Lolc, PerAxis, RateLimit, SoftStart, Spread,
-    VelocityThreshold,
+    VelocityThreshold, Watchdog, WatchdogTimes,
 };
 
 /// Adaptors of a stabilizer, chained like iterator adaptors; an adaptor that is absent costs nothing.
 ///
-/// First come the adaptors that limit the credit, then those that shape the correction:
+/// First come the adaptors that limit the credit, then those that shape the correction, then a watchdog:
 ///
 /// ```
 /// use lyapunov_core::PortEnergy;
@@ -77,6 +77,18 @@ pub trait StabilizerExt: Sized {
         rate: V::Scalar,
     ) -> Result<RateLimit<Self, V>, ParameterError> {
         RateLimit::new(self, rate)
+    }
+
+    /// The same stabilizer, which holds its last effort without sound samples and then lets go, and whose environment
+    /// rises at the start; outermost.
+    ///
+    /// # Errors
+    /// `hold` below 0 or NaN; `rise` below 0, infinite or NaN.
+    fn watched<V: Signal>(
+        self,
+        times: WatchdogTimes<V::Scalar>,
+    ) -> Result<Watchdog<Self, V>, ParameterError> {
+        Watchdog::new(self, times)
     }
 }
 

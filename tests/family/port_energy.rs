@@ -1,12 +1,12 @@
-//! Energy bound of a port: it gives no more than its budget and the reported shortfall,
-//! `E₀ + Σ −ΔV + α v² T + shortfall ≥ 0`, by a sum of the test's own.
+//! Account of a port: `E₀ + Σ −ΔV + α v² T + shortfall ≥ 0`, by a sum of the test's own. It checks that a debt is told, and
+//! not that there is none.
 
 use proptest::prelude::any;
 use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
+    HeldTick, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
     accumulators::Plain,
     candidates::Gate,
     stabilizers::{
@@ -44,7 +44,9 @@ fn holds<V: Signal>(
         let moved = if still { V::zero() } else { dice.signal(strength) };
         position = position + moved;
         let velocity = moved.map(|it| it / of(PERIOD));
-        let sample = PortSample::new(of(PERIOD), position, velocity, moved, applied);
+        let sample =
+            HeldTick { period: of(PERIOD), position, velocity, displacement: moved, applied }
+                .sample();
         let works = sample.work.map(Scalar::magnitude).sum().lane(0);
         let credited = credit(&sample);
         account += sample.work.sum().lane(0) + credited;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    OnePort, Popc, PortSample, Scalar, Stabilizer,
+    HeldTick, OnePort, Popc, PortSample, Scalar, Stabilizer,
     environments::{Spring, Wall},
     stabilizers::SlopeBound,
 };
@@ -23,7 +23,14 @@ fn bound() -> SlopeBound<f64> {
 fn run(mut bound: SlopeBound<f64>, ticks: &[(f64, f64)]) -> Vec<f64> {
     let mut last = ticks[0].0;
     let follow = |&(position, effort): &(f64, f64)| {
-        let sample = PortSample::new(PERIOD, position, 0.0, position - last, 0.0);
+        let sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: 0.0,
+            displacement: position - last,
+            applied: 0.0,
+        }
+        .sample();
         last = position;
         bound.stabilize(&sample, effort).effort
     };
@@ -38,7 +45,14 @@ fn changes_are_in_the_sector_or_towards_nothing() {
     bound.stabilize(&PortSample::starting(PERIOD, before, before), before);
     for _ in 0..20_000 {
         let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(5.0));
-        let sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, before);
+        let sample = HeldTick {
+            period: PERIOD,
+            position: Vector3::zeros(),
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: before,
+        }
+        .sample();
         let force = bound.stabilize(&sample, asked).effort;
         for axis in 0..3 {
             let (change, most) = (force[axis] - before[axis], SLOPE * moved[axis]);
@@ -64,8 +78,14 @@ fn what_is_in_the_sector_passes() {
         let (mut dice, mut position) = (Dice::of(4), T::of(2e-3));
         for _ in 0..100_000 {
             let next = T::of(dice.within(3e-3));
-            let sample =
-                PortSample::new(T::of(PERIOD), next, T::of(0.0), next - position, T::of(0.0));
+            let sample = HeldTick {
+                period: T::of(PERIOD),
+                position: next,
+                velocity: T::of(0.0),
+                displacement: next - position,
+                applied: T::of(0.0),
+            }
+            .sample();
             position = next;
             let asked = T::of(0.9 * SLOPE) * position;
             assert_eq!(bound.stabilize(&sample, asked).effort, asked);
@@ -138,6 +158,51 @@ fn what_it_may_cost_and_what_bounds_it() {
     let (below, above) = (pumped(0.8 * balance), pumped(1.25 * balance));
     assert!(below.0 <= 1e-3 && below.1 < 1e-5, "{below:?} m");
     assert!(above.1 > 0.1, "{above:?} m");
+}
+
+/// The least of `Σ F Δx + b Δx² / T` over a motion of these steps before a wall `force`, with `b = μ T / 2`.
+fn least_with_damper(force: impl Fn(f64) -> f64, steps: &[f64]) -> f64 {
+    let (mut bound, mut position, mut energy, mut least) = (bound(), 0.0, 0.0, 0f64);
+    let mut held = bound.stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), force(0.0)).effort;
+    for step in steps {
+        energy += held * step + 0.5 * SLOPE * step * step;
+        least = least.min(energy);
+        position += step;
+        let sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: step / PERIOD,
+            displacement: *step,
+            applied: held,
+        }
+        .sample();
+        held = bound.stabilize(&sample, force(position)).effort;
+    }
+    least
+}
+
+#[test]
+fn port_and_damper_give_nothing_before_a_linear_wall_whatever_the_motion() {
+    for (seed, stiffness) in
+        (0..400).zip([0.5, 1.0, 1.7, 10.0, 1e4].map(|it| it * SLOPE).into_iter().cycle())
+    {
+        let mut dice = Dice::of(seed);
+        let steps: Vec<f64> =
+            (0..200).map(|_| dice.within(1e-3) * 10f64.powf(dice.within(1.0) - 1.0)).collect();
+        let least = least_with_damper(|x| (stiffness * x).max(0.0), &steps);
+        assert!(least >= -1e-15, "{least:e} J at {stiffness} N/m, seed {seed}");
+    }
+}
+
+/// In at once over `X` under no force, which is then `μ X` all the way out: `μ X²` for a damper that took half of it.
+#[test]
+fn a_wall_that_is_steep_and_then_flat_makes_a_loop() {
+    let (depth, count) = (1e-3, 100);
+    let out = -depth / f64::from(count);
+    let steps = [&[depth][..], &vec![out; count as usize]].concat();
+    let flat = |x: f64| (1e6 * x).clamp(0.0, 1.0);
+    let expected = -SLOPE * depth * depth * (0.5 - 0.5 / f64::from(count));
+    assert_abs_diff_eq!(least_with_damper(flat, &steps), expected, epsilon = 1e-9 * SLOPE * depth);
 }
 
 /// A held spring that the device's own damper makes passive needs no help: POPC, which does not know the damper, corrects it

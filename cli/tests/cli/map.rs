@@ -42,7 +42,7 @@ fn a_map_is_the_same_whole_in_shards_and_on_any_threads() {
         assert_eq!(place.text(&format!("merged/{file}")), place.text(&format!("whole/{file}")));
     }
     let page = place.text("whole/report.html");
-    assert!(page.contains("Which runs settle") && page.matches("<figure").count() == 7);
+    assert!(page.contains("Which runs settle") && page.matches("<figure").count() == 11);
     let json: serde_json::Value = serde_json::from_str(&place.text("whole/map.json")).unwrap();
     assert_eq!(json["cells"], 45);
     assert_eq!(json["rollout_steps"], 45 * 3 * 151);
@@ -248,4 +248,25 @@ fn a_full_disk_loses_nothing() {
     assert_eq!(place.text("out/map.csv"), "an earlier map");
     let part = place.text("out/map.part.csv");
     assert_eq!(part.lines().filter(|line| !line.starts_with('#')).count(), 1 + 9 * 5 * 3);
+}
+
+#[test]
+fn every_key_of_a_map_is_on_its_page() {
+    let place = place();
+    place.run(axes(&["--out", "out"])).ended(0, &["the most rendered first", "judged by"]);
+    let page = include_str!("../../../docs/map.md");
+    let json: serde_json::Value = serde_json::from_str(&place.text("out/map.json")).unwrap();
+    let (top, area) = (json.as_object().unwrap(), json["areas"][0].as_object().unwrap());
+    let text = place.text("out/map.csv");
+    let head = text.lines().find(|line| !line.starts_with('#')).unwrap();
+    let measures = head.split(',').skip(3);
+    let keys = top.keys().chain(area.keys()).map(String::as_str).chain(measures);
+    for key in keys.filter(|key| !["not_deterministic", "stabilizer"].contains(key)) {
+        assert!(page.contains(&format!("`{key}`")), "docs/map.md lacks `{key}`");
+    }
+    let ranks: Vec<u64> =
+        json["areas"].as_array().unwrap().iter().map(|it| it["rank"].as_u64().unwrap()).collect();
+    let mut sorted = ranks.clone();
+    sorted.sort_unstable();
+    assert_eq!(sorted, [1, 2, 3]);
 }

@@ -46,8 +46,12 @@ fn map(c: &mut Criterion) {
                 let kernel = kernel(scalar, lanes, set);
                 let id =
                     if index == 0 { scalar.to_owned() } else { format!("{scalar}/{}", set.name()) };
-                group.bench_function(BenchmarkId::new(name, id), |b| {
+                group.bench_function(BenchmarkId::new(name, &id), |b| {
                     b.iter(|| kernel.verdicts(BasicName::Lolc, &cells, &|| true));
+                });
+                let measures = BenchmarkId::new(format!("measures-{name}"), id);
+                group.bench_function(measures, |b| {
+                    b.iter(|| kernel.measures(BasicName::Lolc, &cells, &|| true));
                 });
             }
         }

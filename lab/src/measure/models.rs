@@ -6,6 +6,7 @@ use super::trace::Trace;
 use super::verdict::{Findings, Verdict};
 use crate::files::models::Model;
 use crate::simulate::models::{Entrant, Tick};
+use crate::text::names::Named;
 
 /// The largest V of a run that does not grow, as a multiple of V at the start: 4, which is twice as far from rest where V
 /// is quadratic.

@@ -8,6 +8,7 @@ use super::trace::Trace;
 use super::verdict::{Findings, Verdict};
 use crate::files::teleoperation::Teleoperator;
 use crate::simulate::teleoperation::{Entrant, Tick};
+use crate::text::names::Named;
 
 /// The largest energy in the two devices, the hand's spring and the wall of a run that does not grow, as a multiple of the
 /// hand's energy at the start: 4, which is twice as far or as fast.
@@ -33,6 +34,24 @@ const ACTIVE: f64 = 1e-9;
 /// Millimetres per metre, millijoules per joule.
 const MILLI: f64 = 1e3;
 
+/// Mean of what was added.
+#[derive(Debug, Default)]
+struct Mean {
+    sum: f64,
+    count: f64,
+}
+
+impl Mean {
+    fn add(&mut self, value: f64) {
+        self.sum += value;
+        self.count += 1.0;
+    }
+
+    fn get(&self) -> f64 {
+        self.sum / self.count
+    }
+}
+
 /// All measures along a run.
 #[derive(Debug)]
 pub(crate) struct Meter<'a> {
@@ -44,7 +63,10 @@ pub(crate) struct Meter<'a> {
     speed: f64,
     error: f64,
     felt: f64,
+    late: Mean,
     contact: f64,
+    touch: Option<f64>,
+    taken: f64,
     kept: f64,
     shortfall: f64,
     last: Option<Tick>,
@@ -54,7 +76,7 @@ pub(crate) struct Meter<'a> {
 
 impl<'a> Meter<'a> {
     pub(crate) fn new(file: &'a Teleoperator) -> Self {
-        let [energy, kinetic, speed, error, felt, contact, kept, shortfall] = [0.0; 8];
+        let [energy, kinetic, speed, error, felt, contact, taken, kept, shortfall] = [0.0; 9];
         Self {
             file,
             ticks: 0,
@@ -64,7 +86,10 @@ impl<'a> Meter<'a> {
             speed,
             error,
             felt,
+            late: Mean::default(),
             contact,
+            touch: None,
+            taken,
             kept,
             shortfall,
             last: None,
@@ -80,6 +105,9 @@ impl<'a> Meter<'a> {
         self.slave.add(t, y);
         let (master, slave) = (&self.file.master, &self.file.slave);
         let depth = slave.wall.map_or(0.0, |wall| (y - wall.position.get()).max(0.0));
+        if depth > 0.0 {
+            self.touch.get_or_insert(t);
+        }
         let contact = slave.wall.map_or(0.0, |wall| wall.stiffness.get() * depth);
         let kinetic = master.mass.get() * v * v + slave.mass.get() * w * w;
         let stored = 0.5 * (kinetic + master.hand_stiffness.get() * x * x + contact * depth);
@@ -87,11 +115,13 @@ impl<'a> Meter<'a> {
         // The last tenth of the run.
         if 10 * self.ticks >= 9 * self.file.ticks() {
             self.speed = self.speed.max(v.abs()).max(w.abs());
+            self.late.add(tick.felt);
             self.kinetic = self.kinetic.max(0.5 * kinetic);
         }
         self.error = self.error.max((x - y).abs());
         self.felt = self.felt.max(tick.felt.abs());
         self.contact = self.contact.max(contact);
+        self.taken = self.taken.min(tick.taken);
         self.kept = self.kept.min(tick.kept());
         self.shortfall = self.shortfall.max(tick.shortfall);
         let least = ACTIVE * self.file.stored_at_start();
@@ -121,8 +151,11 @@ impl<'a> Meter<'a> {
             error_end: end(|tick| tick.master[0] - tick.slave[0]),
             drift: end(|tick| tick.command - tick.master[0]),
             felt: told(self.felt),
+            felt_end: told(self.late.get()),
             contact: self.file.slave.wall.and_then(|_| told(self.contact)),
-            kept: told(MILLI * self.kept),
+            touch: self.touch,
+            given: told(MILLI * self.taken.abs()),
+            kept: entrant.is_held_to_the_command().then(|| told(MILLI * self.kept)).flatten(),
             shortfall: told(MILLI * self.shortfall),
             active_master: share(self.active[0]),
             active_slave: share(self.active[1]),
@@ -169,10 +202,20 @@ pub struct Score {
     /// The largest force that the link puts on the master.
     #[serde(rename = "force_felt_n")]
     pub felt: Option<f64>,
+    /// The mean force that the link puts on the master within the last tenth of the run.
+    #[serde(rename = "force_end_n")]
+    pub felt_end: Option<f64>,
     /// The largest force of the wall; `None` without one.
     #[serde(rename = "force_contact_n")]
     pub contact: Option<f64>,
-    /// The least energy that both ports together have absorbed, counting what corrections were about to dissipate.
+    /// The time of the first tick within the wall, s; `None` without one.
+    #[serde(rename = "first_touch_s")]
+    pub touch: Option<f64>,
+    /// The most that the link has given the two devices beyond what it took from them.
+    #[serde(rename = "energy_given_mj")]
+    pub given: Option<f64>,
+    /// The least energy that the master's port and the commanded one together have absorbed, counting what corrections
+    /// were about to dissipate; `None` for an entrant that keeps no account of the commanded port.
     #[serde(rename = "energy_least_mj")]
     pub kept: Option<f64>,
     /// Largest debt of both ends together that a tick could not serve.

@@ -53,6 +53,11 @@ impl Verdict {
         }
     }
 
+    /// Whether the run is bounded; none if it is too short to judge.
+    pub(crate) fn judged(self) -> Option<bool> {
+        (self != Self::TooShort).then(|| self.is_bounded())
+    }
+
     /// Whether the run settles or is swinging.
     pub const fn is_bounded(self) -> bool {
         matches!(self, Self::Settles | Self::Swinging)

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::described;
-use crate::files::scene::{Candidate, Cap, Ledger, Lolc, Popc, Scalar, Stabilizer, Velocity, Work};
+use crate::files::scene::{Scalar, Velocity};
 use crate::text::{folded, found, given, listed};
 
 use crate::measure::summary::MILLI;
@@ -134,21 +134,7 @@ impl Summary {
             write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
         }
         write_list("operator", &described::operator(scene), f)?;
-        match scene.stabilizer {
-            None => f.write_str("\n  stabilizer   none")?,
-            Some(Stabilizer::Popc(Popc { work, ledger, damping_cap })) => {
-                write!(f, "\n  stabilizer   POPC: {}", Booking(work, ledger, damping_cap))?;
-            }
-            Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })) => {
-                let candidate = match candidate {
-                    Candidate::MassSpringDamper => "mass-spring-damper",
-                    Candidate::DeviceDamping => "device-damping",
-                    Candidate::Spring => "spring",
-                };
-                let booking = Booking(work, ledger, damping_cap);
-                write!(f, "\n  stabilizer   LOLC: {candidate}, {booking}")?;
-            }
-        }
+        write!(f, "\n{}", described::stabilizer(scene))?;
         write_list("effects", &described::effects(scene), f)
     }
 
@@ -177,24 +163,4 @@ fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt:
         return Ok(());
     }
     write!(f, "\n{}", listed(&format!("  {name:<13}"), things))
-}
-
-/// Work, ledger and damping cap of a stabilizer.
-struct Booking(Work, Ledger, Cap);
-
-impl fmt::Display for Booking {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let work = if self.0 == Work::Held { "held" } else { "sampled" };
-        let ledger = match self.1 {
-            Ledger::Plain => "",
-            Ledger::Compensated => ", compensated ledger",
-            Ledger::Wide => ", wide ledger",
-        };
-        let cap = self.2.get();
-        if cap.is_infinite() {
-            write!(f, "{work} work{ledger}, no damping cap")
-        } else {
-            write!(f, "{work} work{ledger}, damping cap {} m / T", given(cap))
-        }
-    }
 }

@@ -2,6 +2,7 @@
 
 use approx::abs_diff_eq;
 use lyapunov_lab::Verdict;
+use lyapunov_lab::compare::Named;
 use lyapunov_lab::models::{Entrant, Model, Plant, Score};
 
 use crate::models::shipped::{compared, curve, model};
@@ -79,7 +80,7 @@ impl Hand {
 
     fn equals(&self, model: &Model) {
         let comparison = compared(model);
-        for (entrant, score) in Entrant::ALL.into_iter().zip(comparison.scores()) {
+        for (entrant, score) in Entrant::ALL.iter().copied().zip(comparison.scores()) {
             let name = entrant.name();
             let found = self.run(model, entrant);
             let told = curve(&comparison, entrant);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use approx::abs_diff_eq;
 use lyapunov_lab::Verdict;
-use lyapunov_lab::compare::Compared;
+use lyapunov_lab::compare::{Compared, Names};
 use lyapunov_lab::models::{Comparison, Entrant, Model, Score, schema_text};
 use lyapunov_lab::scene::Positive;
 use serde_json::Value;
@@ -29,7 +29,7 @@ pub(crate) fn model(name: &str) -> Model {
 }
 
 pub(crate) fn compared(model: &Model) -> Comparison {
-    Comparison::of("test", model, &|_| ControlFlow::Continue(())).unwrap()
+    Comparison::of("test", model, &Names::default(), &|_| ControlFlow::Continue(())).unwrap()
 }
 
 /// V at every tick under `entrant`.

@@ -1,7 +1,7 @@
 //! The laws of a Lyapunov candidate.
 
 use crate::laws::{Law, Tick, Violation};
-use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
+use crate::{HeldTick, LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Check of a `candidate` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NothingForNothing`](Law::NothingForNothing) and [`Recovers`](Law::Recovers).
@@ -27,7 +27,16 @@ pub fn candidate<V: Signal, C: LyapunovCandidate<V> + Clone>(
 
         let mut shaken = one.clone();
         let nan = V::splat(V::Scalar::of(f64::NAN));
-        shaken.decrease(&PortSample::new(sample.period, nan, nan, nan, nan));
+        shaken.decrease(
+            &HeldTick {
+                period: sample.period,
+                position: nan,
+                velocity: nan,
+                displacement: nan,
+                applied: nan,
+            }
+            .sample(),
+        );
         now.finite(Law::Recovers, shaken.decrease(&sample))?;
     }
     Ok(())

@@ -28,7 +28,9 @@ mod lyapunov_function;
 mod one_port;
 mod plant;
 mod samples;
+mod snapshot;
 mod stabilizer;
+mod velocity_estimator;
 
 pub use adaptor::{Probe, adaptor};
 pub use candidate::candidate;
@@ -39,7 +41,9 @@ pub use lyapunov_function::lyapunov_function;
 pub use one_port::one_port;
 pub use plant::plant;
 pub use samples::Samples;
+pub use snapshot::snapshot;
 pub use stabilizer::{limiter, stabilizer};
+pub use velocity_estimator::velocity_estimator;
 
 use core::fmt;
 
@@ -88,6 +92,8 @@ pub enum Law {
     Slope,
     /// The candidate's decreases sum to the difference of `V`.
     AddsUp,
+    /// A value to which a state was restored goes on as the one it was taken from.
+    Resumes,
 }
 
 impl fmt::Display for Law {
@@ -112,6 +118,7 @@ impl fmt::Display for Law {
             Self::Positive => "V must be above 0 away from rest",
             Self::Slope => "the gradient must be the slope of V",
             Self::AddsUp => "the decreases must sum to the difference of V",
+            Self::Resumes => "a restored state must go on as the one it was taken from",
         })
     }
 }

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
-use super::law::{Law, Motion};
 use crate::files::scene::{Scene, Velocity};
+use crate::measure::law::{Law, Motion};
 use crate::measure::share::{Share, Split};
 use crate::simulate::{Space, Tick};
 

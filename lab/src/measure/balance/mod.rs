@@ -2,7 +2,6 @@
 
 mod account;
 mod body;
-mod law;
 mod trial;
 
 pub use account::Balance;

@@ -6,9 +6,9 @@ use lyapunov::ParameterError;
 
 use super::account::{Account, Balance};
 use super::body::{Body, Masses};
-use super::law::{Law, Motion};
 use crate::files::Scene;
 use crate::measure::fate::Fate;
+use crate::measure::law::{Law, Motion};
 use crate::measure::linear::LinearPart;
 use crate::measure::verdict::{Verdict, Yardstick};
 use crate::simulate::{Rollout, Space};

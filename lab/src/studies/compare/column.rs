@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use super::score::Score;
 use crate::show::table::Cell;
+use crate::simulate::family::Judgement;
 use crate::text::nearest;
 
 /// Column of the table; its name is its key in `compare.json`.
@@ -41,11 +42,21 @@ pub enum Column {
     StepTime,
     /// Size of the state.
     StateBytes,
+    /// Energy that the port gave.
+    EnergyGiven,
+    /// Energy that the port gave beyond what it and the device's damper took.
+    EnergyBeyondDamper,
+    /// Force felt, as a share of the environment's own.
+    ForceFelt,
+    /// Whether it broke a loop that is bounded alone.
+    BrokeIt,
+    /// Numbers that judge the entrant.
+    JudgedBy,
 }
 
 impl Column {
     /// All columns, in the order of the table.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 20] = [
         Self::Stabilizer,
         Self::Verdict,
         Self::SettlingTime,
@@ -61,6 +72,11 @@ impl Column {
         Self::Active,
         Self::StepTime,
         Self::StateBytes,
+        Self::EnergyGiven,
+        Self::EnergyBeyondDamper,
+        Self::ForceFelt,
+        Self::BrokeIt,
+        Self::JudgedBy,
     ];
 
     /// The key in `compare.json`, unit included.
@@ -81,6 +97,11 @@ impl Column {
             Self::Active => "active_percent",
             Self::StepTime => "ns_per_step",
             Self::StateBytes => "state_bytes",
+            Self::EnergyGiven => "energy_given_mj",
+            Self::EnergyBeyondDamper => "energy_given_beyond_damper_mj",
+            Self::ForceFelt => "force_felt_percent",
+            Self::BrokeIt => "broke_it",
+            Self::JudgedBy => "judged_by",
         }
     }
 
@@ -106,6 +127,11 @@ impl Column {
             }
             Self::StepTime => "time per step\nmedian (range)\nns",
             Self::StateBytes => "state\nbytes",
+            Self::EnergyGiven => "given\nby port\nmJ",
+            Self::EnergyBeyondDamper => "given beyond\nthe damper\nmJ",
+            Self::ForceFelt => "force\nfelt\n%",
+            Self::BrokeIt => "broke it",
+            Self::JudgedBy => "judged by",
         }
     }
 
@@ -123,6 +149,10 @@ impl Column {
                 told.into()
             }
             Self::StateBytes => score.state_bytes.to_string().into(),
+            Self::BrokeIt => {
+                score.broke_it.map(|broke| if broke { "broke it" } else { "no" }).into()
+            }
+            Self::JudgedBy => score.judged_by.map(Judgement::words).into(),
             Self::Active => score.active.map(|share| format!("{share:.1}")).into(),
             _ => self.value(score).into(),
         }
@@ -145,7 +175,7 @@ impl Column {
     /// The number that sorts the column.
     fn value(self, score: &Score) -> Option<f64> {
         match self {
-            Self::Stabilizer | Self::Verdict => None,
+            Self::Stabilizer | Self::Verdict | Self::JudgedBy => None,
             Self::SettlingTime => score.settling_time,
             Self::ShortPeak => score.short_peak,
             Self::LongPeak => score.long_peak,
@@ -159,6 +189,10 @@ impl Column {
             Self::Active => score.active,
             Self::StepTime => score.step_time.map(|time| time.median),
             Self::StateBytes => Some(score.state_bytes as f64),
+            Self::EnergyGiven => score.energy_given,
+            Self::EnergyBeyondDamper => score.energy_given_beyond_damper,
+            Self::ForceFelt => score.force_felt,
+            Self::BrokeIt => score.broke_it.map(|broke| if broke { 1.0 } else { 0.0 }),
         }
     }
 }

@@ -12,7 +12,7 @@ use super::compared::RunError;
 use super::entrant_run::{Curves, EntrantRun, Watch};
 use super::entrants::Entrants;
 use super::score::Score;
-use super::{cost, picture, table};
+use super::{broken, cost, picture, table};
 use crate::files::Scene;
 use crate::simulate::Space;
 use crate::simulate::family::Settings;
@@ -111,23 +111,28 @@ impl Comparison {
             error,
         };
         let runs = runs(scene, entrants, watch);
-        let (mut outcomes, mut samples) = (Vec::new(), Vec::new());
-        for (number, (run, entry)) in runs.into_iter().zip(entrants.names()).enumerate() {
+        let (mut scores, mut curves, mut samples) = (Vec::new(), Vec::new(), Vec::new());
+        for (run, entry) in runs.into_iter().zip(entrants.names()) {
             let run = run.map_err(|reason| match reason {
                 RunError::Parameter(error) => refused(entry, error),
                 RunError::Stopped => CompareError::Stopped,
             })?;
-            outcomes.push(Outcome { number, score: run.score, curves: run.curves });
+            scores.push(run.score);
+            curves.push(run.curves);
             samples.push(run.samples);
         }
         // By now nothing else runs here.
         let times = cost::of(scene, entrants.entries(), &samples)
             .map_err(|error| refused("a stabilizer", error))?;
-        for (outcome, time) in outcomes.iter_mut().zip(times) {
-            outcome.score.step_time = time;
+        for (score, time) in scores.iter_mut().zip(times) {
+            score.step_time = time;
         }
+        broken::mark(&mut scores);
+        let outcomes = scores.into_iter().zip(curves).enumerate();
+        let outcomes = outcomes.map(|(number, (score, curves))| Outcome { number, score, curves });
         let settings = Settings::of(scene);
-        Ok(Self { name: name.to_owned(), scene: scene.clone(), settings, outcomes })
+        let (name, scene) = (name.to_owned(), scene.clone());
+        Ok(Self { name, scene, settings, outcomes: outcomes.collect() })
     }
 
     /// The score of each entrant.

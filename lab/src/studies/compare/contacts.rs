@@ -1,11 +1,9 @@
-//! Contact meters: forces and stiffness felt while the wall pushes.
+//! Contact meters: forces while the wall pushes.
 
 use lyapunov::environments::{ForceLaw, Kinematics};
 
 use crate::files::scene::{Scene, Wall};
-
-/// The least duration of a long contact, s.
-const LONG: f64 = 0.5;
+use crate::measure::stiffness_felt::LONG;
 
 /// One tick along the first axis, as the hand feels it.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +45,6 @@ pub(super) struct Contacts {
     now: Contact,
     short_peak: Option<f64>,
     long_peak: Option<f64>,
-    /// `Σ f p` and `Σ p²` over the long contacts.
-    moments: (f64, f64),
     /// `Σ (f_act − f_ideal)²`, and the number of its ticks.
     error: (f64, u64),
 }
@@ -57,7 +53,6 @@ pub(super) struct Contacts {
 struct Contact {
     ticks: u64,
     peak: f64,
-    moments: (f64, f64),
 }
 
 impl Contacts {
@@ -70,19 +65,15 @@ impl Contacts {
             now: Contact::default(),
             short_peak: None,
             long_peak: None,
-            moments: (0.0, 0.0),
             error: (0.0, 0),
         }
     }
 
     pub(super) fn add(&mut self, touch: &Touch) {
-        let force = touch.force;
-        let depth = self.wall.map_or(0.0, |wall| touch.depth(wall));
+        let (force, depth) = (touch.force, self.wall.map_or(0.0, |wall| touch.depth(wall)));
         if touch.environment != 0.0 {
             self.now.ticks += 1;
             self.now.peak = self.now.peak.max(force.abs());
-            self.now.moments.0 += force * depth;
-            self.now.moments.1 += depth * depth;
         } else {
             self.end();
         }
@@ -104,10 +95,6 @@ impl Contacts {
         let is_long = contact.ticks as f64 >= self.long;
         let peak = if is_long { &mut self.long_peak } else { &mut self.short_peak };
         *peak = Some(peak.unwrap_or(0.0).max(contact.peak));
-        if is_long {
-            self.moments.0 += contact.moments.0;
-            self.moments.1 += contact.moments.1;
-        }
     }
 
     /// Largest `|f_act|` in contacts shorter than half a second, N.
@@ -120,12 +107,6 @@ impl Contacts {
         self.long_peak
     }
 
-    /// `Σ f_act p / Σ p²` over the long contacts, N/m: the line through the surface that fits best.
-    pub(super) fn stiffness(&self) -> Option<f64> {
-        let (product, square) = self.moments;
-        (square > 0.0).then(|| product / square)
-    }
-
     /// Root mean square of `f_act − f_ideal` in contact, N.
     pub(super) fn force_error(&self) -> Option<f64> {
         let (sum, ticks) = self.error;
@@ -135,7 +116,7 @@ impl Contacts {
 
 #[cfg(test)]
 mod tests {
-    use approx::{assert_abs_diff_eq, assert_relative_eq};
+    use approx::assert_abs_diff_eq;
 
     use super::*;
     use crate::measure::samples::scene;
@@ -171,22 +152,6 @@ mod tests {
     fn a_peak_is_of_the_whole_force_on_the_plant() {
         let contacts = after(&[tick(0.002, 1.0, -4.0), tick(0.0, 0.0, 9.0)]);
         assert_eq!(contacts.short_peak(), Some(3.0));
-    }
-
-    #[test]
-    fn the_stiffness_felt_is_the_line_through_the_surface() {
-        // f = 800 p + 0.1 (−1)^n: Σ f p / Σ p² in closed form for two alternating depths.
-        let (one, other) = (0.002, 0.004);
-        let ticks: Vec<Touch> = (0..60)
-            .map(|n| if n % 2 == 0 { (one, 0.1) } else { (other, -0.1) })
-            .map(|(p, more)| tick(0.001 + p, 800.0 * p + more, 0.0))
-            .collect();
-        let square = one * one + other * other;
-        let expected = 800.0 + 0.1 * (one - other) / square;
-        let felt = after(&ticks).stiffness().unwrap();
-        assert_relative_eq!(felt, expected, epsilon = 0.0, max_relative = 1e-12);
-        assert_eq!(after(&ticks[..49]).stiffness(), None);
-        assert_eq!(after(&[tick(0.001, 1.0, 0.0); 60]).stiffness(), None);
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::Comparison;
 use super::contacts::wall;
 use super::score::Score;
+use super::{Broken, Comparison};
 use crate::measure::Yardstick;
 use crate::simulate::Criterion;
 
@@ -14,6 +14,7 @@ struct Document<'a> {
     not_deterministic: [&'static str; 1],
     scenes: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
+    broken: Broken,
 }
 
 /// Values that all rows of a scene share.
@@ -41,7 +42,7 @@ struct Line<'a> {
 /// None: every part can be written as JSON.
 pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
-        let cap = comparison.settings.damping_cap.get();
+        let cap = comparison.settings.damping_cap;
         (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {
@@ -62,6 +63,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
         not_deterministic: ["ns_per_step"],
         scenes: scenes.collect(),
         rows: rows.collect(),
+        broken: Broken::of(comparisons),
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

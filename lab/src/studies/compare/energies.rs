@@ -48,8 +48,8 @@ impl Energies {
         // During the run `watch` is asked only whether to go on.
         let quiet = |_| watch(0);
         let balance = |number: usize| -> Result<Balance, ParameterError> {
-            let stabilizer = entrants.entries()[number].stabilizer(scene)?;
-            Balance::along(scene, Rollout::assemble(scene, stabilizer)?, &quiet)
+            let fitted = entrants.entries()[number].fitted(scene)?;
+            Balance::along(scene, Rollout::assemble(scene, fitted)?, &quiet)
         };
         let rows = comparison.outcomes.par_iter().map(|outcome| {
             let name = &outcome.score.stabilizer;

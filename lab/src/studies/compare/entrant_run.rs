@@ -5,12 +5,13 @@ use std::ops::ControlFlow;
 use lyapunov::Scalar;
 
 use super::compared::{BREATH, RunError, watched};
-use super::contacts::{Contacts, Touch, wall};
+use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
-use crate::files::Scene;
-use crate::measure::{Chatter, Energies, Share, Summary, Trace, Verdict};
+use crate::files::scene::{Scalar as Width, Scene};
+use crate::measure::{Chatter, Energies, Physical, Share, Summary, Trace, Verdict};
+use crate::simulate::family::Judgement;
 use crate::simulate::{Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
@@ -38,11 +39,11 @@ impl<V: Space> EntrantRun<V> {
         entrant: &Entrant<V>,
         watch: &Watch<'_>,
     ) -> Result<Self, RunError> {
-        let stabilizer = entrant.stabilizer(scene)?;
-        let state_bytes = stabilizer.state_bytes();
+        let fitted = entrant.fitted(scene)?;
+        let state_bytes = fitted.state_bytes();
         let mut meters = Meters::new::<V>(scene);
         let mut samples = Vec::new();
-        let rollout = Rollout::assemble(scene, stabilizer)?;
+        let rollout = Rollout::assemble(scene, fitted)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
             // The caller who asked for an early end knows of it.
             let _ = { rollout }.try_for_each(each);
@@ -55,19 +56,37 @@ impl<V: Space> EntrantRun<V> {
             }
         })?;
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
-        let score = Score { active: score.active.filter(|_| entrant.adds_damping), ..score };
+        let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
+        let active = score.active.filter(|_| damps);
+        let score = Score { active, judged_by: entrant.judgement, ..score };
         Ok(Self { score, curves, samples })
     }
+}
+
+/// The score of `scene` under its own stabilizer, in its own scalar.
+///
+/// # Errors
+/// [`RunError::Stopped`] if `watch` stops the run; a scene that was never checked.
+pub(crate) fn own_score(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    match scene.scalar {
+        Width::F64 => of_own::<f64>(scene, watch),
+        Width::F32 => of_own::<f32>(scene, watch),
+    }
+}
+
+fn of_own<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    let own = Entrant::<V>::own(scene);
+    EntrantRun::of(scene, &own, watch).map(|run| run.score)
 }
 
 /// All measures along a run.
 #[derive(Debug)]
 struct Meters {
-    stiffness: Option<f64>,
     share: Share,
     summary: Summary,
     contacts: Contacts,
     energies: Energies<f64>,
+    physical: Physical,
     chatter: Option<Chatter<f64>>,
     position: Trace,
     observed_energy: Trace,
@@ -77,11 +96,11 @@ struct Meters {
 impl Meters {
     fn new<V: Space>(scene: &Scene) -> Self {
         Self {
-            stiffness: wall(scene).map(|wall| wall.stiffness.get()),
             share: Share::new::<V>(scene),
             summary: Summary::new(scene),
             contacts: Contacts::new(scene),
             energies: Energies::new(),
+            physical: Physical::new(scene),
             chatter: Chatter::new(scene.servo_rate.get()),
             position: Trace::new(scene.ticks()),
             observed_energy: Trace::new(scene.ticks()),
@@ -100,6 +119,7 @@ impl Meters {
         self.summary.add(tick);
         self.contacts.add(&touch);
         self.energies.add(touch.position, split.environment, split.controller);
+        self.physical.add(tick, &split);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(touch.force);
         }
@@ -110,11 +130,13 @@ impl Meters {
 
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
         self.contacts.end();
-        let Self { summary, contacts, energies, .. } = &self;
+        let Self { summary, contacts, energies, physical, .. } = &self;
         let verdict = summary.verdict();
         let told = |value: Option<f64>| value.filter(|value| value.is_finite());
         let millijoules = |energy: f64| told(Some(1e3 * energy));
-        let felt = told(contacts.stiffness());
+        let (stiffness, percent) = physical.stiffness_felt().unzip();
+        let [given, beyond_damper] = physical.millijoules_given().map(|energy| told(Some(energy)));
+        let of_bounded = |value: Option<f64>| told(value.filter(|_| verdict != Verdict::Grows));
         let active = 100.0 * summary.active as f64 / summary.rows as f64;
         let score = Score {
             stabilizer,
@@ -125,15 +147,18 @@ impl Meters {
             energy_injected: millijoules(energies.injected()),
             energy_taken: millijoules(energies.taken()),
             shortfall: millijoules(summary.shortfall),
-            stiffness_felt: felt,
-            stiffness_percent: told(
-                felt.zip(self.stiffness).map(|(felt, asked)| 100.0 * felt / asked),
-            ),
-            force_error: told(contacts.force_error().filter(|_| verdict != Verdict::Grows)),
+            stiffness_felt: told(stiffness),
+            stiffness_percent: told(percent),
+            force_error: of_bounded(contacts.force_error()),
             chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
             active: told(Some(active)),
             step_time: None,
             state_bytes,
+            energy_given: given,
+            energy_given_beyond_damper: beyond_damper,
+            force_felt: of_bounded(physical.force_felt()),
+            broke_it: None,
+            judged_by: None,
         };
         let [position, observed_energy, force] =
             [self.position, self.observed_energy, self.force].map(Trace::finish);

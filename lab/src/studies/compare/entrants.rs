@@ -5,8 +5,8 @@ use std::fmt;
 use lyapunov::{ParameterError, Scalar, Stabilizer};
 
 use crate::files::Scene;
-use crate::simulate::family::{StabilizerName, StabilizerNames};
-use crate::simulate::{AnyStabilizer, Space};
+use crate::simulate::family::{Judgement, StabilizerName, StabilizerNames};
+use crate::simulate::{AnyStabilizer, Fitted, Space};
 
 /// The entrants of a comparison: names, and the way to make each stabilizer for a scene.
 ///
@@ -34,12 +34,12 @@ pub struct Entrants<V: Space = f64> {
 }
 
 /// Constructor of an entrant's stabilizer.
-type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
+type Make<V> = dyn Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync;
 
 /// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
     pub(super) name: String,
-    pub(super) adds_damping: bool,
+    pub(super) judgement: Option<Judgement>,
     make: Box<Make<V>>,
 }
 
@@ -56,7 +56,20 @@ impl<V: Space> Entrants<V> {
         name: impl Into<String>,
         make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entered(name.into(), true, move |scene| make(scene).map(AnyStabilizer::new))
+        self.entered(name.into(), None, move |scene| {
+            make(scene).map(|made| Fitted::Behind(AnyStabilizer::new(made)))
+        })
+    }
+
+    /// Adds an entrant that `make` fits to each scene, behind the environment or around it; `like` says how to judge it.
+    #[must_use]
+    pub fn with_fitted(
+        self,
+        name: impl Into<String>,
+        like: StabilizerName,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entered(name.into(), Some(like.judgement()), make)
     }
 
     /// The names, in the order of registration.
@@ -71,10 +84,10 @@ impl<V: Space> Entrants<V> {
     fn entered(
         mut self,
         name: String,
-        adds_damping: bool,
-        make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
+        judgement: Option<Judgement>,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entries.push(Entrant { name, adds_damping, make: Box::new(make) });
+        self.entries.push(Entrant { name, judgement, make: Box::new(make) });
         self
     }
 }
@@ -88,14 +101,20 @@ impl<T: Scalar + Space> Entrants<T> {
     /// These members of the family, set as the scene says.
     pub fn of(members: impl IntoIterator<Item = StabilizerName>) -> Self {
         members.into_iter().fold(Self::empty(), |others, member| {
-            let name = member.name().to_owned();
-            others.entered(name, member.adds_damping(), move |scene| member.on(scene))
+            let (name, judgement) = (member.name().to_owned(), Some(member.judgement()));
+            others.entered(name, judgement, move |scene| member.on(scene))
         })
     }
 }
 
 impl<V: Space> Entrant<V> {
-    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+    /// The stabilizer that `scene` itself names.
+    pub(super) fn own(scene: &Scene) -> Self {
+        let name = scene.stabilizer.map_or("none", |table| table.name()).to_owned();
+        Self { name, judgement: None, make: Box::new(Fitted::of) }
+    }
+
+    pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
         (self.make)(scene)
     }
 }

@@ -3,6 +3,7 @@
 //! [`Entrants`] take part, your own with one line more; a [`Comparison`] runs them all on a scene, measures each of the
 //! [`Column`]s that docs/compare.md defines, and displays as a table. [`document`] writes comparisons as JSON.
 
+mod broken;
 mod column;
 mod compared;
 mod comparison;
@@ -23,12 +24,15 @@ mod tests;
 mod trade_off;
 
 pub use crate::simulate::Subject;
-pub use crate::simulate::family::Settings;
+pub use crate::simulate::family::{Judgement, Settings};
+pub use crate::text::names::{Named, Names, NamesError};
+pub use broken::Broken;
 pub use column::{Column, UnknownColumn};
 pub use compared::{Compared, RunError, Watch};
 pub use comparison::{CompareError, Comparison};
 pub use document::document;
 pub use energies::Energies;
+pub(crate) use entrant_run::own_score;
 pub use entrants::Entrants;
 pub use score::{Score, StepTime};
 pub use sheet::{Sheet, page};

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::measure::Verdict;
+use crate::simulate::family::Judgement;
 
 /// The score of one entrant on one scene; docs/compare.md defines every number.
 ///
@@ -51,6 +52,19 @@ pub struct Score {
     pub step_time: Option<StepTime>,
     /// Bytes that the stabilizer keeps from tick to tick, parameters included.
     pub state_bytes: usize,
+    /// The most that the port had physically given beyond all it had taken, mJ.
+    #[serde(rename = "energy_given_mj")]
+    pub energy_given: Option<f64>,
+    /// The most that the port had given beyond what it and the device's damper had taken, mJ; none with jitter.
+    #[serde(rename = "energy_given_beyond_damper_mj")]
+    pub energy_given_beyond_damper: Option<f64>,
+    /// Force on the plant, of runs that do not grow, in percent of the environment's own law on the true motion.
+    #[serde(rename = "force_felt_percent")]
+    pub force_felt: Option<f64>,
+    /// Whether the loop is bounded without a stabilizer and grows under this one; none where `none` takes no part.
+    pub broke_it: Option<bool>,
+    /// The numbers to judge the entrant by; none for an entrant of your own.
+    pub judged_by: Option<Judgement>,
 }
 
 /// The time of one step of a stabilizer, over some rounds: the only value here that differs from run to run.

@@ -1,4 +1,4 @@
-//! Scene in a line, and table in the terminal: two parts, one below the other.
+//! Scene in a line, and table in the terminal: three parts, one below the other.
 
 use std::fmt;
 
@@ -34,18 +34,32 @@ const FEEL: [Column; 8] = [
     Column::StateBytes,
 ];
 
+/// Columns of energy and force on the true motion.
+const PHYSICAL: [Column; 6] = [
+    Column::Stabilizer,
+    Column::EnergyGiven,
+    Column::EnergyBeyondDamper,
+    Column::ForceFelt,
+    Column::BrokeIt,
+    Column::JudgedBy,
+];
+
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
     if let Some(by) = by_speed(&comparison.scene) {
         writeln!(f, "judged {by}")?;
     }
-    for columns in [BEHAVIOUR, FEEL] {
-        let headings = columns.map(|column| match column {
-            Column::Stabilizer | Column::Verdict => Heading::word(column.heading()),
+    for columns in [&BEHAVIOUR[..], &FEEL, &PHYSICAL] {
+        let headings = columns.iter().map(|column| match column {
+            Column::Stabilizer | Column::Verdict | Column::BrokeIt | Column::JudgedBy => {
+                Heading::word(column.heading())
+            }
             _ => Heading::number(column.heading()),
         });
-        let rows = comparison.scores().map(|score| columns.map(|column| column.cell(score)));
+        let rows = comparison
+            .scores()
+            .map(|score| columns.iter().map(|column| column.cell(score)).collect::<Vec<_>>());
         write!(f, "\n{}", Table::new(headings).with_rows(rows))?;
     }
     Ok(())

@@ -84,6 +84,8 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
         max_relative = 1e-9
     );
 
+    check_energy_given(scene, &rows, score);
+
     let mut contacts: Vec<Vec<usize>> = vec![Vec::new()];
     for (n, force) in wall.iter().enumerate() {
         match contacts.last_mut() {
@@ -124,10 +126,50 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
         epsilon = 1e-18,
         max_relative = 1e-9
     );
+    let law = |row: &Row| {
+        let depth = row.x - 0.002;
+        if depth > 0.0 { (2000.0 * depth + row.v).max(0.0) } else { 0.0 }
+    };
+    let felt: f64 = rows.iter().map(|row| row.f_act * law(row)).sum();
+    let felt = 100.0 * felt / rows.iter().map(|row| law(row).powi(2)).sum::<f64>();
+    assert_relative_eq!(score.force_felt.unwrap(), felt, epsilon = 0.0, max_relative = 1e-9);
     assert_relative_eq!(score.active.unwrap(), 100.0, epsilon = 1e-18, max_relative = 1e-9);
     assert_relative_eq!(score.shortfall.unwrap(), 0.0, epsilon = 1e-18, max_relative = 1e-9);
     assert!(score.verdict.is_bounded());
     assert_eq!(score.state_bytes, 8);
+}
+
+/// Checks what the port gave against the work of the rows' forces on a motion integrated in steps of a thousandth of a
+/// tick.
+fn check_energy_given(scene: &Scene, rows: &[Row], score: &Score) {
+    const STEPS: u32 = 1000;
+    let (mass, period) = (scene.operator.mass.get() + scene.device.mass.get(), scene.period());
+    let device = scene.device.damping.get();
+    let (damping, pull) = (scene.operator.damping.get() + device, scene.operator.stiffness.get());
+    let rest = scene.operator.rest.get();
+    let h = period / f64::from(STEPS);
+    let (mut x, mut v) = (scene.initial.position.get(), scene.initial.velocity.get());
+    // Work at the port, what the device's damper took, and the least of the first and of both.
+    let (mut work, mut burnt, mut least, mut least_of_both) = (0.0, 0.0, 0.0_f64, 0.0_f64);
+    for row in &rows[..rows.len() - 1] {
+        let pushed = |x: f64, v: f64| (-pull * (x - rest) - damping * v - row.f_act) / mass;
+        for _ in 0..STEPS {
+            // The midpoint rule; its error falls with h².
+            let (half_x, half_v) = (x + 0.5 * h * v, v + 0.5 * h * pushed(x, v));
+            x += h * half_v;
+            v += h * pushed(half_x, half_v);
+            work += row.f_act * half_v * h;
+            burnt += device * half_v * half_v * h;
+        }
+        least = least.min(work);
+        least_of_both = least_of_both.min(work + burnt);
+    }
+    let told = score.energy_given.unwrap();
+    assert_relative_eq!(told, -1e3 * least, epsilon = 1e-9, max_relative = 1e-6);
+    // What the damper took is known from below only.
+    let told = score.energy_given_beyond_damper.unwrap();
+    assert!(told >= -1e3 * least_of_both * (1.0 - 1e-6) - 1e-9, "{told} {least_of_both}");
+    assert_relative_eq!(told, -1e3 * least_of_both, epsilon = 1e-9, max_relative = 1e-2);
 }
 
 #[test]
@@ -194,7 +236,7 @@ fn the_table_fits_whatever_is_in_it() {
         let comparison = Comparison::of("some scene", &scene, &entrants).unwrap();
         let table = comparison.to_string();
         assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
-        assert_eq!(table.matches("a stabilizer with a").count(), 2, "{table}");
+        assert_eq!(table.matches("a stabilizer with a").count(), 3, "{table}");
     }
 }
 
@@ -268,4 +310,60 @@ fn errors_name_entrant_and_scene() {
     let stop = |_| std::ops::ControlFlow::Break(());
     let stopped = Comparison::watched("s", &scene(""), &Entrants::<f64>::standard(), &stop);
     assert_eq!(stopped.unwrap_err(), CompareError::Stopped);
+}
+
+#[test]
+fn a_stable_loop_that_becomes_unstable_is_broken() {
+    let pump = || Entrants::<f64>::standard().with("pump", |_| Ok(Damper(-40.0)));
+    let over = |scenes: &[Scene], entrants: &dyn Fn() -> Entrants<f64>| -> Vec<Comparison> {
+        scenes.iter().map(|scene| Comparison::of("s", scene, &entrants()).unwrap()).collect()
+    };
+    let soft = scene("device.damping = 1.0\n");
+    let scenes = [soft, Case::Plain50k.scene().unwrap()];
+    let comparisons = over(&scenes, &pump);
+    let marks = |comparison: &Comparison| -> Vec<Option<bool>> {
+        comparison.scores().map(|score| score.broke_it).collect()
+    };
+    let verdicts = |comparison: &Comparison, name: &str| {
+        comparison.scores().find(|score| score.stabilizer == name).unwrap().verdict.judged()
+    };
+    assert_eq!(verdicts(&comparisons[0], "none"), Some(true));
+    assert_eq!(verdicts(&comparisons[1], "none"), Some(false));
+    let only_the_pump = [false, false, false, false, false, true].map(Some);
+    assert_eq!(marks(&comparisons[0]), only_the_pump);
+    // What is unstable alone cannot be broken.
+    assert_eq!(verdicts(&comparisons[1], "pump"), Some(false));
+    assert_eq!(marks(&comparisons[1]), [Some(false); 6]);
+    let told = serde_json::to_value(Broken::of(&comparisons)).unwrap();
+    let row = |name: &str| {
+        let rows = told.as_array().unwrap();
+        rows.iter().find(|row| row["stabilizer"] == name).unwrap().clone()
+    };
+    assert_eq!((&row("pump")["bounded_alone"], &row("pump")["broke"]), (&1.into(), &1.into()));
+    assert_eq!((&row("popc")["bounded_alone"], &row("popc")["broke"]), (&1.into(), &0.into()));
+
+    // Without the loop alone nothing is known.
+    let alone = || Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));
+    let unknown = over(&scenes, &alone);
+    assert_eq!(marks(&unknown[0]), [None]);
+    assert!(Broken::of(&unknown).is_empty());
+}
+
+#[test]
+fn a_law_that_adds_no_damping_is_judged_by_energy_and_force() {
+    use crate::simulate::family::StabilizerName;
+    // A law adds damping if it is ever active; this scene makes all of those act.
+    let entrants = Entrants::<f64>::of(StabilizerName::ALL).with("own", |_| Ok(Damper(1.0)));
+    let scene = press("");
+    let comparison = Comparison::of("press", &scene, &entrants).unwrap();
+    for score in comparison.scores() {
+        let judged = match score.stabilizer.as_str() {
+            "own" => None,
+            // A port around the environment damps by its own motion, and tells of no damping.
+            "none" | "iss" | "virtual-coupling" => Some(Judgement::Settling),
+            _ if score.active.unwrap() > 0.0 => Some(Judgement::Settling),
+            _ => Some(Judgement::EnergyAndForce),
+        };
+        assert_eq!(score.judged_by, judged, "{}", score.stabilizer);
+    }
 }

@@ -26,6 +26,13 @@ impl fmt::Display for Explanation {
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
         }
+        let is_cap = |(key, _): &(String, Change)| key.ends_with(".damping_cap");
+        if self.remedies.iter().any(|remedy| remedy.changes.iter().any(is_cap)) {
+            writeln!(
+                f,
+                "  a damping_cap here is the first that holds, not the best: see `lyapunov tune`"
+            )?;
+        }
         Ok(())
     }
 }

@@ -7,7 +7,7 @@ use super::bounds::Bounds;
 use super::run::{Method, Run, Workload};
 use super::survey::Survey;
 use crate::measure::Verdict;
-use crate::simulate::family::StabilizerName;
+use crate::simulate::family::{Judgement, StabilizerName};
 
 /// Method and cost of a map's computation.
 #[derive(Clone, Debug, Serialize)]
@@ -92,6 +92,15 @@ struct Line {
     bounded_stiffness_over_exact: Option<f64>,
     /// Whether that is only a lower bound.
     bounded_stiffness_over_exact_is_least: bool,
+    /// Place in the table, from 1.
+    rank: usize,
+    rendered_percent: Option<f64>,
+    force_felt_percent: Option<f64>,
+    stiffness_felt_percent: Option<f64>,
+    energy_given_mj: Option<f64>,
+    energy_given_beyond_damper_mj: Option<f64>,
+    broken_cells: Option<u64>,
+    judged_by: Judgement,
 }
 
 fn along(axis: &Axis) -> Along<'_> {
@@ -111,10 +120,12 @@ pub fn document(
     bounds: Option<&Bounds>,
     computation: Option<&Computation>,
 ) -> serde_json::Result<String> {
-    let grid = survey.grid();
+    let (grid, ranking) = (survey.grid(), survey.ranking());
     let line = |(index, member): (usize, &StabilizerName)| {
         let (settling, bounded) = (survey.settling(index), survey.bounded(index));
         let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
+        let rendered = survey.rendered(index);
+        let above = ranking.iter().take_while(|ranked| **ranked != index);
         Line {
             stabilizer: member.name(),
             settles_cells: settling.cells,
@@ -128,6 +139,14 @@ pub fn document(
             bounded_area: bounded.area,
             bounded_stiffness_over_exact: over.map(|over| over.ratio),
             bounded_stiffness_over_exact_is_least: over.is_some_and(|over| over.is_least),
+            rank: above.count() + 1,
+            rendered_percent: rendered.percent,
+            force_felt_percent: rendered.force_felt,
+            stiffness_felt_percent: rendered.stiffness_felt,
+            energy_given_mj: rendered.energy_given,
+            energy_given_beyond_damper_mj: rendered.energy_given_beyond_damper,
+            broken_cells: rendered.broke,
+            judged_by: member.judgement(),
         }
     };
     let document = Document {

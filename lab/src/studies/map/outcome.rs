@@ -28,7 +28,18 @@ pub struct Measures {
     pub active: Option<f64>,
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.
     pub chatter: Option<f64>,
+    /// The most that the port had physically given beyond all it had taken, mJ.
+    pub energy_given: Option<f64>,
+    /// The most that the port had given beyond what it and the device's damper had taken, mJ.
+    pub energy_given_beyond_damper: Option<f64>,
+    /// Force on the plant, in percent of the environment's own law on the true motion.
+    pub force_felt: Option<f64>,
+    /// Stiffness felt in contacts of half a second or more, in percent of the wall's.
+    pub stiffness_felt: Option<f64>,
 }
+
+/// The number of measures.
+const COUNT: usize = 10;
 
 /// A number of [`Measures`], by its key.
 #[derive(Clone, Copy, Debug)]
@@ -42,13 +53,21 @@ pub struct Measure {
 
 impl Measure {
     /// All measures, in the order of the table.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; COUNT] = [
         Self::new("peak_force_n", "peak force, N", |it| it.peak_force),
         Self::new("settling_time_s", "settling time, s", |it| it.settling_time),
         Self::new("energy_injected_mj", "energy injected by the loop, mJ", |it| it.energy_injected),
         Self::new("energy_taken_mj", "energy taken by the controller, mJ", |it| it.energy_taken),
         Self::new("active_percent", "ticks active, %", |it| it.active),
         Self::new("chatter_rms_n", "chatter, N rms", |it| it.chatter),
+        Self::new("energy_given_mj", "energy given by the port, mJ", |it| it.energy_given),
+        Self::new(
+            "energy_given_beyond_damper_mj",
+            "energy given beyond the device's damper, mJ",
+            |it| it.energy_given_beyond_damper,
+        ),
+        Self::new("force_felt_percent", "force felt, % of the environment's", |it| it.force_felt),
+        Self::new("stiffness_felt_percent", "stiffness felt, % of asked", |it| it.stiffness_felt),
     ];
 
     const fn new(key: &'static str, words: &'static str, of: fn(&Measures) -> Option<f64>) -> Self {
@@ -63,10 +82,30 @@ impl Measure {
 
 impl Measures {
     /// Measures from the numbers in the order of [`Measure::ALL`].
-    pub(super) fn from_numbers(numbers: [Option<f64>; 6]) -> Self {
-        let [peak_force, settling_time, energy_injected, energy_taken, active, chatter] = numbers;
-        Self { peak_force, settling_time, energy_injected, energy_taken, active, chatter }
-            .in_range()
+    pub(super) fn from_numbers(numbers: [Option<f64>; COUNT]) -> Self {
+        let [
+            peak_force,
+            settling_time,
+            energy_injected,
+            energy_taken,
+            active,
+            chatter,
+            physical @ ..,
+        ] = numbers;
+        let [energy_given, energy_given_beyond_damper, force_felt, stiffness_felt] = physical;
+        Self {
+            peak_force,
+            settling_time,
+            energy_injected,
+            energy_taken,
+            active,
+            chatter,
+            energy_given,
+            energy_given_beyond_damper,
+            force_felt,
+            stiffness_felt,
+        }
+        .in_range()
     }
 
     /// The measures without numbers that are out of range.
@@ -80,6 +119,10 @@ impl Measures {
             energy_taken: told(self.energy_taken),
             active: told(self.active),
             chatter: told(self.chatter),
+            energy_given: told(self.energy_given),
+            energy_given_beyond_damper: told(self.energy_given_beyond_damper),
+            force_felt: told(self.force_felt),
+            stiffness_felt: told(self.stiffness_felt),
         }
     }
 }

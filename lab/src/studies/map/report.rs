@@ -25,12 +25,19 @@ pub fn page(
             @for note in notes(survey) { " " (note) "." }
         }
         h2 { "Which runs settle, and which stay bounded" }
+        p { "Rows: " (ORDER) "." }
         (table(survey, bounds).to_html("short"))
         p {
             "Bounded are the cells whose run settles or is swinging; their area, in " (survey.unit()) ", is their share \
              of the rectangle of both axes, where a logarithmic axis counts in decades. Of the exact limit: the last \
              bounded stiffness before the first that grows, over the exact limit of the linear loop without a stabilizer, \
              the middle one over the values of the other axis; >= where it stays bounded up to the edge of the map."
+        }
+        (rendered(survey).to_html("short"))
+        p {
+            "Means of force and stiffness felt, and the largest energies given, over the measured cells. Broken cells are \
+             bounded without a stabilizer and grow under this one. A law that adds no damping is judged by energy and force: \
+             it may bound a swing without ending it."
         }
         h2 { "Heat maps" }
         @for NamedFigure { name, words, figure } in figures {
@@ -49,12 +56,22 @@ pub fn page(
     html::page(&format!("Map of {} by {}", grid.y.key, grid.x.key), &body)
 }
 
-/// Table of areas for the terminal, with the axes and the unit.
+/// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.
 pub fn areas(survey: &Survey, bounds: Option<&Bounds>) -> String {
     let grid = survey.grid();
     let notes: String = notes(survey).iter().map(|note| format!("{note}\n")).collect();
-    format!("{}\n{}\narea in {}\n{notes}\n{}", grid.x, grid.y, survey.unit(), table(survey, bounds))
+    let (area, rendered) = (table(survey, bounds), rendered(survey));
+    format!(
+        "{}\n{}\narea in {}\n{notes}{ORDER}\n\n{area}\n{rendered}",
+        grid.x,
+        grid.y,
+        survey.unit()
+    )
 }
+
+/// The order of the rows, in words.
+const ORDER: &str =
+    "the most rendered first: a bounded cell counts by the share of the force that is felt";
 
 /// Remarks that the verdicts need.
 fn notes(survey: &Survey) -> Vec<String> {
@@ -70,8 +87,8 @@ fn notes(survey: &Survey) -> Vec<String> {
     by_speed.into_iter().chain(told(short, "are too short to judge")).collect()
 }
 
-/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and the stiffness over the
-/// exact limit; `-` for an unknown number.
+/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, the stiffness over the exact
+/// limit, and what is rendered; `-` for an unknown number.
 fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
     let headings = [
         Heading::word("stabilizer"),
@@ -81,21 +98,49 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
         Heading::number("of"),
         Heading::number("bounded\narea"),
         Heading::number("of the\nexact limit"),
+        Heading::number("rendered"),
     ];
-    Table::new(headings).with_rows(survey.grid().stabilizers.iter().enumerate().map(
-        |(index, member)| {
-            let (settling, bounded) = (survey.settling(index), survey.bounded(index));
-            let percent = |share: Option<f64>| share.map(|share| format!("{:.2} %", 100.0 * share));
-            let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
-            [
-                member.name().into(),
-                percent(settling.share).into(),
-                percent(bounded.share).into(),
-                bounded.cells.to_string().into(),
-                survey.judged(index).to_string().into(),
-                bounded.area.into(),
-                over.map(|over| over.to_string()).into(),
-            ]
-        },
-    ))
+    Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
+        let (settling, bounded) = (survey.settling(index), survey.bounded(index));
+        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
+        [
+            survey.grid().stabilizers[index].name().into(),
+            settling.share.map(|share| percent(100.0 * share)).into(),
+            bounded.share.map(|share| percent(100.0 * share)).into(),
+            bounded.cells.to_string().into(),
+            survey.judged(index).to_string().into(),
+            bounded.area.into(),
+            over.map(|over| over.to_string()).into(),
+            survey.rendered(index).percent.map(percent).into(),
+        ]
+    }))
+}
+
+/// Table of what is felt, what the port gave, and what is broken.
+fn rendered(survey: &Survey) -> Table {
+    let headings = [
+        Heading::word("stabilizer"),
+        Heading::number("force\nfelt"),
+        Heading::number("stiffness\nfelt"),
+        Heading::number("given\nby port\nmJ"),
+        Heading::number("given beyond\nthe damper\nmJ"),
+        Heading::number("broken\ncells"),
+        Heading::word("judged by"),
+    ];
+    Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
+        let (member, it) = (survey.grid().stabilizers[index], survey.rendered(index));
+        [
+            member.name().into(),
+            it.force_felt.map(percent).into(),
+            it.stiffness_felt.map(percent).into(),
+            it.energy_given.into(),
+            it.energy_given_beyond_damper.into(),
+            it.broke.map(|cells| cells.to_string()).into(),
+            member.judgement().words().into(),
+        ]
+    }))
+}
+
+fn percent(value: f64) -> String {
+    format!("{value:.2} %")
 }

@@ -4,7 +4,7 @@ use lyapunov::{ParameterError, Scalar};
 
 use super::outcome::{Measures, Outcome};
 use crate::files::scene::{Scalar as Width, Scene};
-use crate::measure::{Chatter, Energies, Fate, Settling, Share, Verdict};
+use crate::measure::{Chatter, Energies, Fate, Physical, Settling, Share, Verdict};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Criterion, Rollout, Space, Tick};
 
@@ -62,6 +62,7 @@ struct Meters {
     settling: Settling<f64>,
     share: Share,
     energies: Energies<f64>,
+    physical: Physical,
     chatter: Option<Chatter<f64>>,
 }
 
@@ -75,6 +76,7 @@ impl Meters {
             settling: Settling::new(rest, band),
             share: Share::new::<V>(scene),
             energies: Energies::new(),
+            physical: Physical::new(scene),
             chatter: Chatter::new(scene.servo_rate.get()),
         }
     }
@@ -87,12 +89,14 @@ impl Meters {
         self.peak = self.peak.max(force.abs());
         self.settling.add(position);
         self.energies.add(position, split.environment, split.controller);
+        self.physical.add(tick, &split);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(force);
         }
     }
 
     fn finish(&self, scene: &Scene) -> Measures {
+        let [given, beyond_damper] = self.physical.millijoules_given();
         Measures {
             peak_force: Some(self.peak),
             settling_time: self.settling.since(0).map(|tick| tick / scene.servo_rate.get()),
@@ -100,6 +104,10 @@ impl Meters {
             energy_taken: Some(1e3 * self.energies.taken()),
             active: Some(100.0 * self.active as f64 / self.ticks as f64),
             chatter: self.chatter.as_ref().and_then(Chatter::root_mean_square),
+            energy_given: Some(given),
+            energy_given_beyond_damper: Some(beyond_damper),
+            force_felt: self.physical.force_felt(),
+            stiffness_felt: self.physical.stiffness_felt().map(|(_, percent)| percent),
         }
         .in_range()
     }

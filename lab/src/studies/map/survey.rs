@@ -2,7 +2,9 @@
 
 use super::grid::Grid;
 use super::outcome::{Measure, Outcome};
+use super::rendered::{Rendered, Tally};
 use crate::measure::{Verdict, Yardstick};
+use crate::simulate::family::{BasicName, StabilizerName};
 
 /// The most picture elements along an axis; a larger map is drawn by the means of its cells.
 const FINEST: u64 = 512;
@@ -13,6 +15,8 @@ pub struct Survey {
     grid: Grid,
     columns: usize,
     rows: usize,
+    /// The index of the loop without a stabilizer.
+    alone: Option<usize>,
     /// Cells that are judged by speed.
     by_speed: u64,
     layers: Vec<Layer>,
@@ -24,6 +28,7 @@ type Counts = [u32; Verdict::ALL.len()];
 /// The part of a survey for one stabilizer.
 #[derive(Clone, Debug)]
 struct Layer {
+    tally: Tally,
     /// Cells of each verdict.
     cells: [u64; Verdict::ALL.len()],
     /// Reach of each row, and of each column.
@@ -71,6 +76,7 @@ impl Survey {
     pub fn of(grid: &Grid) -> Self {
         let [columns, rows] = [grid.x.count, grid.y.count].map(|count| count.min(FINEST) as usize);
         let layer = Layer {
+            tally: Tally::default(),
             cells: Default::default(),
             along_x: vec![Reach::default(); grid.y.count as usize],
             along_y: vec![Reach::default(); grid.x.count as usize],
@@ -78,7 +84,9 @@ impl Survey {
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
         let layers = vec![layer; grid.stabilizers.len()];
-        Self { grid: grid.clone(), columns, rows, by_speed: 0, layers }
+        let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
+        let alone = grid.stabilizers.iter().position(|member| *member == nobody);
+        Self { grid: grid.clone(), columns, rows, alone, by_speed: 0, layers }
     }
 
     /// Adds the next cell; cells come in their order.
@@ -89,8 +97,10 @@ impl Survey {
         let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
         let is_by_speed = outcomes.iter().any(|outcome| outcome.verdict_by == Yardstick::Speed);
         self.by_speed += u64::from(is_by_speed);
+        let alone = self.alone.map(|index| outcomes[index].verdict);
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
             let verdict = outcome.verdict;
+            layer.tally.add(outcome, alone);
             layer.cells[verdict as usize] += 1;
             layer.along_x[y as usize].pass(x, verdict);
             layer.along_y[x as usize].pass(y, verdict);
@@ -141,6 +151,21 @@ impl Survey {
     /// The cells that are judged by speed.
     pub fn by_speed(&self) -> u64 {
         self.by_speed
+    }
+
+    /// What stabilizer `index` renders.
+    pub fn rendered(&self, index: usize) -> Rendered {
+        let has_force = self.layers.iter().any(|layer| layer.tally.has_force());
+        self.layers[index].tally.rendered(has_force, self.alone.is_some())
+    }
+
+    /// The stabilizers by what they render, the most first: by the bounded share where no force is known.
+    pub fn ranking(&self) -> Vec<usize> {
+        let merit = |index: usize| self.rendered(index).percent.or(self.bounded(index).share);
+        let mut ranked: Vec<(usize, f64)> =
+            (0..self.layers.len()).map(|index| (index, merit(index).unwrap_or(0.0))).collect();
+        ranked.sort_by(|one, other| other.1.total_cmp(&one.1));
+        ranked.into_iter().map(|(index, _)| index).collect()
     }
 
     /// The unit of areas.

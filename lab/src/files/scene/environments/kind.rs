@@ -6,9 +6,9 @@ use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance};
 use nalgebra::SVector;
 
 use super::render::Render;
-use crate::files::scene::Draft;
 use crate::files::scene::check::Conflict;
 use crate::files::scene::quantity::{Finite, NonNegative};
+use crate::files::scene::{Coordinates, Draft};
 
 /// A function that formats a number.
 pub(crate) type Number = fn(f64) -> String;
@@ -20,6 +20,16 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
 
     /// The parts that [`impedance`](Self::impedance) leaves out, in words.
     fn impedance_note(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Stiffness, damping and mass that no change of its answer exceeds; none where they have no bound.
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        self.impedance()
+    }
+
+    /// The direction in which it pushes, if that is the same everywhere and of no axis in particular.
+    fn normal(&self) -> Option<Coordinates> {
         None
     }
 

@@ -43,6 +43,11 @@ impl EnvironmentKind for VaryingSpring {
         Some(spring_and_damper(self.stiffness, 0.0))
     }
 
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        let most = self.stiffness.get().abs() + self.amplitude.get().abs();
+        Some(spring_and_damper(most, 0.0))
+    }
+
     fn impedance_note(&self) -> Option<&'static str> {
         Some("the stiffness is the spring's mean; what swings may add energy of its own")
     }

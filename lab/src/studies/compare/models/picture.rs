@@ -4,6 +4,7 @@ use super::comparison::Comparison;
 use super::table::setting;
 use crate::measure::Verdict;
 use crate::measure::models::BOUND;
+use crate::text::names::Named;
 use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 
 /// The most decades that are shown below and above V at the start.

@@ -21,6 +21,8 @@ struct Document<'a> {
 struct Circumstances<'a> {
     teleoperator: &'a str,
     energy_start_mj: f64,
+    /// What an ideal link rests with.
+    force_ideal_n: f64,
     delay_ticks: u16,
     spread_ticks: u16,
     loss: f64,
@@ -29,7 +31,11 @@ struct Circumstances<'a> {
     /// None: no limit.
     damping_cap: Option<f64>,
     compensation_speed_mm_per_s: f64,
+    two_layer_level_mj: f64,
+    two_layer_gain_ns_per_m_j: f64,
+    two_layer_share: f64,
     wave_impedance_ns_per_m: f64,
+    wave_filter_time_ms: f64,
 }
 
 #[derive(Serialize)]
@@ -42,17 +48,22 @@ struct Line<'a> {
 /// The comparisons as JSON; docs/teleoperation.md lists the keys.
 pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let teleoperators = comparisons.iter().map(|Comparison { name, file, .. }| {
-        let cap = file.stabilizer.damping_cap.get();
+        let (cap, layers) = (file.stabilizer.damping_cap.get(), file.layers());
         Circumstances {
             teleoperator: name,
             energy_start_mj: 1e3 * file.stored_at_start(),
+            force_ideal_n: file.ideal_force(),
             delay_ticks: file.channel.delay.get(),
             spread_ticks: file.channel.spread.get(),
             loss: file.channel.loss.get(),
             seed: file.channel.seed.map(Seed::get),
             damping_cap: cap.is_finite().then_some(cap),
-            compensation_speed_mm_per_s: 1e3 * file.stabilizer.compensation_speed.get(),
+            compensation_speed_mm_per_s: 1e3 * file.stabilizer.drift_compensated.speed.get(),
+            two_layer_level_mj: 1e3 * layers.level,
+            two_layer_gain_ns_per_m_j: layers.gain,
+            two_layer_share: layers.share,
             wave_impedance_ns_per_m: file.wave_impedance(),
+            wave_filter_time_ms: 1e3 * file.wave_filter_time(),
         }
     });
     let rows = comparisons.iter().flat_map(|comparison| {

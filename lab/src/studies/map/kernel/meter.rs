@@ -1,11 +1,15 @@
 //! Meters of the kernel's rollouts.
 
-use lyapunov::{Mask, OnePort, PortSample, Scalar, Stabilizer};
+use lyapunov::environments::{ForceLaw, Kinematics, Wall};
+use lyapunov::{Mask, OnePort, ParameterError, PortSample, Scalar, Stabilizer};
 
 use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
 use crate::files::scene::Draft;
-use crate::measure::{Chatter, Energies, Fate, Settling, Verdict, Yardstick};
+use crate::measure::{
+    Chatter, Energies, Fate, ForceFelt, Given, Settling, StiffnessFelt, Verdict, Yardstick,
+    device_damper,
+};
 use crate::simulate::Criterion;
 use crate::studies::map::outcome::Measures;
 
@@ -14,7 +18,9 @@ pub(super) trait Meter<T: Fuse> {
     /// Result of a lane.
     type Reading: Copy + Send;
 
-    fn new(lanes: Lanes<'_>) -> Self;
+    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError>
+    where
+        Self: Sized;
 
     /// Adds one tick: the motion, and `applied`, the force from here on.
     fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>);
@@ -36,8 +42,9 @@ pub(super) struct Verdicts<T: Scalar> {
 impl<T: Fuse> Meter<T> for Verdicts<T> {
     type Reading = (Verdict, Yardstick);
 
-    fn new(lanes: Lanes<'_>) -> Self {
-        Self { fate: Fate::of_lanes(lanes.0), lanes: lanes.0.len(), accepted: Mask::of(true) }
+    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
+        let (fate, accepted) = (Fate::of_lanes(lanes.0), Mask::of(true));
+        Ok(Self { fate, lanes: lanes.0.len(), accepted })
     }
 
     #[inline(always)]
@@ -65,24 +72,36 @@ pub(super) struct Everything<T> {
     active: T,
     settling: Settling<T>,
     energies: Energies<T>,
+    given: Given<T>,
+    wall: Wall<T>,
+    surface: T,
+    stiffness: T,
+    force_felt: ForceFelt<T>,
+    stiffness_felt: StiffnessFelt<T>,
     chatter: Option<Chatter<T>>,
 }
 
 impl<T: Fuse> Meter<T> for Everything<T> {
     type Reading = Measures;
 
-    fn new(lanes: Lanes<'_>) -> Self {
+    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
         let common = lanes.common();
         let rest = |scene: &Draft| Criterion::of(scene).rest();
-        Self {
+        Ok(Self {
             rate: common.servo_rate.get(),
             ticks: (common.ticks() + 1) as f64,
             peak: T::zero(),
             active: T::zero(),
             settling: Settling::new(lanes.each(|it| rest(it).0), lanes.each(|it| rest(it).1)),
             energies: Energies::new(),
+            given: Given::new(lanes.each(device_damper)),
+            wall: lanes.wall()?,
+            surface: lanes.of_wall(|wall| wall.position.get()),
+            stiffness: lanes.of_wall(|wall| wall.stiffness.get()),
+            force_felt: ForceFelt::new(),
+            stiffness_felt: StiffnessFelt::new(common.servo_rate.get()),
             chatter: Chatter::new(common.servo_rate.get()),
-        }
+        })
     }
 
     #[inline(always)]
@@ -93,6 +112,10 @@ impl<T: Fuse> Meter<T> for Everything<T> {
         self.active += T::choose(injects, T::one(), T::zero());
         self.settling.add(sample.position);
         self.energies.add(sample.position, environment, applied - environment);
+        self.given.add(sample.work, sample.displacement);
+        let ideal = self.wall.force(&Kinematics::at(sample.position, sample.velocity));
+        self.force_felt.add(applied, ideal);
+        self.stiffness_felt.add(applied, environment, sample.position - self.surface);
         if let Some(chatter) = &mut self.chatter {
             chatter.add(applied);
         }
@@ -104,13 +127,19 @@ impl<T: Fuse> Meter<T> for Everything<T> {
 
     fn read(&self, lane: usize, _sound: bool) -> Measures {
         let chatter = self.chatter.as_ref().and_then(Chatter::root_mean_square);
+        let millijoules = |energy: T| Some(1e3 * energy.lane(lane));
+        let asked = self.stiffness.lane(lane);
         Measures {
             peak_force: Some(self.peak.lane(lane)),
             settling_time: self.settling.since(lane).map(|tick| tick / self.rate),
-            energy_injected: Some(1e3 * self.energies.injected().lane(lane)),
-            energy_taken: Some(1e3 * self.energies.taken().lane(lane)),
+            energy_injected: millijoules(self.energies.injected()),
+            energy_taken: millijoules(self.energies.taken()),
             active: Some(100.0 * self.active.lane(lane) / self.ticks),
             chatter: chatter.map(|chatter| chatter.lane(lane)),
+            energy_given: millijoules(self.given.by_port()),
+            energy_given_beyond_damper: millijoules(self.given.beyond_damper()),
+            force_felt: self.force_felt.percent(lane),
+            stiffness_felt: self.stiffness_felt.stiffness(lane).map(|felt| 100.0 * felt / asked),
         }
         .in_range()
     }

@@ -187,13 +187,7 @@ trait Watching: std::marker::Copy {
     type Reading: std::marker::Copy + Send;
     type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
 
-    /// Whether `run` uses instructions that multiply and add at once.
-    const FUSES: bool;
-
     fn empty(self) -> Self::Reading;
-
-    /// Runs `job` compiled for `instructions` if that is faster.
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
 #[derive(Clone, Copy)]
@@ -203,14 +197,8 @@ impl Watching for Judge {
     type Reading = (Verdict, Yardstick);
     type Meter<T: Fuse> = Verdicts<T>;
 
-    const FUSES: bool = true;
-
     fn empty(self) -> (Verdict, Yardstick) {
         (Verdict::TooShort, Yardstick::Distance)
-    }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        instructions.run(job)
     }
 }
 
@@ -221,17 +209,8 @@ impl Watching for MeasureAll {
     type Reading = Measures;
     type Meter<T: Fuse> = Everything<T>;
 
-    const FUSES: bool = false;
-
     fn empty(self) -> Measures {
         Measures::default()
-    }
-
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        // The sums of the chatter lie side by side in memory line by line. Wider vectors gather them one by one,
-        // which takes four times as long.
-        let _ = instructions;
-        job.call()
     }
 }
 
@@ -243,10 +222,11 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
-        let candidate = match self.basic_name.on(&self.kernel.along.base) {
+        let candidate = match self.basic_name.table(&self.kernel.along.base) {
             None => return self.under::<T, NoStabilizer, W>(watching),
-            Some(Stabilizer::Popc(_)) => Candidate::Spring,
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
+            // POPC: no other has a basic name.
+            Some(_) => Candidate::Spring,
         };
         match candidate {
             Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
@@ -260,10 +240,9 @@ impl Run<'_> {
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         let seats = Seats::new(&self.kernel.along, self.cells);
-        let fuses = W::FUSES && self.kernel.fuses();
-        let empty = watching.empty();
+        let (empty, fuses) = (watching.empty(), self.kernel.fuses());
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
         // One rollout at a time gains nothing from vectors.
-        if T::LANES == 1 { rollouts.call() } else { W::run(self.kernel.instructions, rollouts) }
+        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
     }
 }

@@ -12,7 +12,6 @@ use lyapunov::{
 
 use super::backward::{Backward, Fuse, Period};
 use crate::files::scene::{self, Damping, Draft};
-use crate::simulate::family::Settings;
 
 /// Scenes of the lanes, alike in rates and duration; lanes beyond the last scene repeat it.
 #[derive(Clone, Copy, Debug)]
@@ -49,16 +48,24 @@ impl<'a> Lanes<'a> {
         Ok(body.resting_at(self.each(|it| it.operator.rest.get())).starting(position, velocity))
     }
 
+    /// Wall with the numbers of each lane.
+    pub(super) fn wall<T: Scalar>(self) -> Result<Wall<T>, ParameterError> {
+        let wall =
+            Wall::new(self.of_wall(|it| it.stiffness.get()), self.of_wall(|it| it.damping.get()))?;
+        Ok(wall.at(self.of_wall(|it| it.position.get())))
+    }
+
+    /// One number of the wall of each scene.
+    pub(super) fn of_wall<T: Scalar>(self, number: fn(&scene::Wall) -> f64) -> T {
+        self.each(|scene| scene.environment.wall().map_or(0.0, number))
+    }
+
     /// Port with the numbers of each lane; `fuses` as in [`Period::of`].
     pub(super) fn port<T: Fuse, S: Laned<T>>(
         self,
         fuses: bool,
     ) -> Result<Watched<T, S>, ParameterError> {
-        let of = |number: fn(&scene::Wall) -> f64| {
-            self.each(|scene| scene.environment.wall().map_or(0.0, number))
-        };
-        let wall = Wall::new(of(|it| it.stiffness.get()), of(|it| it.damping.get()))?;
-        let wall = wall.at(of(|it| it.position.get()));
+        let wall = self.wall()?;
         let stabilizer = S::of(self, &wall)?;
         let ticks = u32::try_from(self.common().environment_ratio()).unwrap_or(u32::MAX);
         let period = Period::of(self.common().period(), fuses);
@@ -100,7 +107,7 @@ impl<T: Scalar> Laned<T> for NoStabilizer {
 
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
-        let damping = |scene: &Draft| scene.damping(Settings::of(scene).damping_cap.get());
+        let damping = |scene: &Draft| scene.damping(scene.damping_cap());
         let limit = Damping::limit_of_lanes(|lane| damping(lanes.of(lane)))?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
     }

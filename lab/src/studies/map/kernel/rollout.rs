@@ -80,7 +80,7 @@ impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
     fn next(&mut self) -> Result<Option<Group<T, S, M>>, ParameterError> {
         let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(None) };
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
-        let (meter, plant) = (M::new(lanes), lanes.body(&mut self.bodies)?);
+        let (meter, plant) = (M::new(lanes)?, lanes.body(&mut self.bodies)?);
         let port = lanes.port(self.fuses)?;
         let sample = plant.start();
         Ok(Some(Group { plant, port, sample, meter, left, first, count }))
