@@ -284,7 +284,7 @@ fn the_family_takes_part_by_name() {
     assert_eq!(names, ["tank", "popc", "popc-threshold"]);
     // The other entrants change nothing, and a tank adds no damping.
     assert_eq!(some[1], rows("none,popc")[1]);
-    assert_eq!(some[0]["active_percent"], 0.0);
+    assert_eq!(some[0]["active_percent"], Value::Null);
 
     refused(&[&scene, &"--stabilizers", &"tnk"], &["`tnk`", "did you mean `tank`?", "popc-rising"]);
     refused(&[&scene, &"--stabilizers", &"popc,popc"], &["`popc` is named twice"]);

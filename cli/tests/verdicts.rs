@@ -31,8 +31,11 @@ fn of_map(file: &str, scene: &Scene, name: &str) -> [String; 2] {
     let y = axis("operator.damping", scene.operator.damping.get());
     let out = place.path().join("map");
     let out = out.to_str().unwrap();
-    lyapunov(&["map", file, "--x", &x, "--y", &y, "--stabilizers", name, "--out", out, "--json"]);
-    let table = std::fs::read_to_string(place.path().join("map/map.csv")).unwrap();
+    // The first of four shares is the first cell.
+    let cell = ["--shard", "0/4", "--out", out, "--json"];
+    let map = ["map", file, "--x", &x, "--y", &y, "--stabilizers", name];
+    lyapunov(&[&map[..], &cell].concat());
+    let table = std::fs::read_to_string(place.path().join("map/map-0-of-4.csv")).unwrap();
     let mut lines = table.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
     let cells: Vec<&str> = lines.next().unwrap().split(',').collect();

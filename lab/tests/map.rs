@@ -76,7 +76,8 @@ fn lanes_have_them_with_sampled_work_and_other_caps_too() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Lanes of every kind, on every set of instructions, against one rollout at a time of the same source.
+    /// Lanes of every kind, on every set of instructions, against one rollout at a time of the same source; and their
+    /// verdicts against those of the loops that scenes are built of.
     #[test]
     fn any_grid_is_the_same_on_all_lanes(
         pair in 0_usize..4,
@@ -109,6 +110,9 @@ proptest! {
         for set in Instructions::all() {
             prop_assert_eq!(&of(set, Lanes::Many), &alone, "{}", set.name());
         }
+        let single = outcomes(&grid, true, 1);
+        let single: Vec<_> = single.iter().map(|it| (it[0].verdict, it[0].verdict_by)).collect();
+        prop_assert_eq!(&single, &alone.0);
     }
 }
 

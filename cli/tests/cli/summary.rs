@@ -95,7 +95,7 @@ fn a_run_too_short_to_judge_says_so() {
     said_of("duration = 10.0", "duration = 0.97", "").ended(0, &words);
     let delay = "[effects.delay]\nticks = 99";
     let words = ["verdict too short: 1000 ticks, and twenty answers of the environment take 2000"];
-    said_of("", "", delay).ended(0, &words);
+    said_of("stiffness = 8000.0\ndamping = 2.0", "stiffness = 0.0", delay).ended(0, &words);
 }
 
 /// The summary of a scene with `tables` in place of the stabilizer.

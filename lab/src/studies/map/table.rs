@@ -64,7 +64,8 @@ impl TableHeader {
             if !line.starts_with('#') {
                 let expected: Vec<&str> = columns().collect();
                 let is_known = line.trim_end().ends_with(&format!(",{}", expected.join(",")));
-                let found = line.trim_end().to_owned();
+                let (_, found) = line.trim_end().split_once(",stabilizer,").unwrap_or(("", line));
+                let found = found.trim_end().to_owned();
                 return if is_known { Ok(Self { text }) } else { Err(TableError::Columns(found)) };
             }
         }
@@ -118,7 +119,7 @@ impl TableHeader {
 pub enum TableError {
     /// The head is not that of a map of this version.
     TableHeader(String),
-    /// The columns are not those of this version.
+    /// The columns after the stabilizer's are not those of this version.
     Columns(String),
     /// A row that no map has.
     Row {
@@ -143,7 +144,7 @@ impl fmt::Display for TableError {
             Self::TableHeader(problem) => write!(f, "this is not the table of a map: {problem}"),
             Self::Columns(found) => {
                 let found = crate::text::excerpt::shorten(found);
-                write!(f, "its columns are `{found}`, and those of this version are others")
+                write!(f, "its columns are `{found}`, and this version has others")
             }
             Self::Row { row, text } => {
                 write!(
