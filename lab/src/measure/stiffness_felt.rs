@@ -103,7 +103,11 @@ mod tests {
         // Contacts of another length in each lane.
         let tick = |lane: usize, n: usize| -> Tick {
             let p = 1e-3 * (0.7 * n as f64).sin().abs();
-            if n % (45 + 2 * lane) == 0 { (0.3, 0.0, p) } else { (900.0 * p, 800.0 * p + 0.1, p) }
+            if n.is_multiple_of(45 + 2 * lane) {
+                (0.3, 0.0, p)
+            } else {
+                (900.0 * p, 800.0 * p + 0.1, p)
+            }
         };
         let mut lanes = StiffnessFelt::new(100.0);
         for n in 0..400 {
