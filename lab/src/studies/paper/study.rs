@@ -149,7 +149,7 @@ impl fmt::Display for Study {
             let mut influences = depending().flat_map(|claim| &claim.ours.influences);
             influences.any(|influence| influence.constant == unstated.name())
         };
-        let named = Unstated::ALL.into_iter().filter(named);
-        named.map(|it| writeln!(f, "{}: {}", it.name(), it.order())).collect()
+        let mut named = Unstated::ALL.into_iter().filter(named);
+        named.try_for_each(|it| writeln!(f, "{}: {}", it.name(), it.order()))
     }
 }

@@ -60,7 +60,7 @@ impl Trace {
         self.points.push(point);
         self.inside = if away <= BAND * self.start { self.inside + 1 } else { 0 };
         // A position that is not a number is beyond everything.
-        let beyond = |reach: f64| (!(away <= reach * self.start)).then_some(tick);
+        let beyond = |reach: f64| (away.is_nan() || away > reach * self.start).then_some(tick);
         self.left = self.left.or_else(|| beyond(REACH));
         self.gone = beyond(GONE);
         self.settled = (self.inside > self.ticks(HOLD)).then(|| tick - self.ticks(HOLD));
