@@ -68,11 +68,12 @@ fn other(parameter: &Parameter) -> f64 {
     let default = parameter.default.unwrap();
     match parameter.search {
         Some(search) => {
-            let middle = match search.spacing {
-                Spacing::Linear => 0.5 * (search.lower + search.upper),
-                Spacing::Logarithmic => (search.lower * search.upper).sqrt(),
+            // Defaults stand in the middle of some ranges, and at an end of others.
+            let inner = match search.spacing {
+                Spacing::Linear => 0.3 * search.lower + 0.7 * search.upper,
+                Spacing::Logarithmic => search.lower.powf(0.3) * search.upper.powf(0.7),
             };
-            if parameter.is_whole { middle.round() + 3.0 } else { middle }
+            if parameter.is_whole { inner.round() + 3.0 } else { inner }
         }
         None if default > 0.0 => 0.4 * default,
         None => 2e-4,
@@ -107,7 +108,7 @@ fn every_number_of_a_table_changes_the_run() {
     }
 }
 
-/// Ends and middle of every range are stabilizers, and the default is one of those that a search should know.
+/// Ends and inside of every range are stabilizers, and the default is one of those that a search should know.
 #[test]
 fn every_range_is_worth_a_search() {
     let base = scene(LOOP);

@@ -132,5 +132,6 @@ mod tests {
         let samples = Samples::<f64>::new(1e-3);
         laws::adaptor(Port::new, samples).unwrap();
         laws::adaptor(|port| Seen::default().command(port), samples).unwrap();
+        laws::adaptor(|port| Seen::default().environment(port), samples).unwrap();
     }
 }

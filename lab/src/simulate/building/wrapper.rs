@@ -11,8 +11,11 @@ use crate::files::scene::Pace;
 pub struct AnyWrapper<V: Signal> {
     pace: Pace,
     bytes: usize,
-    wrap: Box<dyn Fn(Port<V>) -> Result<Port<V>, ParameterError>>,
+    wrap: Box<Wrap<V>>,
 }
+
+/// The port around an environment.
+type Wrap<V> = dyn Fn(Port<V>) -> Result<Port<V>, ParameterError>;
 
 impl<V: Signal> AnyWrapper<V> {
     /// Boxes `wrap`.

@@ -64,7 +64,9 @@ macro_rules! table {
                     use $crate::files::scene::Quantity;
                     type Type = $crate::files::scene::$Quantity;
                     let search: fn(f64, &super::Basis) -> Option<super::Search> = $search;
-                    let default = Self { $key: None, ..*self }.$key(on);
+                    let mut unwritten = *self;
+                    unwritten.$key = None;
+                    let default = unwritten.$key(on);
                     super::Parameter {
                         key: concat!("stabilizer.", $name, ".", stringify!($key)),
                         unit: $unit,
