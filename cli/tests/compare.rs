@@ -301,10 +301,10 @@ fn every_key_is_on_its_page_and_broken_loops_are_counted() {
     for key in objects.iter().flat_map(|it| it.as_object().unwrap().keys()) {
         assert!(page.contains(&format!("`{key}`")), "docs/compare.md lacks `{key}`");
     }
-    // Neither scene is stable alone.
+    // Both scenes grow alone.
     let counts = document["broken"].as_array().unwrap();
     assert_eq!(counts.len(), 5);
-    assert!(counts.iter().all(|row| row["stable_alone"] == 0 && row["broke"] == 0));
+    assert!(counts.iter().all(|row| row["bounded_alone"] == 0 && row["broke"] == 0));
     assert!(text(&compare(&[&one, &other]).stdout).contains("all scenes"));
     assert!(!text(&compare(&[&one]).stdout).contains("all scenes"));
 }

@@ -101,7 +101,7 @@ fn files_and_options_that_do_not_go_together_are_refused() {
     let compare: &OsStr = "compare".as_ref();
     let mixed = ["a model of a plant", "a teleoperator", "in calls of their own"];
     refuses(&[compare, file.as_ref(), model.as_ref()], &mixed);
-    let by = ["--by".as_ref(), "stable".as_ref()];
+    let by = ["--by".as_ref(), "verdict".as_ref()];
     refuses(&[compare, file.as_ref(), by[0], by[1]], &["of a teleoperator", "leave it out"]);
     refuses(&["run".as_ref(), file.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
 }

@@ -139,3 +139,47 @@ pub(crate) struct Outcome {
     /// Time in s and V.
     pub(crate) curve: Vec<(f64, f64)>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The verdict on a run of 100 ticks of which `V(n)` is known, under a controller of this delay.
+    fn verdict(delay: u16, rows: u64, value: impl Fn(f64) -> f64) -> Verdict {
+        let text = format!(
+            "duration = 1.0\nservo_rate = 100.0\ninitial = [0.5, 0.0]\nplant.van-der-pol.mu = 1.0\n\
+             controller.delay = {delay}\n"
+        );
+        let model = Model::parse(&text, "test").unwrap();
+        let mut meter = Meter::new(&model, value(0.0));
+        for row in 0..rows {
+            let value = value(row as f64 / 100.0);
+            meter.add(Tick { value, effort: 0.0, alpha: 0.0, shortfall: 0.0, taken: 0.0 });
+        }
+        meter.finish(Entrant::None).score.verdict
+    }
+
+    #[test]
+    fn v_that_decays_stays_or_passes_its_bound_is_told_apart() {
+        let exponential = |rate: f64| verdict(0, 101, move |t| 2.0 * (rate * t).exp());
+        // At 0.9 s from a rate of ln(0.0025) / 0.9 s on within the band; at 1 s from ln 4 on beyond the bound.
+        assert_eq!([-8.0, -6.66].map(exponential), [Verdict::Settles; 2]);
+        assert_eq!([-6.65, 0.0, 1.38].map(exponential), [Verdict::Swinging; 3]);
+        assert_eq!([1.39, 5.0].map(exponential), [Verdict::Grows; 2]);
+        // Once beyond the bound is enough.
+        let peak = |most: f64| {
+            verdict(0, 101, move |t| if t == 0.5 { most } else { 1e-9 + (1.0 - t).floor() })
+        };
+        assert_eq!([3.99, 4.01].map(peak), [Verdict::Settles, Verdict::Grows]);
+    }
+
+    #[test]
+    fn a_run_of_few_answers_is_not_judged_unless_it_is_lost() {
+        assert_eq!(
+            [4, 5].map(|delay| verdict(delay, 101, |_| 1.0)),
+            [Verdict::Swinging, Verdict::TooShort]
+        );
+        assert_eq!(verdict(5, 101, |t| 1.0 + 9.0 * t), Verdict::Grows);
+        assert_eq!(verdict(5, 100, |_| 1.0), Verdict::Grows);
+    }
+}

@@ -245,3 +245,58 @@ pub(crate) struct Outcome {
     pub(crate) score: Score,
     pub(crate) curves: Curves,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The verdict on a run of `rows` ticks at 100 Hz in which both devices, 0.5 kg each, move at `v(t)` and `x(t)`. The
+    /// hand of 100 N/m starts with 5 mJ, and two of its swings with both masses take 0.4 π s.
+    fn verdict(duration: f64, delay: u16, rows: u64, x: f64, v: impl Fn(f64) -> f64) -> Verdict {
+        let text = format!(
+            "duration = {duration}\nservo_rate = 100.0\n\
+             master = {{ mass = 0.5, hand_stiffness = 100.0, start = -0.01 }}\nslave.mass = 0.5\n\
+             coordination = {{ stiffness = 200.0, damping = 2.0 }}\nchannel.delay = {delay}\n"
+        );
+        let file = Teleoperator::parse(&text, "test").unwrap();
+        let mut meter = Meter::new(&file);
+        for row in 0..rows {
+            let motion = [x, v(row as f64 / 100.0)];
+            let [command, felt, taken, crossed, shortfall] = [0.0; 5];
+            let (master, slave, burnt) = (motion, motion, [0.0; 2]);
+            meter.add(Tick { master, slave, command, felt, taken, crossed, burnt, shortfall });
+        }
+        meter.finish(Entrant::None).score.verdict
+    }
+
+    #[test]
+    fn energies_that_decay_stay_or_pass_their_bound_are_told_apart() {
+        // Both together hold 0.5 kg v²: 5 mJ at 0.1 m/s, and the band is a twentieth of that.
+        let steady = |v: f64| verdict(2.0, 0, 201, 0.0, move |_| v);
+        assert_eq!([0.0, 0.0049].map(steady), [Verdict::Settles; 2]);
+        assert_eq!([0.0051, 0.1, 0.199].map(steady), [Verdict::Swinging; 3]);
+        assert_eq!(steady(0.201), Verdict::Grows);
+        // The last tenth counts, and once beyond the bound is enough.
+        let stops = |at: f64| verdict(2.0, 0, 201, 0.0, move |t| if t < at { 0.1 } else { 0.0 });
+        assert_eq!([1.8, 1.81].map(stops), [Verdict::Settles, Verdict::Swinging]);
+        assert_eq!(
+            verdict(2.0, 0, 201, 0.0, |t| if t < 0.01 { 0.21 } else { 0.0 }),
+            Verdict::Grows
+        );
+        // At rest with a drawn spring it has settled, unless the spring holds more than four times as much.
+        let drawn = |x: f64| verdict(2.0, 0, 201, x, |_| 0.0);
+        assert_eq!([0.0199, 0.0201].map(drawn), [Verdict::Settles, Verdict::Grows]);
+    }
+
+    #[test]
+    fn a_run_of_few_swings_or_trips_is_not_judged_unless_it_is_lost() {
+        let two = 0.4 * std::f64::consts::PI;
+        let last = |duration: f64| (100.0 * duration).round() as u64;
+        let at = |duration: f64| verdict(duration, 0, last(duration) + 1, 0.0, |_| 0.1);
+        assert_eq!([two + 0.01, two - 0.01].map(at), [Verdict::Swinging, Verdict::TooShort]);
+        let delayed = |delay: u16| verdict(2.0, delay, 201, 0.0, |_| 0.1);
+        assert_eq!([9, 10].map(delayed), [Verdict::Swinging, Verdict::TooShort]);
+        assert_eq!(verdict(2.0, 10, 201, 0.0, |_| 0.3), Verdict::Grows);
+        assert_eq!(verdict(2.0, 10, 200, 0.0, |_| 0.1), Verdict::Grows);
+    }
+}

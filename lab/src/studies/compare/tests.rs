@@ -335,7 +335,7 @@ fn a_stable_loop_that_becomes_unstable_is_broken() {
     assert_eq!(verdicts(&comparisons[1], "none"), Some(false));
     let only_the_pump = [false, false, false, false, false, true].map(Some);
     assert_eq!(marks(&comparisons[0]), only_the_pump);
-    // What is unstable alone cannot be broken.
+    // What grows alone cannot be broken.
     assert_eq!(verdicts(&comparisons[1], "pump"), Some(false));
     assert_eq!(marks(&comparisons[1]), [Some(false); 6]);
     let told = serde_json::to_value(Broken::of(&comparisons)).unwrap();
