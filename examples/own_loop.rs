@@ -7,13 +7,14 @@
 //! ```
 
 use lyapunov::{
-    DampingLimit, Dissipation, Lolc, ParameterError, PortEnergy, PortSample, Stabilizer,
+    DampingLimit, Dissipation, Lolc, ParameterError, PortEnergy, Reading, Readings, Stabilizer,
 };
 
 const PERIOD: f64 = 1e-3; // s
 const MASS: f64 = 0.2; // kg: the smallest mass that moves with the device
 const DAMPING: f64 = 0.1; // N·s/m: the smallest viscous damping of the device
 const STRONGEST: f64 = 40.0; // N: what the amplifier can do
+const FASTEST: f64 = 10.0; // m/s: no hand moves the device faster, so a reading that says so is wrong
 
 fn main() -> Result<(), ParameterError> {
     println!("largest swing in each half second, mm");
@@ -33,25 +34,22 @@ fn run(damping_cap: f64) -> Result<[f64; 8], ParameterError> {
     let mut stabilizer = Lolc::new((PortEnergy, Dissipation::of(DAMPING)?), limit);
 
     let mut device = Device { position: 0.0, velocity: 0.02 };
-    let (mut last, mut applied) = (device.read(), 0.0);
+    let mut readings = Readings::every(PERIOD)?.no_faster_than(FASTEST)?;
+    let mut applied = 0.0;
     let mut swings = [0.0; 8];
     for tick in 0..4000 {
-        let position = device.read();
-        let displacement = position - last;
-        let velocity = displacement / PERIOD;
-        last = position;
+        // `applied` is the force after the amplifier's limit, not the commanded one: the stabilizer books that.
+        let sample = readings.read(Reading { position: device.read(), applied }).sample;
 
         // Your own controller: a spring to the origin, so stiff that at this rate it returns more energy than it took.
-        let wanted = 5_000.0 * position;
+        let wanted = 5_000.0 * sample.position;
 
-        // `applied` is the force after the amplifier's limit, not the commanded one: the stabilizer books that.
-        let sample = PortSample::new(PERIOD, position, velocity, displacement, applied);
         let correction = stabilizer.stabilize(&sample, wanted);
         applied = correction.effort.clamp(-STRONGEST, STRONGEST);
         device.push(applied);
 
         let swing: &mut f64 = &mut swings[tick / 500];
-        *swing = swing.max(position.abs());
+        *swing = swing.max(sample.position.abs());
     }
     Ok(swings)
 }

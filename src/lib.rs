@@ -6,7 +6,7 @@
 //! `std`.
 //!
 //! ```
-//! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Stabilizer};
+//! use lyapunov::{DampingLimit, ParameterError, Popc, PortEnergy, Reading, Readings, Stabilizer};
 //!
 //! fn control(
 //!     mut read: impl FnMut() -> f64,
@@ -15,14 +15,11 @@
 //!     let period = 1e-3; // s
 //!     let limit = DampingLimit::of_mass(0.5, 0.2, period)?; // 0.2 kg: the least that moves
 //!     let mut popc = Popc::new(PortEnergy, limit);
-//!     let (mut last, mut applied) = (read(), 0.0); // the first reading is no displacement
+//!     let mut readings = Readings::every(period)?.no_faster_than(2.0)?; // m/s: no hand moves faster
+//!     let mut applied = 0.0;
 //!     for _ in 0..1000 {
-//!         let position = read();
-//!         let displacement = position - last;
-//!         last = position;
-//!         let velocity = displacement / period;
-//!         let sample = PortSample::new(period, position, velocity, displacement, applied);
-//!         let wall = if position > 0.0 { 8000.0 * position } else { 0.0 };
+//!         let sample = readings.read(Reading { position: read(), applied }).sample;
+//!         let wall = if sample.position > 0.0 { 8000.0 * sample.position } else { 0.0 };
 //!         let correction = popc.stabilize(&sample, wall);
 //!         applied = motor(correction.effort); // pushes with −effort, returns the effort it applied
 //!     }
@@ -40,22 +37,39 @@
 //! |---|---|
 //! | [`stabilizers`] | the family of POPC and LOLC: bounded credit, gentler corrections, tanks, two-port sides, waves |
 //! | [`candidates`] | terms of a Lyapunov candidate, and the gates that open them |
+//! | [`readings`] | the memory of a port in a loop of your own: first tick, gaps, clock, velocity filters |
 //! | [`environments`] | virtual walls, springs and solids |
 //! | [`bodies`] | masses on an operator's hand, with friction, elastic joints, a changing grip |
 //! | [`effects`] | encoder, noise, filters, hold, delay, dropout, saturation, guard |
 //! | [`trajectories`] | functions of time that a hand or a load follows |
 //! | [`channels`] | constant, varying and lossy channels of a teleoperator |
 //! | [`integrators`] | equations of motion, and methods that follow them |
+//! | [`poses`] | the port of a rigid body: poses, twists, wrenches, Jacobians |
 //! | [`models`] | control-affine plants with their Lyapunov functions |
 //! | [`accumulators`] | plain, compensated and wide sums |
 //! | [`lanes`] | several rollouts in one number |
 //! | [`laws`] | checks to run on parts of your own |
+//! | [`telemetry`] | the last ticks in a ring, and the energies of all of them |
+//!
+//! What is chosen at run time is a [`Member`](stabilizers::Member) of the family; with the feature `alloc` a
+//! `Box<dyn Stabilizer<V>>` is a stabilizer too. A stabilizer or candidate of your own: docs/own-stabilizer.md in the
+//! repository goes through it from the first `if` to the last law.
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `alloc` | boxes of stabilizers, candidates, ports and plants are such |
+//! | `approx` | comparison within a tolerance for samples, corrections and other values |
+//! | `defmt` | `Format` for the same, to log them over a debug probe |
+//! | `serde` | `Serialize` and `Deserialize` for the same |
+//!
+//! A feature that is off adds nothing; none of them changes a step.
 #![no_std]
 
 pub use lyapunov_core::{
-    AdmittanceSample, Correction, Dissipation, Held, Ledger, LyapunovCandidate, Mask, Observer,
-    OnePort, ParameterError, Plant, PortEnergy, PortSample, Requirement, Sampled, Scalar, Signal,
-    Stabilized, Stabilizer, StorageFunction, Work, lanes, laws,
+    AdmittanceSample, CheckedSample, Correction, Dissipation, Held, HeldFlow, HeldTick, Ledger,
+    LyapunovCandidate, Mask, MovingReading, Observer, OnePort, ParameterError, Plant, PortEnergy,
+    PortSample, Reading, Readings, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilized,
+    Stabilizer, StorageFunction, Work, lanes, laws, telemetry,
 };
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
@@ -63,10 +77,10 @@ pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 pub mod prelude {
     pub use crate::bodies::PlantExt;
     pub use crate::effects::OnePortExt;
-    pub use crate::stabilizers::StabilizerExt;
+    pub use crate::stabilizers::{Account, StabilizerExt};
     pub use crate::{
-        DampingLimit, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Scalar, Signal,
-        Stabilizer,
+        DampingLimit, HeldTick, LyapunovCandidate, OnePort, Plant, PortEnergy, PortSample, Reading,
+        Readings, Scalar, Signal, Snapshot, Stabilizer,
     };
 }
 
@@ -80,12 +94,20 @@ pub mod candidates {
     pub use lyapunov_core::{Always, Gate, InContact, LyapunovFunction};
 }
 
+/// Velocities of [`Readings`], and their time.
+pub mod readings {
+    pub use lyapunov_core::{
+        CheckedSample, Clocked, Differenced, LowPassed, Measured, MovingReading, Reading, Readings,
+        Steady, VelocityEstimator, Windowed,
+    };
+}
+
 /// Virtual environments, which respond to a motion with a force.
 pub mod environments {
     pub use lyapunov_plants::{
-        Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics,
-        LayeredWall, MassSpringDamper, MovingWall, NearestPoint, Plane, Solid, Sphere, Spring,
-        Surface, Time, VaryingSpring, Wall,
+        BodyPoints, Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley,
+        Kinematics, LayeredWall, MassSpringDamper, MovingWall, NearestPoint, OrientationSpring,
+        Plane, Solid, Sphere, Spring, Surface, Time, VaryingSpring, Wall,
     };
 }
 
@@ -93,16 +115,16 @@ pub mod environments {
 pub mod bodies {
     pub use lyapunov_plants::{
         Body, DampedMass, ElasticJoint, ExternalForce, Friction, FromParts, Grip, HandMotion,
-        Impedance, IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, Stribeck, Transition,
-        Transitions, TwoMassBody, TwoMassParts, held_input,
+        Impedance, IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, RigidBody, RigidParts,
+        Stribeck, Transition, Transitions, TwoMassBody, TwoMassParts, held_input,
     };
 }
 
 /// Imperfections of the sampled loop, as adaptors of a port.
 pub mod effects {
     pub use lyapunov_plants::{
-        AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass,
-        Noise, OnePortExt, Random, Saturation, Source, ZeroOrderHold,
+        AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
+        LowPass, Noise, OnePortExt, Random, Saturation, Scaled, Source, ZeroOrderHold,
     };
 }
 
@@ -133,24 +155,33 @@ pub mod integrators {
 pub mod models {
     pub use lyapunov_core::LyapunovFunction;
     pub use lyapunov_plants::{
-        AdmittanceDevice, AffinePlant, ArmEnergy, ControlAffine, DcMotor, Decay, Ground,
-        InvertedPendulum, LegEnergy, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg,
-        QuadraticForm, RigidLink, StateFeedback, TwoLinkArm, UprightEnergy, VanDerPol, WithFlow,
-        WithState, decrease_of,
+        AdmittanceDevice, AffinePlant, ArmEnergy, ArmLink, ArmPosture, ControlAffine, DcMotor,
+        Decay, Ground, InvertedPendulum, LegEnergy, MeasuredPlant, MotorEnergy, MotorParts,
+        ProstheticLeg, QuadraticForm, RigidLink, SerialArm, StateFeedback, TwoLinkArm,
+        UprightEnergy, VanDerPol, WithFlow, WithState, decrease_of,
+    };
+}
+
+/// Poses, twists and wrenches: the port of a rigid body, and of an arm through its Jacobian.
+pub mod poses {
+    pub use lyapunov_core::{
+        Angle, Axes, BodyAxes, Jacobian, Pose, PoseTrack, Screw, Spatial, TaskPort, WithPose,
+        WorldAxes,
     };
 }
 
 /// Family around [`Lolc`] and [`Popc`]: adaptors that refine them, and other stabilizers.
 pub mod stabilizers {
     pub use lyapunov_stabilizers::{
-        AlongDirection, AxisWeights, BoundedCredit, BoundedValve, Constraint, ContactReset,
-        CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
+        Account, AlongDirection, AxisWeights, BodyInertia, BoundedCredit, BoundedValve, Constraint,
+        ContactReset, CoupledPort, DampingMatrix, DeviceDamping, DirectedDamping, DriftCompensated,
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
-        InertiaMetric, Input, InputToState, KeptCredit, LeastNorm, LimitCredit, MemoryBased,
-        Metric, NoStabilizer, OpenValve, PathMemory, PerAxis, RateLimit, ReferenceDamper,
-        ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank,
-        TankLimits, TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, WaveFilter,
-        WaveFollower, WaveTransform, WindowedCredit,
+        Inertia, InertiaLimit, InertiaMetric, Input, InputToState, JointInertia, KeptCredit,
+        LeastNorm, LimitCredit, Member, MemberState, MemoryBased, Metric, NoStabilizer, OpenValve,
+        PartLimits, PathMemory, PerAxis, PerPart, RateLimit, ReferenceDamper, ReferenceFollowing,
+        Sharing, SlopeBound, SoftStart, Spread, StabilizerExt, Tank, TankLimits, TaskInertia,
+        TwoLayer, TwoPortSide, Valve, VelocityThreshold, VirtualCoupling, Watchdog, WatchdogTimes,
+        WaveFilter, WaveFollower, WaveTransform, WindowedCredit,
     };
 }
 
@@ -158,3 +189,13 @@ pub mod stabilizers {
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The page about a stabilizer of one's own, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/own-stabilizer.md")]
+struct OwnStabilizer;
+
+/// The page about telemetry and choice at run time, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/telemetry.md")]
+struct Telemetry;

@@ -5,16 +5,20 @@ use approx::{
 };
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, PortSample, Scalar,
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, PortSample, Scalar,
     accumulators::DoubleDouble,
     bodies::{DampedMass, ElasticJoint, Impedance, TwoMassParts},
     integrators::State,
+    poses::Screw,
+    stabilizers::PartLimits,
 };
-use nalgebra::{Vector1, Vector2};
+use nalgebra::{Vector1, Vector2, Vector3};
 
 #[test]
 fn every_field_counts_by_its_own_unit() {
-    let sample = PortSample::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    let sample =
+        HeldTick { period: 1e-3, position: 0.1, velocity: 0.2, displacement: 3e-4, applied: 5.0 }
+            .sample();
     let changes: [fn(&mut PortSample<f64>) -> &mut f64; 6] = [
         |sample| &mut sample.period,
         |sample| &mut sample.position,
@@ -31,13 +35,23 @@ fn every_field_counts_by_its_own_unit() {
         assert!(!relative_eq!(sample, other, max_relative = 1e-8));
         assert!(!ulps_eq!(sample, other));
     }
-    let load = AdmittanceSample::new(1e-3, 0.1, 0.2, 3e-4, 5.0);
+    let load =
+        HeldFlow { period: 1e-3, momentum: 0.1, effort: 0.2, impulse: 3e-4, flow: 5.0 }.sample();
     assert!(!abs_diff_eq!(load, AdmittanceSample { flow: 5.1, ..load }, epsilon = 0.09));
     assert_relative_eq!(load, AdmittanceSample { flow: 5.1, ..load }, max_relative = 0.02);
 }
 
 #[test]
 fn every_axis_and_part_counts() {
+    let screw = Screw::<f64>::new(Vector3::x(), Vector3::y());
+    let turned = Screw::new(Vector3::x(), Vector3::y() * 1.001);
+    assert_relative_eq!(screw, turned, max_relative = 2e-3);
+    assert!(!abs_diff_eq!(screw, turned, epsilon = 0.9e-3));
+    let limit = |most| DampingLimit::at(most).expect("a limit");
+    let limits = |rotation| PartLimits { translation: limit(9.0), rotation: limit(rotation) };
+    assert!(!relative_eq!(limits(1.0), limits(1.1), max_relative = 0.01));
+    assert_relative_eq!(limits(1.0), limits(1.1), max_relative = 0.1);
+
     let at = State { position: Vector2::new(1.0, 2.0), velocity: Vector2::new(0.0, 1e3) };
     let mut moved = at;
     moved.velocity.y += 1e-6;

@@ -1,12 +1,15 @@
 //! Memory of effects: each stores its own values only, and an absent one nothing.
 
 use lyapunov::{
+    Popc, Readings,
     bodies::{Body, ExternalForce, Grip, HandMotion, Impedance, Jitter},
     effects::{
         AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, LowPass, Noise, Saturation,
-        ZeroOrderHold,
+        Scaled, ZeroOrderHold,
     },
     environments::Wall,
+    readings::{Clocked, Differenced, LowPassed, Measured, Windowed},
+    stabilizers::Watchdog,
     trajectories::{Constant, Pulse},
 };
 
@@ -23,6 +26,7 @@ fn an_adaptor_adds_its_own_numbers() {
     let numbers = [
         ("nothing", added::<BackwardDifference<Port>, Port, f64>(), 0.0),
         ("force", added::<Saturation<Port, f64>, Port, f64>(), 1.0),
+        ("scale", added::<Scaled<Port, f64>, Port, f64>(), 1.0),
         ("resolution, last", added::<Encoder<Port, f64>, Port, f64>(), 1.0 + 2.0),
         ("rate, last", added::<LowPass<Port, f64>, Port, f64>(), 1.0 + 2.0),
         (
@@ -40,6 +44,21 @@ fn an_adaptor_adds_its_own_numbers() {
     }
     assert_eq!(added::<Saturation<Wall<f32>, f32>, Wall<f32>, f32>(), 1.0);
     assert_eq!(added::<ZeroOrderHold<Wall<f32>, f32>, Wall<f32>, f32>(), 2.0 + 3.0 + 1.0);
+}
+
+#[test]
+fn readings_and_a_watchdog_keep_their_own_numbers() {
+    // Period, speed, and where the position is known; position, gap, and two efforts.
+    assert_eq!(size_of::<Readings<f64>>(), 7 * size_of::<f64>());
+    assert_eq!(size_of::<Readings<f32>>(), 7 * size_of::<f32>());
+    // Rate and velocity; a time; ticks, band, past, known.
+    type Plain = Readings<f64>;
+    assert_eq!(added::<Readings<f64, LowPassed<f64>>, Plain, f64>(), 1.0 + 2.0);
+    assert_eq!(added::<Readings<f64, Differenced, Clocked>, Plain, f64>(), 2.0);
+    assert_eq!(added::<Readings<f64, Windowed<f64, 8>>, Plain, f64>(), 3.0 + 8.0);
+    assert_eq!(added::<Readings<f64, Measured>, Plain, f64>(), 0.0);
+    // Two times, effort, silence, rise.
+    assert_eq!(added::<Watchdog<Popc<f64>, f64>, Popc<f64>, f64>(), 5.0);
 }
 
 #[test]

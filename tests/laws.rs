@@ -3,8 +3,8 @@
 use lyapunov::lanes::{AutoF32x8, AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Probe, Samples};
 use lyapunov::{
-    Correction, DampingLimit, Dissipation, Lolc, LyapunovCandidate, OnePort, ParameterError, Plant,
-    PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
+    Correction, DampingLimit, Dissipation, HeldTick, Lolc, LyapunovCandidate, OnePort,
+    ParameterError, Plant, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
     accumulators::Compensated,
     bodies::{Body, DampedMass, ElasticJoint, Impedance, PlantExt, TwoMassBody, TwoMassParts},
     effects::{Dropout, Fallback, OnePortExt},
@@ -203,8 +203,17 @@ fn no_stabilizer_changes_nothing_and_accepts_all() {
         );
         assert!(correction.shortfall == 0.0 && correction.accepted);
     }
-    let correction =
-        NoStabilizer.stabilize(&PortSample::new(PERIOD, f64::NAN, 0.0, 0.0, 0.0), f64::NAN);
+    let correction = NoStabilizer.stabilize(
+        &HeldTick {
+            period: PERIOD,
+            position: f64::NAN,
+            velocity: 0.0,
+            displacement: 0.0,
+            applied: 0.0,
+        }
+        .sample(),
+        f64::NAN,
+    );
     assert!(correction.effort.is_nan() && correction.accepted);
 }
 
@@ -285,7 +294,14 @@ impl Plant<f64> for Faulty<'_> {
 
     fn advance(&mut self, effort: f64) -> PortSample<f64> {
         self.sum += 1e-6;
-        PortSample::new(PERIOD, self.sum, 0.0, 0.0, effort)
+        HeldTick {
+            period: PERIOD,
+            position: self.sum,
+            velocity: 0.0,
+            displacement: 0.0,
+            applied: effort,
+        }
+        .sample()
     }
 }
 
@@ -301,11 +317,4 @@ fn a_faulty_state_is_caught() {
     assert_eq!(law(laws::candidate(&faulty, samples)), Law::NothingForNothing);
     assert_eq!(law(laws::one_port(&faulty, samples)), Law::Finite);
     assert_eq!(law(laws::plant(&faulty, samples)), Law::TellsTheTruth);
-}
-
-#[test]
-fn a_violation_names_its_sample_and_its_law() {
-    let told = Told(|d: &PortSample<f64>, f| Correction::none(f - d.velocity).checked());
-    let violation = laws::stabilizer(&told, Samples::new(PERIOD)).expect_err("broken");
-    assert!(violation.to_string().starts_with("sample 0: the correction must not feed power"));
 }

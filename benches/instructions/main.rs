@@ -46,12 +46,12 @@ macro_rules! contest {
 }
 
 /// Contests of one scalar: with and without a stabilizer on a state that is kept; with one on a state that is dropped
-/// with the run; with one that credits a damper; without one on a body that is integrated by steps; and with the two
-/// that limit the force.
+/// with the run; with one that credits a damper; without one on a body that is integrated by steps; with the two
+/// that limit the force; and one that is told readings.
 macro_rules! contests {
     ($real:ident) => {{
-        use hand::$real::{Credited, Integrated, Limited, Plain, Stabilized, Tanked};
-        use typed::{credited, integrated, limited, plain, stabilized, tanked};
+        use hand::$real::{Credited, Integrated, Limited, Own, Plain, Stabilized, Tanked};
+        use typed::{credited, integrated, limited, own, plain, stabilized, tanked};
         [
             contest!(
                 concat!("stabilized/", stringify!($real)),
@@ -101,6 +101,13 @@ macro_rules! contests {
                 run,
                 Tanked::new(),
                 tanked::<$real>()
+            ),
+            contest!(
+                concat!("readings/", stringify!($real)),
+                $real,
+                run,
+                Own::new(),
+                own::<$real>()
             ),
         ]
     }};

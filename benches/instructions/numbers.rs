@@ -11,6 +11,9 @@ pub(crate) const STIFFNESS: f64 = 8000.0;
 pub(crate) const DAMPING: f64 = 2.0;
 pub(crate) const HOLD: u32 = 10;
 
+/// The fastest motion that a reading is believed, m/s.
+pub(crate) const FASTEST: f64 = 20.0;
+
 /// Steps of an integrator per period.
 pub(crate) const STEPS: u32 = 4;
 

@@ -1,8 +1,8 @@
 //! The loops composed by type.
 
 use lyapunov::{
-    DampingLimit, Dissipation, Lolc, OnePort, ParameterError, Plant, Popc, PortEnergy, Scalar,
-    Stabilized,
+    DampingLimit, Dissipation, Lolc, OnePort, ParameterError, Plant, Popc, PortEnergy, Reading,
+    Readings, Scalar, Stabilized,
     bodies::{Body, Impedance, IntegratedPlant},
     effects::{BackwardDifference, OnePortExt, ZeroOrderHold},
     environments::Wall,
@@ -11,8 +11,9 @@ use lyapunov::{
 };
 
 use super::numbers::{
-    BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST, OPERATOR_DAMPING,
-    OPERATOR_MASS, OPERATOR_STIFFNESS, PERIOD, POWER, ROOM, START, STEPS, STIFFNESS,
+    BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, FASTEST, HOLD, MOST,
+    OPERATOR_DAMPING, OPERATOR_MASS, OPERATOR_STIFFNESS, PERIOD, POWER, ROOM, START, STEPS,
+    STIFFNESS,
 };
 
 /// A held wall behind the stabilizer.
@@ -123,4 +124,32 @@ pub(crate) fn tanked<T: Scalar>() -> Result<Loop<Body<T>, Tanked<T>>, ParameterE
     let [start, floor, ceiling, power] = [BUDGET, 0.0, ROOM, POWER].map(T::of);
     let tank = Tank::new(PortEnergy, TankLimits { start, floor, ceiling, power })?;
     Ok(Loop { plant: exact()?, port: wall()?.stabilized(tank).differenced() })
+}
+
+/// A loop of one's own: a wall behind the stabilizer, which is told readings.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Own<T: Scalar> {
+    plant: Body<T>,
+    readings: Readings<T>,
+    port: Stabilized<Wall<T>, Popc<T>, T>,
+}
+
+impl<T: Scalar> Own<T> {
+    #[inline(never)]
+    pub(crate) fn run(&mut self, positions: &mut [T]) {
+        let mut at = self.plant.start();
+        let mut applied = T::of(0.0);
+        for position in positions {
+            let reading = Reading { position: at.position, applied };
+            applied = self.port.respond(&self.readings.read(reading).sample);
+            at = self.plant.advance(applied);
+            *position = at.position;
+        }
+    }
+}
+
+pub(crate) fn own<T: Scalar>() -> Result<Own<T>, ParameterError> {
+    let popc = Popc::new(PortEnergy, DampingLimit::at(T::of(MOST))?);
+    let readings = Readings::every(T::of(PERIOD))?.no_faster_than(T::of(FASTEST))?;
+    Ok(Own { plant: exact()?, readings, port: wall()?.stabilized(popc) })
 }

@@ -2,7 +2,8 @@
 //!
 //! All of them get the same samples, on which a controller acts now and then. Compare ids of one scalar and width with
 //! one another. `<name>-by-hand` is the same as straight code, for four of them; `benches/instructions` compares
-//! instructions.
+//! instructions. `popc-member` and `popc-boxed` are chosen at run time; `popc-recorded` keeps each tick in a ring and in an
+//! energy meter.
 
 mod hand;
 
@@ -22,8 +23,10 @@ use lyapunov::{
         SlopeBound, StabilizerExt, Tank, TankLimits, TwoPortSide, VirtualCoupling, WindowedCredit,
     },
     stabilizers::{
-        EnergyBounding, ForceBounding, InputToState, LeastNorm, MemoryBased, Sharing, TwoLayer,
+        EnergyBounding, ForceBounding, InputToState, LeastNorm, Member, MemoryBased, Sharing,
+        TwoLayer,
     },
+    telemetry::{EnergyMeter, TickRing},
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -120,6 +123,23 @@ impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Port<P> {
     }
 }
 
+/// POPC with all its telemetry.
+struct Recorded<V: Signal> {
+    popc: Popc<V::Scalar>,
+    ring: TickRing<V, 256>,
+    meter: EnergyMeter<V::Scalar>,
+}
+
+impl<V: Signal> Stabilizer<V> for Recorded<V> {
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let correction = self.popc.stabilize(sample, effort);
+        self.ring.push(sample, &correction);
+        self.meter.add(sample, &correction);
+        correction
+    }
+}
+
 fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     let of = V::Scalar::of;
     let fine = "what is built";
@@ -133,6 +153,11 @@ fn family<V: Signal>(criterion: &mut Criterion, port: &str) {
     let windowed = popc.summed_in::<WindowedCredit<_, Plain<_>, 16>>();
     let weights = AxisWeights::new(V::splat(of(0.5))).expect(fine);
     time::<V>(criterion, ("popc", port), popc);
+    time::<V>(criterion, ("popc-member", port), Member::<V>::Popc(popc));
+    let boxed: Box<dyn Stabilizer<V>> = Box::new(popc);
+    time::<V>(criterion, ("popc-boxed", port), boxed);
+    let recorded = Recorded::<V> { popc, ring: TickRing::new(), meter: EnergyMeter::new() };
+    time::<V>(criterion, ("popc-recorded", port), recorded);
     time::<V>(criterion, ("lolc", port), Lolc::new((PortEnergy, credit), limit));
     time::<V>(criterion, ("bounded", port), popc.bounded(of(1e-3)).expect(fine));
     let reset = popc.reset_at(Inside(InContact { position: of(0.0) }));

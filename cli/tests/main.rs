@@ -9,3 +9,4 @@ mod models;
 mod observe;
 mod shipped;
 mod teleoperation;
+mod verdicts;

@@ -103,10 +103,31 @@ fn files_and_options_that_do_not_go_together_are_refused() {
         &[compare, model.as_ref(), scene.as_ref()],
         &["a model of a plant", "in calls of their own"],
     );
-    let by = ["--by".as_ref(), "stable".as_ref()];
+    let by = ["--by".as_ref(), "verdict".as_ref()];
     refuses(&[compare, model.as_ref(), by[0], by[1]], &["--by", "leave it out"]);
+    let named = ["--stabilizers".as_ref(), "lolc".as_ref()];
+    refuses(&[compare, model.as_ref(), named[0], named[1]], &["of a model", "lolc-decrease"]);
     refuses(&["run".as_ref(), model.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
     refuses(&[compare, "absent.toml".as_ref()], &["there is no such file"]);
+}
+
+#[test]
+fn entrants_take_part_by_name() {
+    let model = path("dc-motor");
+    let rows = |names: &str| {
+        let said = lyapunov([
+            "compare".as_ref(),
+            model.as_os_str(),
+            "--json".as_ref(),
+            "--stabilizers".as_ref(),
+            names.as_ref(),
+        ]);
+        let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+        json["rows"].as_array().unwrap().clone()
+    };
+    let all = rows("all");
+    assert_eq!(all.len(), 4);
+    assert_eq!(rows("lolc-decay,popc"), [all[3].clone(), all[1].clone()]);
 }
 
 #[test]

@@ -21,8 +21,16 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-const ROWS: [&str; 5] =
-    ["none", "popc-at-each-end", "two-port-popc", "drift-compensated", "wave-variables"];
+const ROWS: [&str; 8] = [
+    "none",
+    "popc-at-each-end",
+    "two-port-popc",
+    "drift-compensated",
+    "two-layer",
+    "wave-variables",
+    "wave-variables-matched",
+    "wave-variables-filtered",
+];
 
 #[test]
 fn the_tables_fit_the_terminal_and_have_a_row_for_each_entrant() {
@@ -33,7 +41,7 @@ fn the_tables_fit_the_terminal_and_have_a_row_for_each_entrant() {
     let out = text(&said.stdout);
     for row in ROWS {
         let rows = out.lines().filter(|line| line.starts_with(&format!("{row}  ")));
-        assert_eq!(rows.count(), 6, "{row}:\n{out}");
+        assert_eq!(rows.count(), 9, "{row}:\n{out}");
     }
     let lines = out.lines().filter(|line| !line.contains(".toml"));
     assert!(lines.clone().all(|line| line.chars().count() <= 100), "{out}");
@@ -93,9 +101,44 @@ fn files_and_options_that_do_not_go_together_are_refused() {
     let compare: &OsStr = "compare".as_ref();
     let mixed = ["a model of a plant", "a teleoperator", "in calls of their own"];
     refuses(&[compare, file.as_ref(), model.as_ref()], &mixed);
-    let named = ["--stabilizers".as_ref(), "popc".as_ref()];
-    refuses(&[compare, file.as_ref(), named[0], named[1]], &["of a teleoperator", "leave it out"]);
+    let by = ["--by".as_ref(), "verdict".as_ref()];
+    refuses(&[compare, file.as_ref(), by[0], by[1]], &["of a teleoperator", "leave it out"]);
     refuses(&["run".as_ref(), file.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
+}
+
+#[test]
+fn entrants_take_part_by_name() {
+    let files = NAMES.map(path);
+    let rows = |names: &[&str]| -> Vec<Value> {
+        let mut arguments: Vec<&OsStr> = vec!["compare".as_ref(), "--json".as_ref()];
+        arguments.extend(names.iter().map(|name| -> &OsStr { name.as_ref() }));
+        arguments.extend(files.iter().map(|file| file.as_os_str()));
+        let said = lyapunov(arguments);
+        assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+        let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+        json["rows"].as_array().unwrap().clone()
+    };
+    let (all, usual) = (rows(&["--stabilizers", "all"]), rows(&[]));
+    assert_eq!(all, usual);
+    assert_eq!(all.len(), NAMES.len() * ROWS.len());
+    // The order is the one given, and the other entrants change nothing.
+    let some = rows(&["--stabilizers", "wave-variables-matched,none,two-layer"]);
+    for (place, some) in some.chunks(3).enumerate() {
+        let of = &all[place * ROWS.len()..];
+        assert_eq!(some, [&of[6], &of[0], &of[4]].map(Clone::clone));
+    }
+
+    let refused = |names: &str, words: &[&str]| {
+        let said = lyapunov(["compare", "--stabilizers", names, files[0].to_str().unwrap()]);
+        assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
+        let err = text(&said.stderr);
+        assert!(words.iter().all(|word| err.contains(word)), "{err}");
+    };
+    refused("two-layers", &["--stabilizers", "`two-layers`", "did you mean `two-layer`?"]);
+    refused("popc", &["no stabilizer of a teleoperator is called `popc`", "popc-at-each-end"]);
+    refused("none,none", &["`none` is named twice"]);
+    refused("none,all", &["`all` stands by itself"]);
+    refused("", &["is called ``", "the names are:"]);
 }
 
 #[test]
@@ -107,8 +150,9 @@ fn a_run_that_leaves_the_range_has_no_numbers_of_its_end() {
     let said = lyapunov(["compare".as_ref(), long.as_os_str(), "--json".as_ref()]);
     let json: Value = serde_json::from_slice(&said.stdout).unwrap();
     let none = &json["rows"][0];
-    assert_eq!((&none["bounded"], &none["error_end_mm"]), (&false.into(), &Value::Null));
+    assert_eq!((&none["verdict"], &none["error_end_mm"]), (&"grows".into(), &Value::Null));
     assert!(json["rows"][2]["error_end_mm"].is_number());
+    assert_eq!(json["rows"][4]["energy_least_mj"], Value::Null);
 }
 
 #[test]

@@ -3,13 +3,13 @@
 use super::axes::TICK_LENGTH;
 use super::geometry::Rect;
 use super::markup::{Anchor, Lettering, Markup};
-use super::palette::{FRAME, INK, Stroke};
+use super::palette::{Class, FRAME, INK, Stroke};
 use super::picture;
 use super::span::Span;
 use super::ticks::Ticks;
 
-/// Room to the right of a frame for the colour key.
-pub(super) const KEY_ROOM: f64 = 64.0;
+/// Room that the colour key takes.
+const KEY_ROOM: f64 = 64.0;
 
 const KEY_WIDTH: f64 = 11.0;
 const KEY_GAP: f64 = 10.0;
@@ -35,53 +35,101 @@ pub struct HeatMap {
     pub columns: usize,
     /// The values, row by row from the bottom; one that is not finite leaves its element white.
     pub values: Vec<f64>,
-    /// Range of the colours; by default the range of the values.
-    pub range: Option<(f64, f64)>,
+    /// The meaning of the colours.
+    pub colouring: Colouring,
+}
+
+/// Meaning of the colours of a heat map.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Colouring {
+    /// A ramp over a range, by default that of the values, with a key beside the frame.
+    Ramp(Option<(f64, f64)>),
+    /// A colour for each class, the darkest first; the names stand in the legend. A value is the number of its class, from
+    /// 0. There are three colours, which repeat.
+    Classes(Vec<String>),
+}
+
+impl Default for Colouring {
+    fn default() -> Self {
+        Self::Ramp(None)
+    }
 }
 
 impl HeatMap {
     /// The map of `values`, row by row from the bottom, `columns` in a row.
     pub fn new(columns: usize, values: Vec<f64>) -> Self {
-        Self { columns, values, range: None }
+        Self { columns, values, colouring: Colouring::default() }
+    }
+
+    /// The map of `values` that are the numbers of `classes`.
+    pub fn of_classes(columns: usize, values: Vec<f64>, classes: &[&str]) -> Self {
+        let classes = classes.iter().map(|&class| class.to_owned()).collect();
+        Self { columns, values, colouring: Colouring::Classes(classes) }
     }
 
     /// The same map with a fixed range of the colours.
     #[must_use]
     pub fn with_range(self, low: f64, high: f64) -> Self {
-        Self { range: Some((low, high)), ..self }
+        Self { colouring: Colouring::Ramp(Some((low, high))), ..self }
     }
 
     pub(super) fn is_empty(&self) -> bool {
         self.values.iter().all(|value| !value.is_finite())
     }
 
-    fn span(&self) -> Span {
-        Span::given(self.range)
+    /// The names of its classes, with their colours.
+    pub(super) fn classes(&self) -> impl Iterator<Item = (&str, Class)> {
+        let names = match &self.colouring {
+            Colouring::Classes(names) => &names[..],
+            Colouring::Ramp(_) => &[],
+        };
+        let colours = (0..names.len()).map(|index| Class::of(index as f64));
+        names.iter().map(String::as_str).zip(colours)
+    }
+
+    /// Room to the right of the frame for the colour key.
+    pub(super) fn key_room(&self) -> f64 {
+        match self.colouring {
+            Colouring::Ramp(_) => KEY_ROOM,
+            Colouring::Classes(_) => 0.0,
+        }
+    }
+
+    fn span(&self, range: Option<(f64, f64)>) -> Span {
+        Span::given(range)
             .or_else(|| Span::of(self.values.iter().copied()).map(Span::readable))
             .unwrap_or(Span::UNIT)
     }
 
     pub(super) fn draw(&self, markup: &mut Markup, area: Rect) {
-        let span = self.span();
+        let colour: &dyn Fn(f64) -> [u8; 3] = match self.colouring {
+            Colouring::Ramp(range) => {
+                let span = self.span(range);
+                &move |value| shade(value, span)
+            }
+            Colouring::Classes(_) => &|value| Class::of(value).rgb,
+        };
         let rows = self.values.len() / self.columns.max(1);
         let link = picture::link(self.columns, rows, |column, row| {
-            colour(self.values[(rows - 1 - row) * self.columns + column], span)
+            let value = self.values[(rows - 1 - row) * self.columns + column];
+            if value.is_finite() { colour(value) } else { NOTHING }
         });
         if let Some(link) = link {
             markup.picture(area, &link);
         }
     }
 
-    /// Draws the colour key to the right of the frame.
+    /// Draws the colour key of a ramp to the right of the frame.
     pub(super) fn draw_key(&self, markup: &mut Markup, frame: Rect) {
         const STEPS: usize = 64;
-        let span = self.span();
+        let Colouring::Ramp(range) = self.colouring else { return };
+        let span = self.span(range);
         let area = Rect::new(frame.right() + KEY_GAP, frame.top, KEY_WIDTH, frame.height);
         let value = |row: usize| {
             let share = 1.0 - (row as f64 + 0.5) / STEPS as f64;
             span.low + share * (span.high - span.low)
         };
-        if let Some(link) = picture::link(1, STEPS, |_, row| colour(value(row), span)) {
+        if let Some(link) = picture::link(1, STEPS, |_, row| shade(value(row), span)) {
             markup.picture(area, &link);
         }
         let ticks = Ticks::within(span, 5);
@@ -99,10 +147,8 @@ impl HeatMap {
     }
 }
 
-fn colour(value: f64, span: Span) -> [u8; 3] {
-    if !value.is_finite() {
-        return NOTHING;
-    }
+/// Shade of the ramp.
+fn shade(value: f64, span: Span) -> [u8; 3] {
     let place = span.fraction(value).clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
     let step = (place as usize).min(RAMP.len() - 2);
     let share = place - step as f64;

@@ -51,7 +51,7 @@ mod ticks;
 
 pub use figure::Figure;
 pub use guide::{Direction, Guide};
-pub use heat::HeatMap;
+pub use heat::{Colouring, HeatMap};
 pub use inset::{Inset, Placement};
 pub use palette::PALETTE;
 pub use panel::{Numbering, Panel};

@@ -4,14 +4,13 @@ use super::axes::{self, Axes, Numbers, Side};
 use super::curve::Curve;
 use super::figure::Figure;
 use super::geometry::Rect;
-use super::heat;
-use super::legend::{Heading, Legend};
+use super::heat::HeatMap;
+use super::legend::{Heading, Legend, Named};
 use super::magnifier;
 use super::markup::{Anchor, Lettering, Markup};
-use super::palette::{FAINT_INK, INK, Stroke};
+use super::palette::{FAINT_INK, INK};
 use super::panel::{Numbering, Panel};
 use super::reference;
-use super::series::{Series, Trace};
 use super::span::Span;
 use super::text::{self, Weight};
 use super::ticks::Ticks;
@@ -63,7 +62,7 @@ pub(super) fn compose(figure: &Figure) -> String {
     }
     let is_shared = has_shared_legend(&figure.panels);
     if is_shared {
-        let legend = Legend::of(&figure.panels[0].series, room);
+        let legend = Legend::of(&Named::all(&figure.panels[0]), room);
         legend.draw(&mut markup, (left, top));
         top += legend.height() + 4.0;
     }
@@ -78,21 +77,13 @@ pub(super) fn compose(figure: &Figure) -> String {
 
 /// Whether every panel has the same legend, so that one legend above all of them is enough.
 fn has_shared_legend(panels: &[Panel]) -> bool {
-    let looks = |panel: &Panel| -> Vec<(String, Stroke, bool)> {
-        panel
-            .series
-            .iter()
-            .filter(|series| !series.label.trim().is_empty())
-            .map(|series| (series.label.clone(), Stroke::of(series), series.trace == Trace::Dots))
-            .collect()
-    };
     let Some((first, others)) = panels.split_first() else {
         return false;
     };
-    let expected = looks(first);
+    let expected = Named::all(first);
     !others.is_empty()
         && !expected.is_empty()
-        && others.iter().all(|panel| looks(panel) == expected)
+        && others.iter().all(|panel| Named::all(panel) == expected)
 }
 
 impl<'a> Grid<'a> {
@@ -161,12 +152,26 @@ impl<'a> Grid<'a> {
     }
 }
 
+/// The part of an axis that bears numbers, and its length on the page: all of it, or as much of a given range as the axis
+/// shows.
+fn numbered(axis: Span, range: Option<(f64, f64)>, length: f64) -> (Span, f64) {
+    let part = Span::given(range).and_then(|range| {
+        Span::given(Some((range.low.max(axis.low), range.high.min(axis.high))))
+            .filter(|_| range.low <= axis.high && range.high >= axis.low)
+    });
+    let Some(part) = part else { return (axis, length) };
+    (part, length * (part.half_width() / axis.half_width()).min(1.0))
+}
+
 impl<'a> Cell<'a> {
     fn of(panel: &'a Panel, frame_height: f64) -> Self {
         let x = panel.x_span();
         let y = panel.y_span(x);
         let y_ticks = match panel.rows.as_slice() {
-            [] => axes::y_ticks(y, panel.y_numbers, frame_height, NUMBER_SIZE),
+            [] => {
+                let (span, height) = numbered(y, panel.y_numbered, frame_height);
+                axes::y_ticks(span, panel.y_numbers, height, NUMBER_SIZE)
+            }
             rows => Ticks::named(rows),
         };
         let label = if panel.y_label.trim().is_empty() { 0.0 } else { LABEL_SIZE + 7.0 };
@@ -176,8 +181,8 @@ impl<'a> Cell<'a> {
     }
 
     fn heading(&self, width: f64, is_shared: bool) -> Heading {
-        let series: &[Series] = if is_shared { &[] } else { &self.panel.series };
-        Heading::of(&self.panel.title, series, width)
+        let names = if is_shared { Vec::new() } else { Named::all(self.panel) };
+        Heading::of(&self.panel.title, &names, width)
     }
 
     fn room_above(&self, heading: &Heading) -> f64 {
@@ -195,12 +200,13 @@ impl<'a> Cell<'a> {
     }
 
     fn draw(&self, markup: &mut Markup, area: Rect, numbers_width: f64) {
-        let room = if self.panel.heat.is_some() { heat::KEY_ROOM } else { 0.0 };
+        let room = self.panel.heat.as_ref().map_or(0.0, HeatMap::key_room);
         let area = Rect { width: area.width - room, ..area };
         let whole = Axes { area, x: self.x, y: self.y };
         let (main, magnifier) = magnifier::arrange(self.panel, whole);
+        let (span, width) = numbered(self.x, self.panel.x_numbered, main.area.width);
         let numbers = Numbers {
-            x: axes::x_ticks(self.x, self.panel.x_numbers, main.area.width, NUMBER_SIZE),
+            x: axes::x_ticks(span, self.panel.x_numbers, width, NUMBER_SIZE),
             y: self.y_ticks.clone(),
             size: NUMBER_SIZE,
             side: Side::Left,

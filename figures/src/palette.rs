@@ -11,6 +11,33 @@ pub const PALETTE: [&str; 7] =
 const TINTS: [&str; 7] =
     ["#80b9d9", "#eaaf80", "#80cfb9", "#e6bcd3", "#f3cf80", "#abdaf4", "#9a9a9a"];
 
+/// Colours of the classes of a heat map, from dark to light: they differ in lightness by a third of its range, so that
+/// they also read in grey, and from blue to yellow, which every common form of colour blindness tells apart.
+pub(super) const CLASSES: [Class; 3] = [
+    Class { colour: "#1b204f", rgb: [0x1b, 0x20, 0x4f] },
+    Class { colour: "#2d88a8", rgb: [0x2d, 0x88, 0xa8] },
+    Class { colour: "#f6df90", rgb: [0xf6, 0xdf, 0x90] },
+];
+
+/// Colour of a class, as text and as red, green and blue.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Class {
+    pub(super) colour: &'static str,
+    pub(super) rgb: [u8; 3],
+}
+
+impl Class {
+    /// The class of a value, a whole number from 0 on.
+    pub(super) fn of(value: f64) -> Self {
+        CLASSES[value.max(0.0) as usize % CLASSES.len()]
+    }
+
+    /// The look of its name in a legend.
+    pub(super) const fn stroke(self) -> Stroke {
+        Stroke::solid(self.colour, BAR)
+    }
+}
+
 /// Dash patterns, the first one solid.
 const DASHES: [&str; 4] = ["", "6 3", "2 2.5", "9 3 2 3"];
 
@@ -53,6 +80,31 @@ impl Stroke {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Lightness CIE L* (0 black, 100 white) of a colour of sRGB.
+    fn lightness(rgb: [u8; 3]) -> f64 {
+        let linear = |part: u8| {
+            let share = f64::from(part) / 255.0;
+            if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
+        };
+        let [red, green, blue] = rgb.map(linear);
+        let luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+        116.0 * luminance.cbrt() - 16.0
+    }
+
+    #[test]
+    fn classes_read_in_grey_and_apart_from_nothing() {
+        let found = CLASSES.map(|class| lightness(class.rgb));
+        let with_paper: Vec<f64> = found.into_iter().chain([lightness([255; 3])]).collect();
+        for pair in with_paper.windows(2) {
+            assert!(pair[1] - pair[0] > 10.0, "{with_paper:?}");
+        }
+        assert!(found.windows(2).all(|pair| pair[1] - pair[0] > 30.0), "{found:?}");
+        for class in CLASSES {
+            let [red, green, blue] = class.rgb;
+            assert_eq!(class.colour, format!("#{red:02x}{green:02x}{blue:02x}"));
+        }
+    }
 
     #[test]
     fn every_index_has_a_look_of_its_own_until_colours_and_dashes_are_used_up() {

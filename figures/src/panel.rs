@@ -33,6 +33,10 @@ pub struct Panel {
     pub x_numbers: Numbering,
     /// Form of the numbers of the ordinate.
     pub y_numbers: Numbering,
+    /// Range of the abscissa that bears numbers; by default all of it.
+    pub x_numbered: Option<(f64, f64)>,
+    /// Range of the ordinate that bears numbers; by default all of it.
+    pub y_numbered: Option<(f64, f64)>,
     /// Names instead of numbers at the ordinate; if empty, the numbers are written.
     pub rows: Vec<String>,
     /// Heat map below everything else, over the whole frame.
@@ -85,6 +89,13 @@ impl Panel {
     #[must_use]
     pub fn with_numbers(self, x_numbers: Numbering, y_numbers: Numbering) -> Self {
         Self { x_numbers, y_numbers, ..self }
+    }
+
+    /// The same panel with numbers within these ranges of the axes only, such as from the first to the last cell of a
+    /// heat map whose frame reaches half a cell further.
+    #[must_use]
+    pub fn with_numbers_within(self, x: (f64, f64), y: (f64, f64)) -> Self {
+        Self { x_numbered: Some(x), y_numbered: Some(y), ..self }
     }
 
     /// The same panel with named rows instead of an ordinate: row `i`, from the top, is at `y = −i`.

@@ -36,7 +36,7 @@ pub use files::scene::{self, Render, Scene};
 /// Control-affine plants, and the comparison of stabilizers at their ports.
 pub mod models {
     pub use crate::files::models::*;
-    pub use crate::measure::models::{BOUND, Score};
+    pub use crate::measure::models::{BAND, BOUND, Score};
     pub use crate::simulate::models::Entrant;
     pub use crate::studies::compare::models::Comparison;
 }
@@ -44,13 +44,14 @@ pub mod models {
 /// Teleoperators, and the comparison of their stabilizers.
 pub mod teleoperation {
     pub use crate::files::teleoperation::*;
-    pub use crate::measure::teleoperation::{BOUND, Curves, Score};
+    pub use crate::measure::teleoperation::{BAND, BOUND, Curves, Score};
     pub use crate::simulate::teleoperation::Entrant;
     pub use crate::studies::compare::teleoperation::Comparison;
 }
 
 // Simulation.
-pub use simulate::building::{AnyPlant, AnyStabilizer, Assembly, Port, Space};
+pub use simulate::building::{AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Space};
+pub use simulate::ensemble::{Constant, Ensemble, Moves};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;
 pub use simulate::row::Row;
@@ -58,11 +59,14 @@ pub use simulate::tick::{OperatorMotion, Tick};
 
 // Measures and their presentation.
 pub use measure::summary::Summary;
+pub use measure::verdict::{Verdict, Yardstick};
 pub use show::csv::{COLUMNS, Csv};
 pub use show::output_error::OutputError;
 
 // Studies, one for each command.
-pub use studies::{accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes};
+pub use studies::{
+    accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes, tune,
+};
 
 // Names of other crates that the interface above uses.
 #[doc(no_inline)]

@@ -1,9 +1,9 @@
-//! Causes of unstable loops: the energy balance closes, and the proposed remedies hold.
+//! Causes of loops that grow: the energy balance closes, and the proposed remedies hold.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov_lab::explain::{Balance, Change, Explanation};
 use lyapunov_lab::scene::{Positive, Scene};
-use lyapunov_lab::{Rollout, Row, scenes};
+use lyapunov_lab::{Rollout, Row, Verdict, scenes};
 
 use crate::bound::systems::{self, Chance, scene};
 
@@ -81,7 +81,7 @@ fn the_hold_leaks_the_held_work_less_the_work_of_the_spring() {
 }
 
 /// Random scene whose wall is too stiff for the loop.
-fn unstable(chance: &mut Chance) -> Scene {
+fn growing(chance: &mut Chance) -> Scene {
     let rate = chance.decades(100.0, 2000.0).round();
     let mass = chance.within(0.05, 0.5);
     let hand = chance.within(0.0, 0.3);
@@ -131,9 +131,9 @@ fn every_remedy_holds() {
     let mut chance = Chance::new(41);
     let (mut scenes, mut remedies) = (0, 0);
     while scenes < 250 {
-        let scene = unstable(&mut chance);
+        let scene = growing(&mut chance);
         let explained = Explanation::of::<f64>(&scene).unwrap();
-        if explained.is_bounded {
+        if explained.verdict != Verdict::Grows {
             continue;
         }
         scenes += 1;
@@ -141,6 +141,7 @@ fn every_remedy_holds() {
         for remedy in &explained.remedies {
             remedies += 1;
             assert!(stays(&remedy.scene), "{:?}: {scene:?}", remedy.changes);
+            assert_ne!(remedy.verdict, Verdict::Grows);
             assert!(remedy.peak_force.is_finite() && remedy.force_error.is_finite());
             if remedy.scene.stabilizer.is_none() {
                 let mut longer = remedy.scene.to_draft();
@@ -160,7 +161,7 @@ fn a_little_beyond_its_remedy_the_loop_fails() {
          initial.position = -0.004\nenvironment.spring = { stiffness = 8000 }\n",
     );
     let explained = Explanation::of::<f64>(&scene).unwrap();
-    assert!(!explained.is_bounded);
+    assert_eq!(explained.verdict, Verdict::Grows);
     let most = explained.limits.exact.unwrap();
     let number = |key: &str| {
         let changes = explained.remedies.iter().flat_map(|remedy| &remedy.changes);
@@ -189,12 +190,12 @@ fn a_little_beyond_its_remedy_the_loop_fails() {
 }
 
 #[test]
-fn a_stable_loop_needs_no_remedy_and_a_space_has_no_explanation() {
-    let stable = "duration = 1\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.5 }\n\
+fn a_loop_that_settles_needs_no_remedy_and_a_space_has_no_explanation() {
+    let calm = "duration = 5\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.5 }\n\
                   operator = { damping = 0.5, stiffness = 50 }\ninitial.position = -0.004\n\
                   environment.wall.stiffness = 500\n";
-    let explained = Explanation::of::<f64>(&scene(stable)).unwrap();
-    assert!(explained.is_bounded && explained.remedies.is_empty());
+    let explained = Explanation::of::<f64>(&scene(calm)).unwrap();
+    assert_eq!((explained.verdict, explained.remedies.len()), (Verdict::Settles, 0));
     let solid = "duration = 1\nservo_rate = 1000\ndevice.mass = 0.2\nspace.dimensions = 2\n\
                  environment.plane = { point = [0, 0], normal = [0, 1], stiffness = 100 }";
     assert!(Explanation::of::<f64>(&scene(solid)).is_err());

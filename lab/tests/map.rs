@@ -1,6 +1,5 @@
 //! Maps from outside: lanes against single runs, and both against the comparison of stabilizers.
 
-use lyapunov_lab::Scene;
 use lyapunov_lab::bound::Limits;
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::StabilizerName;
@@ -8,12 +7,13 @@ use lyapunov_lab::map::{
     BasicName, Bounds, Grid, Instructions, Kernel, Lanes, Measures, Outcome, OverExact, Rendered,
     Run, Survey,
 };
+use lyapunov_lab::{Scene, Verdict, Yardstick};
 use proptest::prelude::*;
 
 /// Scene of a hand before a wall, in which `more` replaces the lines of the same keys.
 fn scene(more: &str) -> Scene {
     let usual = [
-        ("duration", "0.6"),
+        ("duration", "1.0"),
         ("servo_rate", "1000.0"),
         ("environment_rate", "100.0"),
         ("operator", "{ mass = 0.1, damping = 0.2, stiffness = 50.0 }"),
@@ -55,8 +55,10 @@ fn lanes_have_the_bits_of_single_runs() {
     let grid = grid("", &x, "environment.wall.damping=0..100:7", &BasicName::ALL);
     let (lanes, alone) = (outcomes(&grid, false, 2), outcomes(&grid, true, 1));
     assert_eq!(lanes, alone);
-    let stable = lanes.iter().flatten().filter(|outcome| outcome.stable == Some(true)).count();
-    assert!((50..500).contains(&stable), "{stable}");
+    for verdict in [Verdict::Settles, Verdict::Swinging, Verdict::Grows] {
+        let found = lanes.iter().flatten().filter(|outcome| outcome.verdict == verdict).count();
+        assert!((10..500).contains(&found), "{found} {verdict}");
+    }
 }
 
 #[test]
@@ -74,7 +76,8 @@ fn lanes_have_them_with_sampled_work_and_other_caps_too() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Lanes of every kind, on every set of instructions, against one rollout at a time of the same source.
+    /// Lanes of every kind, on every set of instructions, against one rollout at a time of the same source; and their
+    /// verdicts against those of the loops that scenes are built of.
     #[test]
     fn any_grid_is_the_same_on_all_lanes(
         pair in 0_usize..4,
@@ -107,6 +110,9 @@ proptest! {
         for set in Instructions::all() {
             prop_assert_eq!(&of(set, Lanes::Many), &alone, "{}", set.name());
         }
+        let single = outcomes(&grid, true, 1);
+        let single: Vec<_> = single.iter().map(|it| (it[0].verdict, it[0].verdict_by)).collect();
+        prop_assert_eq!(&single, &alone.0);
     }
 }
 
@@ -125,8 +131,8 @@ fn cells_are_what_the_comparison_says() {
             let entrants = Entrants::<f64>::of(StabilizerName::ALL);
             let comparison = Comparison::of("cell", &scene, &entrants).unwrap();
             for (score, outcome) in comparison.scores().zip(outcomes) {
-                assert_eq!(outcome.stable, score.stable);
-                if score.stable == Some(true) {
+                assert_eq!(outcome.verdict, score.verdict);
+                if score.verdict.is_bounded() {
                     let it = outcome.measures;
                     assert_eq!(it.settling_time, score.settling_time);
                     assert_eq!(it.energy_injected, score.energy_injected.map(|it| it + 0.0));
@@ -144,39 +150,106 @@ fn cells_are_what_the_comparison_says() {
 
 #[test]
 fn any_number_of_a_scene_makes_an_axis() {
-    let more = "duration = 0.2\neffects = { delay.ticks = 1, encoder.resolution = 1e-5 }\n";
-    let grid = grid(more, "effects.delay.ticks=0..4:5", "duration=0.1..0.3:3", &[BasicName::Popc]);
+    let more = "effects = { delay.ticks = 1, encoder.resolution = 1e-5 }\n";
+    let grid = grid(more, "effects.delay.ticks=0..4:5", "duration=0.9..1.1:3", &[BasicName::Popc]);
     let all = outcomes(&grid, false, 2);
     assert_eq!(all.len(), 15);
-    assert!(all.iter().flatten().all(|outcome| outcome.stable.is_some()));
+    // Two swings of the hand's spring take 0.973 s.
+    let (short, long) = all.split_at(5);
+    assert!(short.iter().flatten().all(|outcome| !outcome.verdict.is_bounded()));
+    assert!(short.iter().flatten().any(|outcome| outcome.verdict == Verdict::TooShort));
+    assert!(long.iter().flatten().all(|outcome| outcome.verdict != Verdict::TooShort));
+    for outcome in all.iter().flatten() {
+        let grows = outcome.verdict == Verdict::Grows;
+        assert_eq!(outcome.measures.peak_force.is_none(), grows, "{outcome:?}");
+    }
     assert_eq!(all, outcomes(&grid, false, 1));
 }
 
 #[test]
-fn a_scene_without_a_spring_is_not_judged_but_measured() {
+fn a_scene_without_a_spring_is_judged_by_its_speed() {
     let more = "operator = { mass = 0.1 }\ninitial = { position = -0.004, velocity = 0.1 }\nduration = 1.1\n";
     let x = format!("{STIFFNESS}=100..1000:3");
     let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[BasicName::NoStabilizer]);
-    for outcomes in outcomes(&grid, false, 1) {
-        assert_eq!(outcomes[0].stable, None);
+    let all = outcomes(&grid, false, 1);
+    assert_eq!(all, outcomes(&grid, true, 1));
+    let mut survey = Survey::of(&grid);
+    for (cell, outcomes) in (0..).zip(&all) {
+        // It meets the wall once, and flies on.
+        assert_eq!(outcomes[0].verdict, Verdict::Swinging);
+        assert_eq!(outcomes[0].verdict_by, Yardstick::Speed);
         assert!(outcomes[0].measures.peak_force.unwrap() > 0.0);
         assert_eq!(outcomes[0].measures.settling_time, None);
+        survey.add(cell, outcomes);
+    }
+    assert_eq!((survey.by_speed(), survey.judged(0)), (6, 6));
+    assert_eq!((survey.settling(0).share, survey.bounded(0).share), (Some(0.0), Some(1.0)));
+}
+
+/// A lane whose operator has no spring runs beside lanes with one, and each is judged by its own yardstick.
+#[test]
+fn lanes_of_both_yardsticks_have_the_bits_of_single_runs() {
+    for scalar in ["f64", "f32"] {
+        let more = format!(
+            "scalar = \"{scalar}\"\nduration = 2.0\ninitial = {{ position = -0.004, velocity = 0.1 }}\n\
+             operator = {{ mass = 0.1, damping = 2.0, stiffness = 50.0 }}\n"
+        );
+        let x = "operator.stiffness=0..100:5";
+        let grid = grid(&more, x, &format!("{STIFFNESS}=100..40000:9"), &BasicName::ALL);
+        let (lanes, alone) = (outcomes(&grid, false, 2), outcomes(&grid, true, 1));
+        for (cell, (lanes, alone)) in lanes.iter().zip(&alone).enumerate() {
+            for (one, other) in lanes.iter().zip(alone) {
+                let by = if cell % 5 == 0 { Yardstick::Speed } else { Yardstick::Distance };
+                assert_eq!((one.verdict, one.verdict_by), (other.verdict, by), "{scalar} {cell}");
+            }
+        }
+        let found = |verdict| lanes.iter().flatten().filter(|it| it.verdict == verdict).count();
+        let counts = [Verdict::Settles, Verdict::Swinging, Verdict::Grows].map(found);
+        assert!(counts.iter().all(|count| *count > 5), "{scalar}: {counts:?}");
+    }
+}
+
+/// A lane with a spring too soft for the run is not judged, however its neighbours go.
+#[test]
+fn cells_that_are_too_short_are_counted_apart() {
+    // Two swings take 4 pi sqrt(0.3 / k), one second from 47.4 N/m on.
+    let x = "operator.stiffness=30..70:5";
+    let grid = grid("", x, &format!("{STIFFNESS}=10..2000:9"), &[BasicName::NoStabilizer]);
+    let all = outcomes(&grid, false, 2);
+    assert_eq!(all, outcomes(&grid, true, 1));
+    let mut survey = Survey::of(&grid);
+    (0..).zip(&all).for_each(|(cell, outcomes)| survey.add(cell, outcomes));
+    let short = survey.cells(0, Verdict::TooShort);
+    assert!(short > 5 && survey.judged(0) == 45 - short, "{short}");
+    for (cell, outcome) in all.iter().flatten().enumerate() {
+        let soft = cell % 5 < 2;
+        // A soft cell is judged only if it is lost.
+        assert!(if soft {
+            !outcome.verdict.is_bounded()
+        } else {
+            outcome.verdict != Verdict::TooShort
+        });
     }
 }
 
 /// Reported ratio of a map of three rows, each of which holds this many of its ten stiffnesses.
 fn told(x: &str, held: [u64; 3]) -> Option<OverExact> {
-    told_of(x, &|row, column| Some(column < held[row as usize]))
+    told_of(x, &|row, column| match column < held[row as usize] {
+        true if column % 2 == 0 => Verdict::Settles,
+        true => Verdict::Swinging,
+        false => Verdict::Grows,
+    })
 }
 
 /// Reported ratio of a map of ten stiffnesses in three rows with these verdicts.
-fn told_of(x: &str, stable: &dyn Fn(u64, u64) -> Option<bool>) -> Option<OverExact> {
+fn told_of(x: &str, verdict: &dyn Fn(u64, u64) -> Verdict) -> Option<OverExact> {
     let more = "environment.wall = { stiffness = 8000.0, damping = 20.0 }\n";
     let grid = grid(more, x, "initial.position=-0.005..-0.003:3", &[BasicName::Popc]);
     let mut survey = Survey::of(&grid);
     for cell in 0..grid.cells() {
-        let stable = stable(cell / 10, cell % 10);
-        survey.add(cell, &[Outcome { stable, ..Outcome::default() }]);
+        let verdict = verdict(cell / 10, cell % 10);
+        let (verdict_by, measures) = (Yardstick::Distance, Measures::default());
+        survey.add(cell, &[Outcome { verdict, verdict_by, measures }]);
     }
     Bounds::of(&grid).unwrap().over_exact(&survey, 0)
 }
@@ -193,16 +266,20 @@ fn stiffnesses_beyond_the_edge_count_as_the_edge() {
     assert_eq!(told(&x, [6, 6, 10]), over(6000.0, false));
     assert_eq!(told(&x, [6, 10, 10]), over(10_000.0, true));
     assert_eq!(told(&x, [0, 0, 6]), over(0.0, false));
-    // Where both lie beyond the same edge, nothing is known.
+    // What holds up to an edge below the limit holds at least that; where it grows from the edge on, nothing is known.
     let [soft, hard] = ["10..100:10", "20000..50000:10"].map(|it| format!("{STIFFNESS}={it}"));
-    assert_eq!(told(&soft, [10, 10, 10]), None);
+    assert_eq!(told(&soft, [10, 10, 10]), over(100.0, true));
+    assert_eq!(told(&soft, [4, 4, 10]), over(40.0, false));
+    assert_eq!(told(&soft, [4, 10, 10]), over(100.0, true));
     assert_eq!(told(&hard, [0, 0, 0]), None);
     assert_eq!(told(&hard, [10, 10, 10]), over(50_000.0, true));
     // Cells that are not judged say nothing: neither a whole row of them nor those before and behind the judged ones.
-    assert_eq!(told_of(&x, &|_, _| None), None);
-    let some = |row, column| (row == 1).then_some(column < 6);
+    let none = Verdict::TooShort;
+    assert_eq!(told_of(&x, &|_, _| none), None);
+    let held = |column| if column < 6 { Verdict::Swinging } else { Verdict::Grows };
+    let some = |row, column| if row == 1 { held(column) } else { none };
     assert_eq!(told_of(&x, &some), over(6000.0, false));
-    let within = |_, column| (2..8).contains(&column).then_some(true);
+    let within = |_, column| if (2..8).contains(&column) { Verdict::Settles } else { none };
     assert_eq!(told_of(&x, &within), over(8000.0, true));
     // A map that begins beyond the bound shows what holds there.
     assert_eq!(told(&hard, [1, 1, 1]), over(20_000.0, false));
@@ -217,15 +294,18 @@ fn surveyed(grid: &Grid) -> Survey {
     survey
 }
 
+fn named(name: &str) -> StabilizerName {
+    name.parse().unwrap()
+}
+
 /// A law whose device can pay for next to nothing keeps every cell calm by rendering no wall.
 #[test]
 fn what_renders_no_wall_does_not_head_the_map() {
-    let names =
-        [StabilizerName::EnergyBounding, BasicName::NoStabilizer.into(), BasicName::Popc.into()];
+    let names = [named("energy-bounding"), BasicName::NoStabilizer.into(), BasicName::Popc.into()];
     let x = format!("{STIFFNESS}=500..9000:5");
     let survey =
         surveyed(&grid("duration = 2.0\n", &x, "environment.wall.damping=0..20:3", &names));
-    let share = |index: usize| survey.area(index).share.unwrap();
+    let share = |index: usize| survey.bounded(index).share.unwrap();
     let rendered = |index: usize| survey.rendered(index).percent.unwrap();
     assert!(share(0) == 1.0 && share(1) < 0.7 && share(2) == 1.0);
     assert!(rendered(0) < 1.0 && rendered(1) > 10.0 && rendered(2) > 70.0);
@@ -238,12 +318,16 @@ fn what_renders_no_wall_does_not_head_the_map() {
 
 #[test]
 fn a_map_counts_what_is_rendered_and_what_is_broken() {
-    let names = [StabilizerName::Tank, BasicName::NoStabilizer.into()];
+    let names = [named("tank"), BasicName::NoStabilizer.into()];
     let grid_of = |names: &[StabilizerName]| {
         grid("", &format!("{STIFFNESS}=500..9000:4"), "environment.wall.damping=0..20:2", names)
     };
-    let cell = |stable, force, stiffness, given| Outcome {
-        stable,
+    let told = |verdict| Outcome {
+        verdict,
+        verdict_by: Yardstick::Distance,
+        measures: Measures::default(),
+    };
+    let cell = |verdict, force, stiffness, given| Outcome {
         measures: Measures {
             force_felt: force,
             stiffness_felt: stiffness,
@@ -251,18 +335,22 @@ fn a_map_counts_what_is_rendered_and_what_is_broken() {
             energy_given_beyond_damper: Some(0.5 * given),
             ..Measures::default()
         },
+        ..told(verdict)
     };
-    let lost = Outcome { stable: Some(false), ..Outcome::default() };
-    let bare = cell(Some(true), Some(98.0), None, 0.0);
+    let lost = told(Verdict::Grows);
+    let bare = cell(Verdict::Swinging, Some(98.0), None, 0.0);
     let rows = [
-        (cell(Some(true), Some(90.0), Some(80.0), 1.0), lost),
-        (cell(Some(true), Some(350.0), None, 3.0), bare),
-        (cell(Some(true), Some(-5.0), Some(60.0), 2.0), bare),
-        (cell(Some(true), None, None, 0.0), bare),
+        (cell(Verdict::Swinging, Some(90.0), Some(80.0), 1.0), lost),
+        (cell(Verdict::Swinging, Some(350.0), None, 3.0), bare),
+        (cell(Verdict::Swinging, Some(-5.0), Some(60.0), 2.0), bare),
+        (cell(Verdict::Swinging, None, None, 0.0), bare),
         (lost, bare),
         (lost, lost),
-        // Without a verdict a cell is measured and not judged.
-        (cell(None, Some(10.0), None, 9.0), cell(None, Some(90.0), None, 1.0)),
+        // A cell that is too short to judge is measured all the same.
+        (
+            cell(Verdict::TooShort, Some(10.0), None, 9.0),
+            cell(Verdict::TooShort, Some(90.0), None, 1.0),
+        ),
         (lost, bare),
     ];
     let grid = grid_of(&names);
@@ -283,9 +371,9 @@ fn a_map_counts_what_is_rendered_and_what_is_broken() {
     assert_eq!(survey.rendered(1).broke, Some(0));
     assert_eq!(survey.ranking(), [1, 0]);
 
-    // Without `none` nobody knows what is stable alone; without a force the stable share ranks.
-    let mut survey = Survey::of(&grid_of(&[BasicName::Popc.into(), StabilizerName::Tank]));
-    let calm = Outcome { stable: Some(true), ..Outcome::default() };
+    // Without `none` nobody knows what is bounded alone; without a force the bounded share ranks.
+    let mut survey = Survey::of(&grid_of(&[BasicName::Popc.into(), named("tank")]));
+    let calm = told(Verdict::Settles);
     survey.add(0, &[lost, calm]);
     assert_eq!(survey.rendered(0), Rendered::default());
     assert_eq!(survey.ranking(), [1, 0]);

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8};
 
-use crate::{DoubleDouble, Scalar};
+use crate::{DoubleDouble, ParameterError, Requirement, Scalar, Snapshot};
 
 /// A running sum of energies, J.
 pub trait Accumulator<T: Scalar>: Copy + Debug {
@@ -20,6 +20,11 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
 
     /// Lowers a sum above `most` to `most`.
     fn lower(&mut self, most: T);
+
+    /// Empties the sum; what it was made with stays.
+    fn clear(&mut self) {
+        *self = Self::zero();
+    }
 
     /// The sum, rounded to the port's scalar.
     fn value(&self) -> T;
@@ -59,6 +64,18 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
     #[inline(always)]
     fn value(&self) -> T {
         self.sum
+    }
+}
+
+impl<T: Scalar> Snapshot for Plain<T> {
+    type State = T;
+
+    fn state(&self) -> T {
+        self.sum
+    }
+
+    fn restored(self, sum: T) -> Result<Self, ParameterError> {
+        Ok(Self { sum: Requirement::Finite.check("stored sum", sum)? })
     }
 }
 
@@ -112,6 +129,19 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
     #[inline(always)]
     fn value(&self) -> T {
         self.sum + self.error
+    }
+}
+
+impl<T: Scalar> Snapshot for Compensated<T> {
+    type State = (T, T);
+
+    fn state(&self) -> (T, T) {
+        (self.sum, self.error)
+    }
+
+    fn restored(self, (sum, error): (T, T)) -> Result<Self, ParameterError> {
+        Requirement::Finite.check("stored sum", sum + error)?;
+        Ok(Self { sum, error })
     }
 }
 
@@ -178,5 +208,18 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
     #[inline(always)]
     fn value(&self) -> T {
         T::narrow(self.sum.value())
+    }
+}
+
+impl<T: Widen> Snapshot for Wide<T> {
+    type State = T::Wide;
+
+    fn state(&self) -> T::Wide {
+        self.sum.state()
+    }
+
+    fn restored(self, sum: T::Wide) -> Result<Self, ParameterError> {
+        Requirement::Finite.check("stored sum", T::narrow(sum))?;
+        Ok(Self { sum: self.sum.restored(sum)? })
     }
 }

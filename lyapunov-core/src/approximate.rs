@@ -9,7 +9,10 @@
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
-use crate::{AdmittanceSample, Correction, DoubleDouble, PortSample, Scalar, Signal, State};
+use crate::telemetry::{EnergySummary, RecordedTick};
+use crate::{
+    AdmittanceSample, Axes, Correction, DoubleDouble, PortSample, Scalar, Screw, Signal, State,
+};
 
 /// Implementation of `approx`'s three traits for a type whose fields all have them, with the tolerance of the first
 /// bound.
@@ -89,6 +92,12 @@ approximate!(impl[V: Signal] Correction<V>, of V, V::Scalar {
     effort, observed_energy, alpha, shortfall; same Correction::accepted_alike
 });
 approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
+approximate!(impl[T: Scalar, F: Axes] Screw<T, F>, of T { translation, rotation });
+approximate!(impl[V: Signal] RecordedTick<V>, of PortSample<V>, Correction<V> { sample, correction });
+approximate!(impl[T: PartialEq] EnergySummary<T>, of T {
+    active, rejected, now, least, most, injected, absorbed, shortfall, largest_shortfall;
+    same EnergySummary::of_as_many_ticks
+});
 
 /// Tolerances are `f64`, whose range reaches far below the last digit.
 impl AbsDiffEq for DoubleDouble {

@@ -1,6 +1,6 @@
 //! Lyapunov candidates: the functions whose decrease an observer sums.
 
-use crate::{PortSample, Scalar, Signal};
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// Lyapunov candidate `V`, given by its decrease over each sample.
 ///
@@ -13,7 +13,7 @@ use crate::{PortSample, Scalar, Signal};
 /// paper's example 2 prints in its step 4. A term of your own is one struct and one method:
 ///
 /// ```
-/// use lyapunov_core::{PortSample, LyapunovCandidate};
+/// use lyapunov_core::{HeldTick, PortSample, LyapunovCandidate};
 /// /// The port's energy, credited with what quadratic drag must have dissipated.
 /// struct Drag { coefficient: f64 } // N·s²/m²
 /// impl LyapunovCandidate<f64> for Drag {
@@ -82,11 +82,11 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, LyapunovCandidate, StorageFunction};
+/// use lyapunov_core::{HeldTick, PortSample, LyapunovCandidate, StorageFunction};
 /// // A hand of 0.3 kg with a spring of 50 N/m.
 /// let energy = |x: f64, v: f64| 0.5 * (0.3 * v * v + 50.0 * x * x);
 /// let mut candidate = StorageFunction::starting(energy, 0.1, 0.0);
-/// let sample = PortSample::new(1e-3, 0.0, 0.0, -0.1, 0.0);
+/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.0, displacement: -0.1, applied: 0.0 }.sample();
 /// assert_abs_diff_eq!(candidate.decrease(&sample), 0.25, epsilon = 1e-12);
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -117,5 +117,17 @@ where
         let decrease = self.last - now;
         self.last = V::Scalar::choose(now.finite(), now, self.last);
         decrease
+    }
+}
+
+impl<F, T: Scalar> Snapshot for StorageFunction<F, T> {
+    type State = T;
+
+    fn state(&self) -> T {
+        self.last
+    }
+
+    fn restored(self, last: T) -> Result<Self, ParameterError> {
+        Ok(Self { last: Requirement::Finite.check("stored energy", last)?, ..self })
     }
 }

@@ -1,9 +1,21 @@
 //! The correction of one tick.
 
+use crate::scalar::same_lanes;
 use crate::{Mask, Scalar, Signal};
 
 /// Correction of one tick: the effort to command, and what the stabilizer did to it, as numbers.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize, \
+                     <V::Scalar as Scalar>::Mask: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>, \
+                       <V::Scalar as Scalar>::Mask: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Correction<V: Signal> {
     /// The effort to command, correction included, N.
     pub effort: V,
@@ -15,6 +27,13 @@ pub struct Correction<V: Signal> {
     pub shortfall: V::Scalar,
     /// Whether the sample was accepted, lane by lane; if not, a stabilizer gives a zero effort, a guard its fallback.
     pub accepted: <V::Scalar as Scalar>::Mask,
+}
+
+/// The correction before the first tick: no effort, nothing corrected, accepted.
+impl<V: Signal> Default for Correction<V> {
+    fn default() -> Self {
+        Self::none(V::zero())
+    }
 }
 
 impl<V: Signal> PartialEq for Correction<V> {
@@ -30,7 +49,7 @@ impl<V: Signal> PartialEq for Correction<V> {
 impl<V: Signal> Correction<V> {
     /// Whether both accept the same lanes.
     pub(crate) fn accepted_alike(&self, other: &Self) -> bool {
-        (0..V::Scalar::LANES).all(|lane| self.accepted.lane(lane) == other.accepted.lane(lane))
+        same_lanes::<V::Scalar>(self.accepted, other.accepted)
     }
 
     /// The correction of a port without a stabilizer: `effort` unchanged, and nothing else.

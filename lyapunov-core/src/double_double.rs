@@ -25,6 +25,9 @@ use crate::{Scalar, Signal};
 /// assert!(lacking.magnitude().below(DoubleDouble::epsilon()));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "(f64, f64)", into = "(f64, f64)"))]
 pub struct DoubleDouble {
     high: f64,
     low: f64,
@@ -83,6 +86,22 @@ fn halves(value: f64) -> [f64; 2] {
     let spread = 134_217_729.0 * value; // 2^27 + 1
     let first = spread - (spread - value);
     [first, value - first]
+}
+
+/// The sum of two numbers, which need not be apart in size.
+impl From<(f64, f64)> for DoubleDouble {
+    #[inline]
+    fn from((high, low): (f64, f64)) -> Self {
+        // A sum would turn −0 into 0.
+        if low == 0.0 { Self { high, low } } else { Self::sum_of(high, low) }
+    }
+}
+
+impl From<DoubleDouble> for (f64, f64) {
+    #[inline]
+    fn from(value: DoubleDouble) -> Self {
+        (value.high, value.low)
+    }
 }
 
 impl From<f64> for DoubleDouble {

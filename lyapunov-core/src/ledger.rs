@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use crate::{Accumulator, PortSample, Scalar, Signal};
+use crate::{Accumulator, HeldTick, ParameterError, PortSample, Scalar, Signal, Snapshot};
 
 /// Kind of work that a ledger books.
 pub trait Work: Copy + Debug {
@@ -48,7 +48,14 @@ impl Work for Sampled {
     #[inline(always)]
     fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V> {
         let displacement = sample.velocity.scale(sample.period);
-        PortSample::new(sample.period, sample.position, sample.velocity, displacement, effort)
+        HeldTick {
+            period: sample.period,
+            position: sample.position,
+            velocity: sample.velocity,
+            displacement,
+            applied: effort,
+        }
+        .sample()
     }
 
     #[inline(always)]
@@ -78,6 +85,24 @@ impl<W: Work, A> Ledger<W, A> {
     /// A ledger that goes on from `sum`.
     pub fn in_sum(sum: A) -> Self {
         Self { sum, work: PhantomData }
+    }
+
+    /// The observed energy, J.
+    #[inline]
+    pub fn energy<T: Scalar>(&self) -> T
+    where
+        A: Accumulator<T>,
+    {
+        self.sum.value()
+    }
+
+    /// Empties the ledger: credit is forfeited, a debt forgiven.
+    #[inline]
+    pub fn clear<T: Scalar>(&mut self)
+    where
+        A: Accumulator<T>,
+    {
+        self.sum.clear();
     }
 
     /// Adds `energy` joules of credit.
@@ -121,5 +146,17 @@ impl<W: Work, A> Ledger<W, A> {
         A: Accumulator<T>,
     {
         (self.sum.value() + decrease).finite()
+    }
+}
+
+impl<W: Work, A: Snapshot> Snapshot for Ledger<W, A> {
+    type State = A::State;
+
+    fn state(&self) -> A::State {
+        self.sum.state()
+    }
+
+    fn restored(self, state: A::State) -> Result<Self, ParameterError> {
+        Ok(Self { sum: self.sum.restored(state)?, work: PhantomData })
     }
 }

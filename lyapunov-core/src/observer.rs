@@ -1,7 +1,8 @@
 //! Observer: a candidate, a kind of work and a sum.
 
 use crate::{
-    Accumulator, Held, Ledger, LyapunovCandidate, Plain, PortSample, Scalar, Signal, Work,
+    Accumulator, Held, Ledger, LyapunovCandidate, ParameterError, Plain, PortSample, Scalar,
+    Signal, Snapshot, Work,
 };
 
 /// Observer of a port: the sum of a Lyapunov candidate's decrease (the paper's equation 8, in joules).
@@ -9,10 +10,11 @@ use crate::{
 /// It only observes and changes no effort. A stabilizer is an observer with a controller behind it.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Observer, PortEnergy};
+/// use lyapunov_core::{HeldTick, PortSample, Observer, PortEnergy};
 /// let mut observer = Observer::of(PortEnergy);
 /// let start = PortSample::starting(1e-3, 0.0, 0.0);
-/// let moved = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm
+/// // -2 N applied over 0.1 mm
+/// let moved = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 }.sample();
 /// observer.observe(&start, -2.0);
 /// assert_eq!(observer.observe(&moved, -3.0), -2e-4); // the port gave 0.2 mJ away
 /// ```
@@ -58,5 +60,18 @@ impl<C, W: Work, A> Observer<C, W, A> {
         let decrease = self.decrease(sample, effort);
         let fits = self.ledger.fits(decrease);
         self.ledger.book(V::Scalar::choose(fits, decrease, zero), zero)
+    }
+}
+
+impl<C: Snapshot, W: Work, A: Snapshot> Snapshot for Observer<C, W, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        (self.candidate.state(), self.ledger.state())
+    }
+
+    fn restored(self, (candidate, ledger): Self::State) -> Result<Self, ParameterError> {
+        let Self { candidate: own, ledger: sum } = self;
+        Ok(Self { candidate: own.restored(candidate)?, ledger: sum.restored(ledger)? })
     }
 }

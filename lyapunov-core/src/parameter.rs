@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::Scalar;
+use crate::{Scalar, Signal};
 
 /// Rejected parameter: its name, its value and what would be right.
 ///
@@ -12,6 +12,7 @@ use crate::Scalar;
 /// assert_eq!(refused.unwrap_err().to_string(), "mass is -1.0; it must be above 0 and finite");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ParameterError {
     /// The parameter's name.
     pub parameter: &'static str,
@@ -23,6 +24,7 @@ pub struct ParameterError {
 
 /// Requirement on a parameter's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Requirement {
     /// Neither infinite nor NaN.
@@ -62,6 +64,35 @@ impl Requirement {
         match (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(lane)) {
             Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(value),
+        }
+    }
+}
+
+impl Requirement {
+    /// `signal` if every lane of every axis is right.
+    ///
+    /// ```
+    /// use lyapunov_core::Requirement;
+    /// use nalgebra::Vector2;
+    /// let refused = Requirement::NonNegative.check_axes("weight", Vector2::new(1.0, -0.5)).unwrap_err();
+    /// assert_eq!(refused.value, -0.5);
+    /// ```
+    ///
+    /// # Errors
+    /// A [`ParameterError`] that names `parameter` and the first value that is not right.
+    pub fn check_axes<V: Signal>(
+        self,
+        parameter: &'static str,
+        signal: V,
+    ) -> Result<V, ParameterError> {
+        let mut refused = None;
+        let _ = signal.map(|axis| {
+            refused = refused.or(self.check(parameter, axis).err());
+            axis
+        });
+        match refused {
+            Some(error) => Err(error),
+            None => Ok(signal),
         }
     }
 }

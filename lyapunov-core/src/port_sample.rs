@@ -10,9 +10,18 @@ use crate::{Scalar, Signal};
 ///
 /// A port carries an effort (N) and a flow (m/s); power `effort · flow > 0` flows into the environment.
 /// Over one period under one held effort the work is `applied · displacement` exactly, axis by axis
-/// ([`PortSample::new`]). Over several periods it is the sum of theirs ([`PortSample::spanning`]), which is why it
+/// ([`HeldTick`]). Over several periods it is the sum of theirs ([`PortSample::spanning`]), which is why it
 /// is a field: a round trip displaces nothing and still does work.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Scalar: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct PortSample<V: Signal> {
     /// Time since the last call, s.
     pub period: V::Scalar,
@@ -28,24 +37,52 @@ pub struct PortSample<V: Signal> {
     pub work: V,
 }
 
-impl<V: Signal> PortSample<V> {
-    /// The sample of one period under one held effort: `work = applied · displacement`.
-    #[inline(always)]
-    pub fn new(period: V::Scalar, position: V, velocity: V, displacement: V, applied: V) -> Self {
-        Self {
-            period,
-            position,
-            velocity,
-            displacement,
-            applied,
-            work: applied.times(displacement),
-        }
+/// The sample of no time at all: all numbers are 0. Joined to another one it changes nothing.
+impl<V: Signal> Default for PortSample<V> {
+    fn default() -> Self {
+        Self::starting(V::Scalar::of(0.0), V::zero(), V::zero())
     }
+}
 
+/// One period under one held effort, of which [`sample`](Self::sample) makes a [`PortSample`] with its work.
+///
+/// Five numbers of one type: they are given by name.
+///
+/// ```
+/// use lyapunov_core::HeldTick;
+/// let tick = HeldTick { period: 1e-3, position: 0.5, velocity: 0.25, displacement: 0.25, applied: -2.0 };
+/// assert_eq!(tick.sample().work, -0.5);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldTick<V: Signal> {
+    /// The period, s.
+    pub period: V::Scalar,
+    /// Position at its end, m.
+    pub position: V,
+    /// Velocity at its end, m/s.
+    pub velocity: V,
+    /// Displacement over it, m.
+    pub displacement: V,
+    /// The effort held over it, N.
+    pub applied: V,
+}
+
+impl<V: Signal> HeldTick<V> {
+    /// Its sample: `work = applied · displacement`.
+    #[inline(always)]
+    pub fn sample(self) -> PortSample<V> {
+        let Self { period, position, velocity, displacement, applied } = self;
+        let work = applied.times(displacement);
+        PortSample { period, position, velocity, displacement, applied, work }
+    }
+}
+
+impl<V: Signal> PortSample<V> {
     /// The sample of the first tick: nothing has moved and no effort was applied yet.
     #[inline(always)]
     pub fn starting(period: V::Scalar, position: V, velocity: V) -> Self {
-        Self::new(period, position, velocity, V::zero(), V::zero())
+        HeldTick { period, position, velocity, displacement: V::zero(), applied: V::zero() }
+            .sample()
     }
 
     /// This sample joined to the `earlier` one: periods, displacements and works of both, the rest from this one.

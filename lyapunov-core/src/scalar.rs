@@ -140,6 +140,11 @@ pub trait Scalar:
     }
 }
 
+/// Whether two masks are the same in every lane.
+pub(crate) fn same_lanes<T: Scalar>(one: T::Mask, other: T::Mask) -> bool {
+    (0..T::LANES).all(|lane| one.lane(lane) == other.lane(lane))
+}
+
 impl Mask for bool {
     #[inline(always)]
     fn of(truth: bool) -> Self {

@@ -40,6 +40,18 @@ impl<P, S, V: Signal> Stabilized<P, S, V> {
     pub fn port(&self) -> &P {
         &self.port
     }
+
+    /// The stabilizer in front of it.
+    #[inline]
+    pub fn stabilizer(&self) -> &S {
+        &self.stabilizer
+    }
+
+    /// The stabilizer in front of it, to be changed between ticks.
+    #[inline]
+    pub fn stabilizer_mut(&mut self) -> &mut S {
+        &mut self.stabilizer
+    }
 }
 
 impl<V: Signal, P: OnePort<V>, S: Stabilizer<V>> OnePort<V> for Stabilized<P, S, V> {

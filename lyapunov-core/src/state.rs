@@ -9,7 +9,9 @@ use crate::{Scalar, Signal};
 /// Position and velocity of a mechanical system; or the gain of both over an interval, or the rate of both, per s.
 ///
 /// It is a [`Signal`] with the axes of both, so that integrators add and scale it like any other state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<Q> {
     /// The coordinates, m.
     pub position: Q,

@@ -3,10 +3,11 @@
 //! Environments respond to a motion with a force: [`Spring`], [`MassSpringDamper`] (the paper's examples 1 and 2) and
 //! the one-sided [`Wall`] of its evaluation; [`LayeredWall`], [`HuntCrossley`] and [`CubicSpring`]; [`MovingWall`] and
 //! [`VaryingSpring`], which oscillate in time; and, on several axes, [`Contact`] with a [`Solid`]. Each is a
-//! [`ForceLaw`].
+//! [`ForceLaw`]. On the port of a rigid body [`OrientationSpring`] turns it back, and [`BodyPoints`] puts points of it into any
+//! law in space.
 //!
 //! A [`Body`] is one mass on an operator's hand, a [`TwoMassBody`] two masses; both move exactly. [`IntegratedPlant`]
-//! moves either by an integrator, such as [`RungeKuttaNystrom4`]. A [`Trajectory`] gives a hand's motion or a load as a
+//! moves either by an integrator, such as [`RungeKuttaNystrom4`]. A [`RigidBody`] tumbles in space, and a [`SerialArm`] has a Jacobian. A [`Trajectory`] gives a hand's motion or a load as a
 //! function of time.
 //!
 //! Effects are adaptors that own the port (chained by [`OnePortExt`]) or the plant (chained by [`PlantExt`]) on which
@@ -45,8 +46,8 @@ pub use affine::{
 };
 pub use bodies::{
     Body, DampedMass, ElasticJoint, ExternalForce, Friction, Grip, HandMotion, Impedance,
-    IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, Stribeck, Transition, Transitions,
-    TwoMassBody, TwoMassParts, held_input,
+    IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, RigidBody, RigidParts, Stribeck,
+    Transition, Transitions, TwoMassBody, TwoMassParts, held_input,
 };
 pub use channels::{Channel, ConstantDelay, LossyChannel, VaryingDelay};
 pub use dynamics::{
@@ -55,21 +56,22 @@ pub use dynamics::{
     WalledOscillator,
 };
 pub use effects::{
-    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass, Noise,
-    OnePortExt, Saturation, ZeroOrderHold,
+    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
+    LowPass, Noise, OnePortExt, Saturation, Scaled, ZeroOrderHold,
 };
 pub use environments::{
-    Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics, LayeredWall,
-    MassSpringDamper, MovingWall, NearestPoint, Plane, Solid, Sphere, Spring, Surface, Time,
-    VaryingSpring, Wall,
+    BodyPoints, Contact, CubicSpring, Cuboid, DissipationOf, ForceLaw, HuntCrossley, Kinematics,
+    LayeredWall, MassSpringDamper, MovingWall, NearestPoint, OrientationSpring, Plane, Solid,
+    Sphere, Spring, Surface, Time, VaryingSpring, Wall,
 };
 pub use integrators::{
     Adaptive, DormandPrince5, DormandPrince8, EmbeddedPair, EventLocating, Exact, ImplicitMidpoint,
     RungeKutta4, RungeKuttaNystrom4, SemiImplicitEuler,
 };
 pub use models::{
-    AdmittanceDevice, ArmEnergy, DcMotor, Ground, InvertedPendulum, LegEnergy, MotorEnergy,
-    MotorParts, ProstheticLeg, RigidLink, TwoLinkArm, UprightEnergy, VanDerPol,
+    AdmittanceDevice, ArmEnergy, ArmLink, ArmPosture, DcMotor, Ground, InvertedPendulum, LegEnergy,
+    MotorEnergy, MotorParts, ProstheticLeg, RigidLink, SerialArm, TwoLinkArm, UprightEnergy,
+    VanDerPol,
 };
 pub use random::{Random, Source};
 pub use trajectories::{

@@ -17,6 +17,8 @@ pub enum Source {
     Loss = 4,
     /// Delay of a channel for a message.
     Lag = 5,
+    /// Numbers that differ among the members of an ensemble.
+    Ensemble = 6,
 }
 
 /// Random numbers, independent in every call, axis and lane, from a seed for each lane.
@@ -48,6 +50,18 @@ impl<T: Scalar> Random<T> {
         let part =
             |index: usize| T::from_lanes(|lane| f64::from((seed(lane) >> (16 * index)) as u16));
         Self { seeds: core::array::from_fn(part), source, calls: 0 }
+    }
+
+    /// The same numbers from call `calls` on, counted from 0.
+    ///
+    /// ```
+    /// use lyapunov_plants::{Random, Source};
+    /// let mut drawn = Random::<f64>::new(|_| 7, Source::Ensemble);
+    /// let numbers: [f64; 3] = core::array::from_fn(|_| drawn.uniform());
+    /// assert_eq!(Random::<f64>::new(|_| 7, Source::Ensemble).from_call(2).uniform(), numbers[2]);
+    /// ```
+    pub fn from_call(self, calls: u64) -> Self {
+        Self { calls, ..self }
     }
 
     /// The next number of the standard normal distribution, on every axis.

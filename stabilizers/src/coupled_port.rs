@@ -1,6 +1,8 @@
 //! Virtual coupling: a spring and a damper between the device and what it touches.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, HeldTick, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal,
+};
 
 /// Spring and dampers of a [`CoupledPort`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +58,7 @@ impl<T: Scalar> VirtualCoupling<T> {
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, OnePort};
+/// use lyapunov_core::{HeldTick, PortSample, OnePort};
 /// use lyapunov_stabilizers::{CoupledPort, VirtualCoupling};
 /// struct Spring(f64); // N/m
 /// impl OnePort<f64> for Spring {
@@ -67,9 +69,13 @@ impl<T: Scalar> VirtualCoupling<T> {
 /// let coupling = VirtualCoupling { stiffness: 1000.0_f64, damping: 0.1, drag: 5.0 };
 /// assert_abs_diff_eq!(coupling.device_damping(1e-3), 0.6, epsilon = 1e-12); // N·s/m
 /// let mut port = CoupledPort::new(Spring(9000.0), coupling)?;
-/// let mut force = port.respond(&PortSample::new(1e-3, 1e-3, 1.0, 1e-3, 0.0));
+/// let mut force = port.respond(&HeldTick {
+///     period: 1e-3, position: 1e-3, velocity: 1.0, displacement: 1e-3, applied: 0.0
+/// }.sample());
 /// for _ in 0..100 {
-///     force = port.respond(&PortSample::new(1e-3, 1e-3, 0.0, 0.0, force));
+///     force = port.respond(&HeldTick {
+///         period: 1e-3, position: 1e-3, velocity: 0.0, displacement: 0.0, applied: force
+///     }.sample());
 /// }
 /// assert_abs_diff_eq!(force, 0.9, epsilon = 1e-9); // 1 mm on 900 N/m
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -115,7 +121,14 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for CoupledPort<P, V> {
 
         let rate = V::Scalar::of(1.0) / sample.period;
         let position = sample.position - deflection;
-        let proxy = PortSample::new(sample.period, position, moved.scale(rate), moved, self.answer);
+        let proxy = HeldTick {
+            period: sample.period,
+            position,
+            velocity: moved.scale(rate),
+            displacement: moved,
+            applied: self.answer,
+        }
+        .sample();
         let answer = self.port.respond(&proxy);
         self.deflection = V::choose(deflection.finite(), deflection, self.deflection);
         self.answer = V::choose(answer.finite(), answer, self.answer);

@@ -90,7 +90,7 @@ impl<T: Scalar> DampingLimit<T> {
         self.most
     }
 
-    fn finite(most: T) -> Self {
+    pub(crate) fn finite(most: T) -> Self {
         Self { most: most.smaller(T::largest()) }
     }
 }

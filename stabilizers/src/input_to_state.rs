@@ -1,6 +1,8 @@
 //! Input-to-state stable port: an environment that is asked a little before the device is there.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, HeldTick, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal,
+};
 
 /// The input-to-state stable approach, as in Jafari and Ryu (IEEE International Conference on Robotics and Automation,
 /// 2015) and Jafari, Nabeel and Ryu (IEEE Transactions on Robotics, 2017): a port around the environment.
@@ -25,7 +27,7 @@ use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement
 /// one tick. `T` is the period of its own calls.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, OnePort};
+/// use lyapunov_core::{HeldTick, PortSample, OnePort};
 /// use lyapunov_stabilizers::InputToState;
 /// struct Spring(f64); // N/m
 /// impl OnePort<f64> for Spring {
@@ -34,9 +36,13 @@ use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement
 ///     }
 /// }
 /// let mut port = InputToState::new(Spring(5000.0), 8500.0, 5e-3)?;
-/// let mut force = port.respond(&PortSample::new(1e-3, 1e-3, 1.0, 1e-3, 0.0));
+/// let mut force = port.respond(&HeldTick {
+///     period: 1e-3, position: 1e-3, velocity: 1.0, displacement: 1e-3, applied: 0.0
+/// }.sample());
 /// for _ in 0..200 {
-///     force = port.respond(&PortSample::new(1e-3, 1e-3, 0.0, 0.0, force));
+///     force = port.respond(&HeldTick {
+///         period: 1e-3, position: 1e-3, velocity: 0.0, displacement: 0.0, applied: force
+///     }.sample());
 /// }
 /// assert!((force - 1e-3 / (1.0 / 5000.0 + 1.0 / 8500.0)).abs() < 1e-9);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -110,7 +116,14 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
         let moved = sample.displacement - (shift - self.shift);
         let rate = V::Scalar::of(1.0) / sample.period;
         let velocity = sample.velocity - (shift - self.shift).scale(rate);
-        let asked = PortSample::new(sample.period, position, velocity, moved, self.answer);
+        let asked = HeldTick {
+            period: sample.period,
+            position,
+            velocity,
+            displacement: moved,
+            applied: self.answer,
+        }
+        .sample();
         let answer = self.port.respond(&asked);
         let change = answer - self.answer;
         let given = answer + change.scale(self.feed * rate);

@@ -2,9 +2,10 @@
 
 use lyapunov_core::{
     Accumulator, Correction, Held, Ledger, LyapunovCandidate, Mask, Observer, ParameterError,
-    Plain, PortSample, Requirement, Sampled, Scalar, Signal, Stabilizer, Work,
+    Plain, PortSample, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilizer, Work,
 };
 
+use crate::account::account;
 use crate::{DampingLimit, LimitCredit};
 
 /// Lyapunov observer/controller of Jafari, Etoundi and Chong.
@@ -27,12 +28,13 @@ use crate::{DampingLimit, LimitCredit};
 /// finite, as the past that the sample reports did happen.
 ///
 /// ```
-/// use lyapunov_core::{Dissipation, PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{Dissipation, HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Lolc};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T
 /// let candidate = (PortEnergy, Dissipation::of(0.001)?); // credit what the device's damper dissipates
 /// let mut lolc = Lolc::new(candidate, limit);
-/// let sample = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, -2.0); // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// // -2 N applied over 0.1 mm: a debt of 0.2 mJ
+/// let sample = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 }.sample();
 /// let correction = lolc.stabilize(&sample, 0.5);
 /// assert!(correction.observed_energy < 0.0 && correction.effort > 0.5 && correction.shortfall == 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -77,10 +79,13 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// `energy` below 0, infinite or NaN.
     ///
     /// ```
-    /// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+    /// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
     /// use lyapunov_stabilizers::{DampingLimit, Popc};
     /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
-    /// let sample = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // a spring pushes out: it gives 0.2 mJ
+    /// // a spring pushes out: it gives 0.2 mJ
+    /// let sample = HeldTick {
+    ///     period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0
+    /// }.sample();
     /// assert!({ popc }.stabilize(&sample, 2.0).alpha > 0.0);
     /// assert_eq!(popc.budgeted(1e-3)?.stabilize(&sample, 2.0).alpha, 0.0);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -99,13 +104,44 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     }
 }
 
-impl<T, C, W, A> Lolc<T, C, W, A> {
-    pub(crate) fn candidate(&self) -> &C {
+impl<T: Copy, C, W, A> Lolc<T, C, W, A> {
+    /// The candidate.
+    #[inline]
+    pub fn candidate(&self) -> &C {
         &self.observer.candidate
     }
 
-    pub(crate) fn candidate_mut(&mut self) -> &mut C {
+    /// The candidate, to be changed between ticks.
+    ///
+    /// What was summed stays, and from the next tick on the decrease of the changed one is added. `L ≥ 0` then bounds
+    /// what the sum of both says, each over its time; a term that credits more from now on weakens the bound from now on.
+    #[inline]
+    pub fn candidate_mut(&mut self) -> &mut C {
         &mut self.observer.candidate
+    }
+
+    /// The largest damping that is injected.
+    #[inline]
+    pub fn limit(&self) -> DampingLimit<T> {
+        self.limit
+    }
+
+    /// Changes the limit between ticks, as where the period or the moving mass changes.
+    ///
+    /// It changes no sum. With a debt open, a smaller limit serves it more slowly and reports the rest as shortfall, and
+    /// one of 0 only observes it; the debt stays. A limit that is too large for the period adds energy.
+    ///
+    /// ```
+    /// use lyapunov_core::PortEnergy;
+    /// use lyapunov_stabilizers::{DampingLimit, Popc};
+    /// let mut popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+    /// popc.set_limit(DampingLimit::of_mass(0.5, 0.2, 0.5e-3)?); // the loop runs at 2 kHz now
+    /// assert_eq!(popc.limit().most(), 200.0);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    #[inline]
+    pub fn set_limit(&mut self, limit: DampingLimit<T>) {
+        self.limit = limit;
     }
 }
 
@@ -191,5 +227,19 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         };
         self.observer.ledger = before;
         Correction { accepted, ..self.correct(sound) }
+    }
+}
+
+account!(impl[T: Scalar, C, W: Work, A: Accumulator<T>] Lolc<T, C, W, A>, in T, is observer.ledger);
+
+impl<T: Scalar, C: Snapshot, W: Work, A: Snapshot> Snapshot for Lolc<T, C, W, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
     }
 }

@@ -1,11 +1,13 @@
 //! Memory-based passivation: forces on the way out no larger than those kept from the way in.
 
 use lyapunov_core::{
-    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Stabilizer,
+    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Snapshot,
+    Stabilizer,
 };
 
 use crate::StabilizerExt;
 use crate::booked::book;
+use nalgebra::SVector;
 
 /// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the
 /// pressing path is kept by position, and the releasing path may not be above it.
@@ -29,12 +31,15 @@ use crate::booked::book;
 /// took is reported as shortfall. Each tick visits all cells, so that it takes the same time wherever the motion is.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, Stabilizer};
 /// use lyapunov_stabilizers::MemoryBased;
 /// let mut memory = MemoryBased::<f64, 32>::beyond(0.0, 3.2e-3)?; // cells of 0.1 mm
-/// let pressed = PortSample::new(1e-3, 1e-3, 1.0, 1e-3, 2.0); // 2 N over the first millimetre
+/// // 2 N over the first millimetre
+/// let pressed = HeldTick { period: 1e-3, position: 1e-3, velocity: 1.0, displacement: 1e-3, applied: 2.0 }.sample();
 /// assert_eq!(memory.stabilize(&pressed, 8.0).effort, 8.0);
-/// let back = PortSample::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 8.0);
+/// let back = HeldTick {
+///     period: 1e-3, position: 0.9e-3, velocity: -0.1, displacement: -0.1e-3, applied: 8.0
+/// }.sample();
 /// assert_eq!(memory.stabilize(&back, 7.2).effort, 2.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
@@ -109,5 +114,22 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
+    /// The last depth, m, the forces in the cells, N, and the energy, J.
+    type State = (Option<T>, SVector<T, N>, T);
+
+    fn state(&self) -> Self::State {
+        (self.last, SVector::from(self.forces), self.energy.state())
+    }
+
+    fn restored(self, (last, forces, energy): Self::State) -> Result<Self, ParameterError> {
+        if let Some(last) = last {
+            Requirement::Finite.check("stored depth", last)?;
+        }
+        let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
+        Ok(Self { last, forces, energy: self.energy.restored(energy)?, ..self })
     }
 }

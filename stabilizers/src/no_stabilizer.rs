@@ -12,9 +12,11 @@ use lyapunov_core::{Correction, PortSample, Signal, Stabilizer};
 /// observes nothing, so it accepts every sample and keeps no law about rejection.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, Stabilizer};
 /// use lyapunov_stabilizers::NoStabilizer;
-/// let correction = NoStabilizer.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 5.0);
+/// let correction = NoStabilizer.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 0.0
+/// }.sample(), 5.0);
 /// assert_eq!((correction.effort, correction.observed_energy, correction.alpha), (5.0, 0.0, 0.0));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,3 +28,5 @@ impl<V: Signal> Stabilizer<V> for NoStabilizer {
         Correction::none(effort)
     }
 }
+
+lyapunov_core::without_memory!(impl[] NoStabilizer);

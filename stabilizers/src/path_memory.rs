@@ -1,8 +1,11 @@
 //! Forces on the way out no larger than those on the way in.
 
-use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar, Stabilizer};
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Snapshot, Stabilizer,
+};
 
 use crate::StabilizerExt;
+use nalgebra::SVector;
 
 /// A memory of energies: what pressing in took is kept place by place, and letting go gives no more there. One axis,
 /// one side: the environment lies beyond a surface and pushes against `+x`, like a wall.
@@ -35,12 +38,15 @@ use crate::StabilizerExt;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, Stabilizer};
 /// use lyapunov_stabilizers::PathMemory;
 /// let mut memory = PathMemory::<f64, 32>::beyond(0.0, 3.2e-3)?; // cells of 0.1 mm
-/// let pressed = PortSample::new(1e-3, 1e-3, 1.0, 1e-3, 2.0); // 2 N over the first millimetre
+/// // 2 N over the first millimetre
+/// let pressed = HeldTick { period: 1e-3, position: 1e-3, velocity: 1.0, displacement: 1e-3, applied: 2.0 }.sample();
 /// assert_eq!(memory.stabilize(&pressed, 8.0).effort, 8.0);
-/// let back = PortSample::new(1e-3, 0.9e-3, -0.1, -0.1e-3, 2.0);
+/// let back = HeldTick {
+///     period: 1e-3, position: 0.9e-3, velocity: -0.1, displacement: -0.1e-3, applied: 2.0
+/// }.sample();
 /// let effort: f64 = memory.stabilize(&back, 7.2).effort;
 /// assert_abs_diff_eq!(effort, 2.0, epsilon = 1e-9);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -128,5 +134,19 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
             shortfall: self.debt,
             accepted,
         }
+    }
+}
+
+impl<T: Scalar, const N: usize> Snapshot for PathMemory<T, N> {
+    /// The forces in the cells, N, and the debt, J.
+    type State = (SVector<T, N>, T);
+
+    fn state(&self) -> Self::State {
+        (SVector::from(self.forces), self.debt)
+    }
+
+    fn restored(self, (forces, debt): Self::State) -> Result<Self, ParameterError> {
+        let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
+        Ok(Self { forces, debt: Requirement::NonNegative.check("stored debt", debt)?, ..self })
     }
 }

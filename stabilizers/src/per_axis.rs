@@ -1,6 +1,6 @@
 //! One stabilizer per axis.
 
-use lyapunov_core::{Correction, Mask, PortSample, Scalar, Stabilizer};
+use lyapunov_core::{Correction, Mask, ParameterError, PortSample, Scalar, Snapshot, Stabilizer};
 use nalgebra::SVector;
 
 use crate::LimitCredit;
@@ -20,13 +20,13 @@ use crate::LimitCredit;
 /// effort, the others do. [`axes`](Self::axes) lends the stabilizers.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, PerAxis, Popc};
 /// use nalgebra::Vector2;
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let (velocity, displacement) = (Vector2::new(0.1, 0.1), Vector2::new(1e-4, 1e-4));
 /// let applied = Vector2::new(10.0, -9.0); // +1 mJ on x, −0.9 mJ on y
-/// let sample = PortSample::new(1e-3, Vector2::zeros(), velocity, displacement, applied);
+/// let sample = HeldTick { period: 1e-3, position: Vector2::zeros(), velocity, displacement, applied }.sample();
 /// let effort = Vector2::new(0.5, 0.5);
 /// let mut one_sum = popc;
 /// assert_eq!(one_sum.stabilize(&sample, effort).alpha, 0.0);
@@ -48,6 +48,11 @@ impl<S, const N: usize> PerAxis<S, N> {
     /// The stabilizers of the axes.
     pub fn axes(&self) -> &[S; N] {
         &self.axes
+    }
+
+    /// The stabilizers of the axes, to be changed between ticks.
+    pub fn axes_mut(&mut self) -> &mut [S; N] {
+        &mut self.axes
     }
 }
 
@@ -99,9 +104,25 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
 
 /// Damping `burnt / square`, rounded up as the axes' dampings are, and no more than the `most` of them.
 #[inline]
-fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
+pub(crate) fn mean<T: Scalar>(burnt: T, square: T, most: T) -> T {
     let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
     let mean = burnt / (square * margin).larger(T::smallest_normal());
     let moving = square.above(T::smallest_normal());
     T::choose(moving & mean.finite(), mean, T::zero()).smaller(most)
+}
+
+impl<S: Snapshot + Clone, const N: usize> Snapshot for PerAxis<S, N> {
+    type State = SVector<S::State, N>;
+
+    fn state(&self) -> Self::State {
+        SVector::from_fn(|axis, _| self.axes[axis].state())
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        let mut axes = self.axes;
+        for (axis, state) in axes.iter_mut().zip(state.iter()) {
+            *axis = axis.clone().restored(*state)?;
+        }
+        Ok(Self { axes })
+    }
 }

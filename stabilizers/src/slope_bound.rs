@@ -2,7 +2,7 @@
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -40,11 +40,13 @@ use crate::StabilizerExt;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::SlopeBound;
 /// let mut bound = SlopeBound::of_damping(0.5, 1e-3)?; // μ = 2 b / T = 1 kN/m
 /// bound.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let pressed = PortSample::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let pressed = HeldTick {
+///     period: 1e-3, position: 0.1e-3, velocity: 0.1, displacement: 0.1e-3, applied: 0.0
+/// }.sample();
 /// let effort: f64 = bound.stabilize(&pressed, 5.0).effort; // 50 kN/m
 /// assert_abs_diff_eq!(effort, 0.1, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -129,5 +131,20 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+impl<V: Signal, A: Snapshot> Snapshot for SlopeBound<V, A> {
+    /// The effort that was asked for and the one held back, N, and the energy.
+    type State = (Option<V>, V, A::State);
+
+    fn state(&self) -> Self::State {
+        (self.asked, self.held, self.energy.state())
+    }
+
+    fn restored(self, (asked, held, energy): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored effort", asked.unwrap_or(held))?;
+        let held = Requirement::Finite.check_axes("stored effort", held)?;
+        Ok(Self { asked, held, energy: self.energy.restored(energy)?, ..self })
     }
 }

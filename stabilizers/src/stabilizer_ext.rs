@@ -4,12 +4,12 @@ use lyapunov_core::{ParameterError, Scalar, Signal};
 
 use crate::{
     BoundedCredit, ContactReset, LimitCredit, Lolc, PerAxis, RateLimit, SoftStart, Spread,
-    VelocityThreshold,
+    VelocityThreshold, Watchdog, WatchdogTimes,
 };
 
 /// Adaptors of a stabilizer, chained like iterator adaptors; an adaptor that is absent costs nothing.
 ///
-/// First come the adaptors that limit the credit, then those that shape the correction:
+/// First come the adaptors that limit the credit, then those that shape the correction, then a watchdog:
 ///
 /// ```
 /// use lyapunov_core::PortEnergy;
@@ -78,6 +78,18 @@ pub trait StabilizerExt: Sized {
     ) -> Result<RateLimit<Self, V>, ParameterError> {
         RateLimit::new(self, rate)
     }
+
+    /// The same stabilizer, which holds its last effort without sound samples and then lets go, and whose environment
+    /// rises at the start; outermost.
+    ///
+    /// # Errors
+    /// `hold` below 0 or NaN; `rise` below 0, infinite or NaN.
+    fn watched<V: Signal>(
+        self,
+        times: WatchdogTimes<V::Scalar>,
+    ) -> Result<Watchdog<Self, V>, ParameterError> {
+        Watchdog::new(self, times)
+    }
 }
 
 impl<T, C, W, A> StabilizerExt for Lolc<T, C, W, A> {}
@@ -88,3 +100,15 @@ impl<S, T> StabilizerExt for VelocityThreshold<S, T> {}
 impl<S, T> StabilizerExt for Spread<S, T> {}
 impl<S, T> StabilizerExt for SoftStart<S, T> {}
 impl<S, V: Signal> StabilizerExt for RateLimit<S, V> {}
+
+/// ```
+/// use lyapunov_core::{PortEnergy, PortSample, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
+/// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let chosen: Box<dyn Stabilizer<f64>> = Box::new(popc);
+/// let mut gentle = chosen.spread_over(5)?;
+/// assert_eq!(gentle.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), 2.0).effort, 2.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[cfg(feature = "alloc")]
+impl<S: ?Sized> StabilizerExt for alloc::boxed::Box<S> {}

@@ -2,9 +2,10 @@
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
+use crate::account::account_in_sum;
 use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 
@@ -32,17 +33,19 @@ pub struct Sharing<T> {
 /// hold more than the hands put in. `H ≥ 0` up to one tick's wrong guess of the displacement, which is reported as
 /// shortfall. **Assumed** are true measurements and a velocity that predicts the next displacement. The paper sends
 /// packets; here the [sum](Self::sent) of them is sent, so that a message that is lost, old or repeated cannot make
-/// energy, and one that comes later makes up for a loss.
+/// energy, and one that comes later makes up for a loss. The sum grows as long as there is anything to share, and where
+/// it has no more digits for a packet none is sent: in `f32` that is after a while, so take `f64`.
 ///
 /// Parameters of a public course: level 1 J, gain 2 (N·s/m)/J, share 0.1, 0.5 to 5 J at the start, at 1 kHz with 10
 /// ticks of delay. Choose `gain · level` well below the mass over the period, as for any held damper.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{Sharing, TwoLayer};
 /// let sharing = Sharing { start: 0.5e-3, share: 0.1 };
 /// let (mut master, mut slave) = (TwoLayer::master(sharing, 1e-3, 2000.0)?, TwoLayer::slave(sharing)?);
-/// let pushed = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, 1.0); // absorbs 0.1 mJ
+/// // absorbs 0.1 mJ
+/// let pushed = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: 1.0 }.sample();
 /// let correction = master.stabilize(&pushed, 2.0);
 /// slave.receive(master.sent()); // a tenth of 0.6 mJ
 /// let sum: f64 = slave.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), 0.0).observed_energy;
@@ -116,9 +119,10 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let came = self.received - self.booked;
         let booked = book(&mut self.tank, came + sample.work.sum());
         self.booked = V::Scalar::choose(booked, self.received, self.booked);
-        let packet = self.share * self.tank.value().larger(zero);
-        self.tank.add(-packet);
-        self.sent += packet;
+        // What the sum of the packets rounds to leaves the tank, or rounding would make energy on every tick.
+        let sent = self.sent + self.share * self.tank.value().larger(zero);
+        self.tank.add(self.sent - sent);
+        self.sent = sent;
         let sum = self.tank.value();
 
         let speed = sample.velocity.inner(sample.velocity).sqrt();
@@ -133,5 +137,23 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let alpha = V::Scalar::choose(accepted, damping, zero);
         let effort = V::choose(accepted, felt, V::zero());
         Correction { effort, observed_energy: sum, alpha, shortfall: (-sum).larger(zero), accepted }
+    }
+}
+
+account_in_sum!(impl[T: Scalar, A: Accumulator<T>] TwoLayer<T, A>, in T, is tank);
+
+impl<T: Scalar, A: Snapshot> Snapshot for TwoLayer<T, A> {
+    /// The tank, and the energies received, booked and sent, J.
+    type State = (A::State, T, T, T);
+
+    fn state(&self) -> Self::State {
+        (self.tank.state(), self.received, self.booked, self.sent)
+    }
+
+    fn restored(self, (tank, received, booked, sent): Self::State) -> Result<Self, ParameterError> {
+        for energy in [received, booked, sent] {
+            Requirement::NonNegative.check("stored exchange", energy)?;
+        }
+        Ok(Self { tank: self.tank.restored(tank)?, received, booked, sent, ..self })
     }
 }

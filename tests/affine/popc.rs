@@ -2,7 +2,7 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    DampingLimit, Lolc, LyapunovCandidate, Plant, Popc, PortEnergy, PortSample, Stabilizer,
+    DampingLimit, HeldTick, Lolc, LyapunovCandidate, Plant, Popc, PortEnergy, Stabilizer,
     bodies::{Body, Impedance},
     integrators::RungeKutta4,
     models::{AffinePlant, ControlAffine, QuadraticForm, WithState, decrease_of},
@@ -61,13 +61,14 @@ fn a_stabilizer_at_the_port_is_popc_on_its_numbers_bit_for_bit() {
     for _ in 0..5000 {
         let wanted = 3.0 * draw.next();
         let correction = at_port.stabilize(&sample, WithState::of_input(Vector1::new(wanted)));
-        let scalar = PortSample::new(
-            sample.period,
-            sample.position.input[0],
-            sample.velocity.input[0],
-            sample.displacement.input[0],
-            sample.applied.input[0],
-        );
+        let scalar = HeldTick {
+            period: sample.period,
+            position: sample.position.input[0],
+            velocity: sample.velocity.input[0],
+            displacement: sample.displacement.input[0],
+            applied: sample.applied.input[0],
+        }
+        .sample();
         let same = alone.stabilize(&scalar, wanted);
         assert_eq!(correction.observed_energy.to_bits(), same.observed_energy.to_bits());
         assert_eq!(correction.alpha.to_bits(), same.alpha.to_bits());

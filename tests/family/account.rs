@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use lyapunov::{
-    PortSample, Stabilizer,
+    HeldTick, PortSample, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
     candidates::InContact,
     stabilizers::{StabilizerExt, WindowedCredit},
@@ -96,7 +96,11 @@ fn sums_are_lowered_to_the_bit() {
 }
 
 fn sample(position: f64, work: f64) -> PortSample<f64> {
-    PortSample { work, ..PortSample::new(PERIOD, position, 0.1, 1e-4, 0.0) }
+    PortSample {
+        work,
+        ..HeldTick { period: PERIOD, position, velocity: 0.1, displacement: 1e-4, applied: 0.0 }
+            .sample()
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    AdmittanceSample, DampingLimit, OnePort, Popc, PortEnergy, PortSample, Stabilizer,
+    AdmittanceSample, DampingLimit, HeldFlow, OnePort, Popc, PortEnergy, PortSample, Stabilizer,
     effects::OnePortExt, stabilizers::StabilizerExt,
 };
 
@@ -49,7 +49,8 @@ impl Hand {
         self.position += flow * PERIOD;
         let impulse = 0.5 * (before + self.force()) * PERIOD;
         self.momentum += impulse;
-        AdmittanceSample::new(PERIOD, self.momentum, self.force(), impulse, flow)
+        HeldFlow { period: PERIOD, momentum: self.momentum, effort: self.force(), impulse, flow }
+            .sample()
     }
 }
 
@@ -105,7 +106,9 @@ fn stabilized_it_stays_bounded() {
 #[test]
 fn a_load_is_a_drive_read_the_other_way() {
     let mut popc = Popc::new(PortEnergy, limit());
-    let load = AdmittanceSample::new(PERIOD, 0.3, -2.0, -2.0 * PERIOD, 0.1);
+    let load =
+        HeldFlow { period: PERIOD, momentum: 0.3, effort: -2.0, impulse: -2.0 * PERIOD, flow: 0.1 }
+            .sample();
     let correction = popc.stabilize(&PortSample::from(load), 0.5);
     // A debt of 0.2 mJ is burnt by β f² T: β = 2e-4 / (4 · 1e-3) = 0.05 m/(N·s).
     assert_abs_diff_eq!(correction.alpha, 0.05, epsilon = 1e-12);

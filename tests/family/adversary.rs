@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use lyapunov::{PortSample, Stabilizer};
+use lyapunov::{HeldTick, PortSample, Stabilizer};
 
 use crate::support::{Dice, PERIOD};
 
@@ -34,7 +34,14 @@ fn run(mut stabilizer: impl Stabilizer<f64>, seed: u64, late: usize) -> f64 {
         energy += change;
         size += (force * moved).abs() + DAMPING * moved * moved / PERIOD;
         least = least.min(energy / size.max(f64::MIN_POSITIVE));
-        sample = PortSample::new(PERIOD, sample.position + moved, moved / PERIOD, moved, force);
+        sample = HeldTick {
+            period: PERIOD,
+            position: sample.position + moved,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
     }
     least
 }

@@ -3,7 +3,7 @@
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF32x4;
 use lyapunov::{
-    DampingLimit, Popc, PortEnergy, PortSample, Scalar, Stabilizer,
+    DampingLimit, HeldTick, Popc, PortEnergy, PortSample, Scalar, Stabilizer,
     stabilizers::{AlongDirection, AxisWeights, DirectedDamping, InertiaMetric, Metric},
 };
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
@@ -13,7 +13,17 @@ use crate::support::{Dice, PERIOD, limit, popc};
 fn sample(velocity: Vector3<f64>, debt: f64) -> PortSample<Vector3<f64>> {
     let work = Vector3::new(-debt, 0.0, 0.0);
     let zero = Vector3::zeros();
-    PortSample { work, ..PortSample::new(PERIOD, zero, velocity, velocity * PERIOD, zero) }
+    PortSample {
+        work,
+        ..HeldTick {
+            period: PERIOD,
+            position: zero,
+            velocity,
+            displacement: velocity * PERIOD,
+            applied: zero,
+        }
+        .sample()
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::WideF64x4;
 use lyapunov::{
-    DampingLimit, OnePort, Plant, Popc, PortEnergy, PortSample, Scalar, Signal,
+    DampingLimit, HeldTick, OnePort, Plant, Popc, PortEnergy, PortSample, Scalar, Signal,
     bodies::Body,
     environments::{Spring, Wall},
     laws,
@@ -85,7 +85,14 @@ fn least<V: Signal>(
         energy += damping / PERIOD * moved.inner(moved).lane(0) + force.inner(moved).lane(0);
         least = least.min(energy);
         let velocity = moved.scale(of(1.0 / PERIOD));
-        sample = PortSample::new(of(PERIOD), sample.position + moved, velocity, moved, force);
+        sample = HeldTick {
+            period: of(PERIOD),
+            position: sample.position + moved,
+            velocity,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
     }
     least
 }
@@ -134,7 +141,16 @@ fn free_motion_feels_the_drag() {
     for tick in 0..1000 {
         let moved = 0.1 * PERIOD;
         let position = -1.0 + moved * f64::from(tick);
-        force = port.respond(&PortSample::new(PERIOD, position, 0.1, moved, force));
+        force = port.respond(
+            &HeldTick {
+                period: PERIOD,
+                position,
+                velocity: 0.1,
+                displacement: moved,
+                applied: force,
+            }
+            .sample(),
+        );
     }
     assert!(abs_diff_eq!(force, COUPLING.drag * 0.1, epsilon = 1e-9), "{force} N");
 }
@@ -151,7 +167,16 @@ fn what_stands_behind_is_told_the_truth() {
     for _ in 0..1000 {
         let moved = dice.within(1e-4);
         position += moved;
-        force = port.respond(&PortSample::new(PERIOD, position, moved / PERIOD, moved, force));
+        force = port.respond(
+            &HeldTick {
+                period: PERIOD,
+                position,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: force,
+            }
+            .sample(),
+        );
         let now = position - port.deflection();
         work = f64::min(work, 1e-3) + answer * (now - proxy);
         (proxy, answer) = (now, port.correction().effort);
@@ -191,7 +216,14 @@ fn what_cannot_be_right_is_refused_and_what_is_not_finite_forgotten() {
     assert!(refused(VirtualCoupling { damping: -1.0, ..COUPLING }));
     assert!(refused(VirtualCoupling { drag: f64::NAN, ..COUPLING }));
     let mut port = CoupledPort::new(wall(), COUPLING).expect("a coupling");
-    let sound = PortSample::new(PERIOD, 1e-3, 0.1, 1e-4, 0.0);
+    let sound = HeldTick {
+        period: PERIOD,
+        position: 1e-3,
+        velocity: 0.1,
+        displacement: 1e-4,
+        applied: 0.0,
+    }
+    .sample();
     port.respond(&sound);
     assert!(!port.respond(&PortSample { displacement: f64::NAN, ..sound }).is_finite());
     assert!(port.respond(&sound).is_finite());

@@ -1,7 +1,7 @@
 //! The energy-bounding algorithm against its worked rows, its published form, and an adversary.
 
 use lyapunov::lanes::AutoF64x4;
-use lyapunov::{PortSample, Scalar, Stabilizer, stabilizers::EnergyBounding};
+use lyapunov::{HeldTick, Scalar, Stabilizer, stabilizers::EnergyBounding};
 use nalgebra::Vector3;
 
 use crate::adversary::{DAMPING, least};
@@ -57,7 +57,14 @@ fn in_forces_it_is_the_published_form() {
             let moved = if tick % 7 == 0 { 0.0 } else { dice.within(1e-3) };
             position += moved;
             let asked = dice.within(3.0);
-            let sample = PortSample::new(PERIOD, position, moved / PERIOD, moved, last);
+            let sample = HeldTick {
+                period: PERIOD,
+                position,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: last,
+            }
+            .sample();
             let force = bounding.stabilize(&sample, asked).effort;
             let expected = published(c1, c2, last, asked, moved);
             let size = last.abs() + c1 * moved.abs();
@@ -98,7 +105,14 @@ fn the_account_is_above_its_storage() {
     for _ in 0..5000 {
         let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(2.0));
         energy += force.dot(&moved) + c1 * moved.norm_squared();
-        let sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, force);
+        let sample = HeldTick {
+            period: PERIOD,
+            position: Vector3::zeros(),
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
         let correction = bounding.stabilize(&sample, asked);
         force = correction.effort;
         assert!(
@@ -114,9 +128,23 @@ fn the_account_is_above_its_storage() {
 fn small_steps_are_none() {
     for moved in [0.0, 1e-320, -1e-320, 1e-200, -1e-200] {
         let mut bounding = of(500.0, 500.0);
-        let pressed = PortSample::new(PERIOD, 1e-3, 1.0, 1e-3, 0.0);
+        let pressed = HeldTick {
+            period: PERIOD,
+            position: 1e-3,
+            velocity: 1.0,
+            displacement: 1e-3,
+            applied: 0.0,
+        }
+        .sample();
         let force = bounding.stabilize(&pressed, 10.0).effort;
-        let step = PortSample::new(PERIOD, 1e-3, moved / PERIOD, moved, force);
+        let step = HeldTick {
+            period: PERIOD,
+            position: 1e-3,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
         let (up, mut down) = (bounding.stabilize(&step, 10.0).effort, bounding);
         assert!((up - force).abs() < 1e-12 * force, "{up} N after {moved:e} m");
         assert!(down.stabilize(&step, 0.0).effort.is_finite());

@@ -2,7 +2,7 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    PortSample, Stabilizer,
+    HeldTick, PortSample, Stabilizer,
     stabilizers::{ForceBound, StabilizerExt},
 };
 use nalgebra::Vector3;
@@ -36,7 +36,14 @@ fn least(factor: f64, mut motion: impl FnMut(Vector3<f64>) -> Vector3<f64>) -> f
         // Two sums of the same, in another order.
         size += 2.0 * change(Vector3::zeros(), moved);
         least = least.min(energy + 16.0 * f64::EPSILON * size);
-        sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, force);
+        sample = HeldTick {
+            period: PERIOD,
+            position: Vector3::zeros(),
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
     }
     least
 }
@@ -98,7 +105,14 @@ fn a_held_spring_on_a_damped_mass_stays_bounded() {
             let moved = rest * PERIOD + (v - rest) * (1.0 - decay) * mass / DAMPING;
             (x, v) = (x + moved, next);
             most = most.max(0.5 * mass * v * v);
-            sample = PortSample::new(PERIOD, x, moved / PERIOD, moved, force);
+            sample = HeldTick {
+                period: PERIOD,
+                position: x,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: force,
+            }
+            .sample();
         }
         (most, stored)
     };
@@ -113,7 +127,14 @@ fn a_held_spring_on_a_damped_mass_stays_bounded() {
 fn with_a_bounded_credit() {
     let bound = ForceBound::new(DAMPING).expect("a bound");
     let mut bound = bound.bounded(1e-4).expect("a bound");
-    let free = PortSample::new(PERIOD, 0.0, 0.5, 0.5 * PERIOD, 0.0);
+    let free = HeldTick {
+        period: PERIOD,
+        position: 0.0,
+        velocity: 0.5,
+        displacement: 0.5 * PERIOD,
+        applied: 0.0,
+    }
+    .sample();
     for _ in 0..1000 {
         bound.stabilize(&free, 0.0);
     }

@@ -4,7 +4,7 @@ use std::f64::consts::SQRT_2;
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    PortSample, Scalar, Stabilizer,
+    HeldTick, PortSample, Scalar, Stabilizer,
     stabilizers::ForceBound,
     stabilizers::{EnergyBounding, ForceBounding},
 };
@@ -75,7 +75,14 @@ fn a_matrix_is_kept_and_tight() {
             energy += force.dot(&moved) + moved.dot(&(damping * moved)) / PERIOD;
             least = least.min(energy);
             emptied += i32::from(moved == worst && energy < 1e-9 * before);
-            sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, force);
+            sample = HeldTick {
+                period: PERIOD,
+                position: Vector3::zeros(),
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: force,
+            }
+            .sample();
         }
         assert!(least >= -1e-15, "{least:e} J");
         assert_eq!(emptied > 0, share == 1.0);
@@ -104,7 +111,14 @@ fn a_first_touch_is_bounded_by_its_speed() {
     for tick in 0..100 {
         let moved = 0.2 * PERIOD;
         let wish = if tick < 99 { 0.0 } else { 1e3 };
-        let sample = PortSample::new(PERIOD, 0.0, 0.2, moved, force);
+        let sample = HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: 0.2,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
         force = bounding.stabilize(&sample, wish).effort;
     }
     assert!((force - 2.0 * DAMPING * 0.2).abs() < 1e-12, "{force} N");
@@ -121,7 +135,14 @@ fn it_contains_the_tight_energy_bounding() {
         for _ in 0..200 {
             let moved = dice.within(3e-4);
             position += moved;
-            let sample = PortSample::new(PERIOD, position, moved / PERIOD, moved, force);
+            let sample = HeldTick {
+                period: PERIOD,
+                position,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: force,
+            }
+            .sample();
             let wish = dice.within(1.0);
             force = tight.stabilize(&sample, wish).effort;
             let most = bounding.stabilize(&sample, 1e6).effort;

@@ -2,7 +2,7 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    OnePort, PortSample, Scalar,
+    HeldTick, OnePort, PortSample, Scalar,
     bodies::Impedance,
     environments::{Spring, Wall},
     laws,
@@ -51,9 +51,27 @@ fn an_infinite_slope_is_the_bare_environment() {
 fn at_rest_it_is_the_series_of_both() {
     for (slope, feed) in [(8500.0, 0.0), (8500.0, 5e-3), (6000.0, 2e-3)] {
         let mut port = InputToState::new(wall::<f64>(), slope, feed).expect("one");
-        let mut force = port.respond(&PortSample::new(PERIOD, 1e-3, 1.0, 1e-3, 0.0));
+        let mut force = port.respond(
+            &HeldTick {
+                period: PERIOD,
+                position: 1e-3,
+                velocity: 1.0,
+                displacement: 1e-3,
+                applied: 0.0,
+            }
+            .sample(),
+        );
         for _ in 0..500 {
-            force = port.respond(&PortSample::new(PERIOD, 1e-3, 0.0, 0.0, force));
+            force = port.respond(
+                &HeldTick {
+                    period: PERIOD,
+                    position: 1e-3,
+                    velocity: 0.0,
+                    displacement: 0.0,
+                    applied: force,
+                }
+                .sample(),
+            );
         }
         let series = STIFFNESS * slope / (STIFFNESS + slope);
         assert!((force - 1e-3 * series).abs() < 1e-9, "{force} N");
@@ -90,7 +108,16 @@ fn the_work_is_what_is_stored_and_burnt() {
         let next = at(f64::from(tick) * period);
         let moved = next - position;
         let last = force;
-        force = port.respond(&PortSample::new(period, next, moved / period, moved, last));
+        force = port.respond(
+            &HeldTick {
+                period,
+                position: next,
+                velocity: moved / period,
+                displacement: moved,
+                applied: last,
+            }
+            .sample(),
+        );
         work += 0.5 * (last + force) * moved;
         position = next;
     }
@@ -143,7 +170,16 @@ fn what_is_watched_is_the_slope() {
     assert_eq!(port.slope(), 0.0);
     for tick in 0..50 {
         let moved = 1e-4;
-        port.respond(&PortSample::new(PERIOD, moved * f64::from(tick), 0.1, moved, 0.0));
+        port.respond(
+            &HeldTick {
+                period: PERIOD,
+                position: moved * f64::from(tick),
+                velocity: 0.1,
+                displacement: moved,
+                applied: 0.0,
+            }
+            .sample(),
+        );
     }
     assert!((port.slope() - 2.0 * STIFFNESS).abs() < 1e-6, "{}", port.slope());
 }
@@ -153,7 +189,14 @@ fn laws_lanes_and_what_is_refused() {
     let port = InputToState::new(wall::<f64>(), 8500.0, 5e-3).expect("one");
     laws::one_port(&port, laws::Samples::<f64>::new(PERIOD)).expect("the laws");
     let mut spoilt = port;
-    let sound = PortSample::new(PERIOD, 1e-3, 0.1, 1e-4, 0.0);
+    let sound = HeldTick {
+        period: PERIOD,
+        position: 1e-3,
+        velocity: 0.1,
+        displacement: 1e-4,
+        applied: 0.0,
+    }
+    .sample();
     spoilt.respond(&sound);
     assert!(!spoilt.respond(&PortSample { position: f64::NAN, ..sound }).is_finite());
     assert!(spoilt.respond(&sound).is_finite());

@@ -2,7 +2,7 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    Correction, DampingLimit, Mask, PortEnergy, PortSample, Scalar, Stabilizer,
+    Correction, DampingLimit, HeldTick, Mask, PortEnergy, PortSample, Scalar, Stabilizer,
     stabilizers::{Constraint, LeastNorm},
 };
 use nalgebra::Vector3;
@@ -116,13 +116,14 @@ fn nothing_is_paid_after_the_fact() {
             );
             last = correction.observed_energy;
             let moved = sample.velocity * PERIOD;
-            sample = PortSample::new(
-                PERIOD,
-                Vector3::zeros(),
-                dice.signal(0.2),
-                moved,
-                correction.effort,
-            );
+            sample = HeldTick {
+                period: PERIOD,
+                position: Vector3::zeros(),
+                velocity: dice.signal(0.2),
+                displacement: moved,
+                applied: correction.effort,
+            }
+            .sample();
         }
         assert!(size > 0.0);
     }
@@ -132,11 +133,25 @@ fn nothing_is_paid_after_the_fact() {
 #[test]
 fn what_cannot_be_met_is_told() {
     let mut filter = filter::<f64>(1.0);
-    let about_to_give = PortSample::new(PERIOD, 0.0, -0.01, 0.0, 0.0);
+    let about_to_give = HeldTick {
+        period: PERIOD,
+        position: 0.0,
+        velocity: -0.01,
+        displacement: 0.0,
+        applied: 0.0,
+    }
+    .sample();
     let correction: Correction<f64> = filter.stabilize(&about_to_give, 5.0);
     // 100 · 0.01 N of the 5 N that are too much.
     assert!((correction.shortfall - 4.0 * 0.01 * PERIOD).abs() < 1e-15, "{correction:?}");
-    let resting = PortSample::new(PERIOD, 0.0, 0.0, -1e-4, 2.0);
+    let resting = HeldTick {
+        period: PERIOD,
+        position: 0.0,
+        velocity: 0.0,
+        displacement: -1e-4,
+        applied: 2.0,
+    }
+    .sample();
     let correction: Correction<f64> = filter.stabilize(&resting, 0.0);
     assert!((correction.shortfall - 2e-4).abs() < 1e-15 && correction.alpha == 0.0);
     assert!(LeastNorm::new(PortEnergy, DampingLimit::at(1.0).expect("one"), 0.0).is_err());

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use lyapunov::lanes::AutoF64x4;
-use lyapunov::{PortSample, Scalar, Stabilizer, stabilizers::MemoryBased};
+use lyapunov::{HeldTick, PortSample, Scalar, Stabilizer, stabilizers::MemoryBased};
 
 use crate::support::PERIOD;
 use crate::worked::{A, B, felt, near};
@@ -35,11 +35,25 @@ fn a_late_force_looks_further_ahead() {
         for (position, asked) in [(0.0, 0.0), (1.0, 0.5), (3.0, 1.5), (6.0, 3.0), (8.0, 4.0)] {
             let moved = (position - last) * CELL;
             last = position;
-            let sample = PortSample::new(PERIOD, position * CELL, moved / PERIOD, moved, force);
+            let sample = HeldTick {
+                period: PERIOD,
+                position: position * CELL,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: force,
+            }
+            .sample();
             force = memory.stabilize(&sample, asked).effort;
         }
         // Half a cell on, so that no edge is a matter of rounding.
-        let out = PortSample::new(PERIOD, 6.5 * CELL, -0.1, -CELL, 0.0);
+        let out = HeldTick {
+            period: PERIOD,
+            position: 6.5 * CELL,
+            velocity: -0.1,
+            displacement: -CELL,
+            applied: 0.0,
+        }
+        .sample();
         assert_eq!(memory.stabilize(&out, 9.0).effort, most, "{ticks} ticks");
     }
 }
@@ -64,7 +78,14 @@ fn beyond(late: u32, looking: u32) -> f64 {
             worst = worst.max(force - took[place]);
         }
         let position = sample.position + moved;
-        sample = PortSample::new(PERIOD, position, moved / PERIOD, moved, force);
+        sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
     }
     worst
 }

@@ -2,7 +2,8 @@
 
 use approx::abs_diff_eq;
 use lyapunov::{
-    OnePort, PortSample, Stabilizer, bodies::Impedance, environments::Wall, stabilizers::PathMemory,
+    HeldTick, OnePort, PortSample, Stabilizer, bodies::Impedance, environments::Wall,
+    stabilizers::PathMemory,
 };
 
 use crate::support::{Dice, HELD, PERIOD, swing};
@@ -37,7 +38,14 @@ fn a_held_spring_gives_what_it_took_cell_by_cell() {
         energy += force * inwards;
         debts += i32::from(port.correction().shortfall > 1e-12);
         let position = sample.position + inwards;
-        sample = PortSample::new(PERIOD, position, inwards / PERIOD, inwards, force);
+        sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: inwards / PERIOD,
+            displacement: inwards,
+            applied: force,
+        }
+        .sample();
     }
     assert!(debts == 1 && energy.abs() < 1e-12, "{debts} debts, {energy:e} J");
 }
@@ -68,7 +76,14 @@ fn energy_is_kept_stretch_by_stretch() {
             let moved = f64::from(to - at) * STEP;
             at = to;
             let position = f64::from(at) * STEP;
-            sample = PortSample::new(PERIOD, position, moved / PERIOD, moved, force);
+            sample = HeldTick {
+                period: PERIOD,
+                position,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: force,
+            }
+            .sample();
         }
         let told = memory.stabilize(&sample, 0.0).shortfall;
         let held: f64 = path.iter().sum();
@@ -93,10 +108,37 @@ fn a_wall_that_a_hold_makes_active_settles() {
 fn nothing_pays_elsewhere() {
     let mut memory = memory();
     // A long way under no force, then much energy far inside.
-    memory.stabilize(&PortSample::new(PERIOD, 3e-3, 3.0, 3e-3, 0.0), 0.0);
-    memory.stabilize(&PortSample::new(PERIOD, 4e-3, 1.0, 1e-3, 50.0), 0.0);
+    memory.stabilize(
+        &HeldTick {
+            period: PERIOD,
+            position: 3e-3,
+            velocity: 3.0,
+            displacement: 3e-3,
+            applied: 0.0,
+        }
+        .sample(),
+        0.0,
+    );
+    memory.stabilize(
+        &HeldTick {
+            period: PERIOD,
+            position: 4e-3,
+            velocity: 1.0,
+            displacement: 1e-3,
+            applied: 50.0,
+        }
+        .sample(),
+        0.0,
+    );
     let mut effort = |from: f64| {
-        let back = PortSample::new(PERIOD, from, -0.2, 0.0, 0.0);
+        let back = HeldTick {
+            period: PERIOD,
+            position: from,
+            velocity: -0.2,
+            displacement: 0.0,
+            applied: 0.0,
+        }
+        .sample();
         memory.stabilize(&back, 10.0).effort
     };
     assert_eq!(effort(3.9e-3), 10.0);

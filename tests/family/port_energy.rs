@@ -6,7 +6,7 @@ use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
+    HeldTick, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
     accumulators::Plain,
     candidates::Gate,
     stabilizers::{
@@ -44,7 +44,9 @@ fn holds<V: Signal>(
         let moved = if still { V::zero() } else { dice.signal(strength) };
         position = position + moved;
         let velocity = moved.map(|it| it / of(PERIOD));
-        let sample = PortSample::new(of(PERIOD), position, velocity, moved, applied);
+        let sample =
+            HeldTick { period: of(PERIOD), position, velocity, displacement: moved, applied }
+                .sample();
         let works = sample.work.map(Scalar::magnitude).sum().lane(0);
         let credited = credit(&sample);
         account += sample.work.sum().lane(0) + credited;

@@ -3,7 +3,7 @@
 use approx::abs_diff_eq;
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    DampingLimit, LyapunovCandidate, Popc, PortEnergy, PortSample, Scalar, Stabilizer,
+    DampingLimit, HeldTick, LyapunovCandidate, Popc, PortEnergy, PortSample, Scalar, Stabilizer,
     StorageFunction, stabilizers::ReferenceDamper, stabilizers::ReferenceFollowing,
 };
 
@@ -24,7 +24,14 @@ fn corrections(mut stabilizer: impl Stabilizer<f64>) -> Vec<f64> {
             let effort = stabilizer.stabilize(&sample, force).effort;
             let moved = velocity * PERIOD;
             x += moved;
-            sample = PortSample::new(PERIOD, x, velocity, moved, effort);
+            sample = HeldTick {
+                period: PERIOD,
+                position: x,
+                velocity,
+                displacement: moved,
+                applied: effort,
+            }
+            .sample();
             effort - force
         })
         .collect()
@@ -95,7 +102,14 @@ fn it_is_the_damper_that_pays_the_hold() {
         let expected = if tick == 0 { 0.0 } else { STIFFNESS * PERIOD / 2.0 };
         assert!((correction.alpha - expected).abs() < 1e-9, "{} on tick {tick}", correction.alpha);
         x += SPEED * PERIOD;
-        sample = PortSample::new(PERIOD, x, SPEED, SPEED * PERIOD, correction.effort);
+        sample = HeldTick {
+            period: PERIOD,
+            position: x,
+            velocity: SPEED,
+            displacement: SPEED * PERIOD,
+            applied: correction.effort,
+        }
+        .sample();
     }
 }
 
@@ -121,7 +135,14 @@ fn the_reference_burns_what_the_wall_does() {
         };
         assert!((correction.alpha - expected).abs() < 1e-6, "{} on tick {tick}", correction.alpha);
         x = SPEED * PERIOD * f64::from(tick + 1);
-        sample = PortSample::new(PERIOD, x, SPEED, SPEED * PERIOD, correction.effort);
+        sample = HeldTick {
+            period: PERIOD,
+            position: x,
+            velocity: SPEED,
+            displacement: SPEED * PERIOD,
+            applied: correction.effort,
+        }
+        .sample();
     }
     // A motion that is as fast within the tick burns as much or more: the reference is a lower bound.
     let mut damper = ReferenceDamper::starting(damping, |x: f64| x, 0.0).expect("a damper");
@@ -129,7 +150,14 @@ fn the_reference_burns_what_the_wall_does() {
     for tick in 0..1000 {
         let now = f64::from(tick + 1) * PERIOD;
         let position = |time: f64| 1e-3 * (300.0 * time).sin();
-        let sample = PortSample::new(PERIOD, position(now), 0.0, 0.0, 0.0);
+        let sample = HeldTick {
+            period: PERIOD,
+            position: position(now),
+            velocity: 0.0,
+            displacement: 0.0,
+            applied: 0.0,
+        }
+        .sample();
         asked -= damper.decrease(&sample);
         for step in 0..100 {
             let time = now - PERIOD + PERIOD * (f64::from(step) + 0.5) / 100.0;

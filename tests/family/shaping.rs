@@ -1,7 +1,7 @@
 //! Time trajectory of an added damping, at a port that moves steadily and on which nothing else acts.
 
 use approx::relative_eq;
-use lyapunov::{PortSample, Signal, Stabilizer, stabilizers::StabilizerExt};
+use lyapunov::{HeldTick, PortSample, Signal, Stabilizer, stabilizers::StabilizerExt};
 use nalgebra::Vector3;
 
 use crate::support::{Dice, PERIOD, popc};
@@ -11,11 +11,28 @@ const SPEED: f64 = 0.1;
 /// The energies burnt on each tick after a debt of `debt`, J.
 fn payments(mut stabilizer: impl Stabilizer<f64>, debt: f64) -> Vec<f64> {
     let moved = SPEED * PERIOD;
-    let mut sample = PortSample { work: -debt, ..PortSample::new(PERIOD, 0.0, SPEED, moved, 0.0) };
+    let mut sample = PortSample {
+        work: -debt,
+        ..HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: SPEED,
+            displacement: moved,
+            applied: 0.0,
+        }
+        .sample()
+    };
     (0..20)
         .map(|_| {
             let effort = stabilizer.stabilize(&sample, 0.0).effort;
-            sample = PortSample::new(PERIOD, 0.0, SPEED, moved, effort);
+            sample = HeldTick {
+                period: PERIOD,
+                position: 0.0,
+                velocity: SPEED,
+                displacement: moved,
+                applied: effort,
+            }
+            .sample();
             effort * moved
         })
         .collect()
@@ -69,13 +86,14 @@ fn on_no_axis_faster_and_never_along_the_motion() {
         let velocity: Vector3<f64> = dice.signal(0.2);
         let sample = PortSample {
             work: dice.signal(1e-4),
-            ..PortSample::new(
-                PERIOD,
-                Vector3::zeros(),
+            ..HeldTick {
+                period: PERIOD,
+                position: Vector3::zeros(),
                 velocity,
-                velocity * PERIOD,
-                Vector3::zeros(),
-            )
+                displacement: velocity * PERIOD,
+                applied: Vector3::zeros(),
+            }
+            .sample()
         };
         let effort: Vector3<f64> = dice.signal(5.0);
         let added = limited.stabilize(&sample, effort).effort - effort;

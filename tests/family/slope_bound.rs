@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    OnePort, Popc, PortSample, Scalar, Stabilizer,
+    HeldTick, OnePort, Popc, PortSample, Scalar, Stabilizer,
     environments::{Spring, Wall},
     stabilizers::SlopeBound,
 };
@@ -23,7 +23,14 @@ fn bound() -> SlopeBound<f64> {
 fn run(mut bound: SlopeBound<f64>, ticks: &[(f64, f64)]) -> Vec<f64> {
     let mut last = ticks[0].0;
     let follow = |&(position, effort): &(f64, f64)| {
-        let sample = PortSample::new(PERIOD, position, 0.0, position - last, 0.0);
+        let sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: 0.0,
+            displacement: position - last,
+            applied: 0.0,
+        }
+        .sample();
         last = position;
         bound.stabilize(&sample, effort).effort
     };
@@ -38,7 +45,14 @@ fn changes_are_in_the_sector_or_towards_nothing() {
     bound.stabilize(&PortSample::starting(PERIOD, before, before), before);
     for _ in 0..20_000 {
         let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(5.0));
-        let sample = PortSample::new(PERIOD, Vector3::zeros(), moved / PERIOD, moved, before);
+        let sample = HeldTick {
+            period: PERIOD,
+            position: Vector3::zeros(),
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: before,
+        }
+        .sample();
         let force = bound.stabilize(&sample, asked).effort;
         for axis in 0..3 {
             let (change, most) = (force[axis] - before[axis], SLOPE * moved[axis]);
@@ -64,8 +78,14 @@ fn what_is_in_the_sector_passes() {
         let (mut dice, mut position) = (Dice::of(4), T::of(2e-3));
         for _ in 0..100_000 {
             let next = T::of(dice.within(3e-3));
-            let sample =
-                PortSample::new(T::of(PERIOD), next, T::of(0.0), next - position, T::of(0.0));
+            let sample = HeldTick {
+                period: T::of(PERIOD),
+                position: next,
+                velocity: T::of(0.0),
+                displacement: next - position,
+                applied: T::of(0.0),
+            }
+            .sample();
             position = next;
             let asked = T::of(0.9 * SLOPE) * position;
             assert_eq!(bound.stabilize(&sample, asked).effort, asked);
@@ -148,7 +168,14 @@ fn least_with_damper(force: impl Fn(f64) -> f64, steps: &[f64]) -> f64 {
         energy += held * step + 0.5 * SLOPE * step * step;
         least = least.min(energy);
         position += step;
-        let sample = PortSample::new(PERIOD, position, step / PERIOD, *step, held);
+        let sample = HeldTick {
+            period: PERIOD,
+            position,
+            velocity: step / PERIOD,
+            displacement: *step,
+            applied: held,
+        }
+        .sample();
         held = bound.stabilize(&sample, force(position)).effort;
     }
     least

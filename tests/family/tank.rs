@@ -3,7 +3,7 @@
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    PortEnergy, PortSample, Scalar, Stabilizer,
+    HeldTick, PortEnergy, PortSample, Scalar, Stabilizer,
     stabilizers::{EnergyTank, Valve},
     stabilizers::{Tank, TankLimits},
 };
@@ -20,7 +20,14 @@ fn follows_its_recursion() {
     let mut applied = 0.0;
     for _ in 0..5000 {
         let velocity = dice.within(0.2);
-        let sample = PortSample::new(PERIOD, 0.0, velocity, velocity * PERIOD, applied);
+        let sample = HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity,
+            displacement: velocity * PERIOD,
+            applied,
+        }
+        .sample();
         energy = (energy + applied * velocity * PERIOD).min(STORE.ceiling);
         let wanted = dice.within(20.0);
         let correction = tank.stabilize(&sample, wanted);
@@ -44,7 +51,14 @@ fn keeps_its_floor_in_a_steady_motion() {
     for _ in 0..1000 {
         let correction = tank.stabilize(&sample, 50.0);
         let moved = -0.3 * PERIOD;
-        sample = PortSample::new(PERIOD, 0.0, -0.3, moved, correction.effort);
+        sample = HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: -0.3,
+            displacement: moved,
+            applied: correction.effort,
+        }
+        .sample();
         assert!(correction.effort * 0.3 <= STORE.power * (1.0 + 1e-12));
         given -= correction.effort * moved;
     }

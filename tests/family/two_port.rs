@@ -7,7 +7,7 @@ use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, Plant, PortSample, Stabilizer,
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, Plant, PortSample, Stabilizer,
     bodies::{Body, Impedance},
     channels::{Channel, ConstantDelay, LossyChannel, VaryingDelay},
     stabilizers::{DriftCompensated, TwoPortSide},
@@ -93,10 +93,24 @@ fn under_every_channel_the_ledger_of_both_ports_holds() {
                 arrived = back.carry((load.velocity, slave.absorbed()));
                 book.holds([(&sample, &felt), (&load, &moves)])?;
                 let moved = dice.within(2e-4);
-                sample = PortSample::new(PERIOD, 0.0, moved / PERIOD, moved, felt.effort);
+                sample = HeldTick {
+                    period: PERIOD,
+                    position: 0.0,
+                    velocity: moved / PERIOD,
+                    displacement: moved,
+                    applied: felt.effort,
+                }
+                .sample();
                 let force = dice.within(10.0);
-                load =
-                    AdmittanceSample::new(PERIOD, 0.0, force, force * PERIOD, moves.effort).into();
+                load = HeldFlow {
+                    period: PERIOD,
+                    momentum: 0.0,
+                    effort: force,
+                    impulse: force * PERIOD,
+                    flow: moves.effort,
+                }
+                .sample()
+                .into();
                 book.enter(&sample);
                 book.enter(&load);
             }
@@ -142,7 +156,15 @@ fn loop_of(
         sample = master.advance(if stabilized { felt.effort } else { received });
         command += flow * PERIOD;
         follows = slave.advance(-pull + wall * (follows.position - 0.005).max(0.0));
-        load = AdmittanceSample::new(PERIOD, 0.0, -pull, -pull * PERIOD, flow).into();
+        load = HeldFlow {
+            period: PERIOD,
+            momentum: 0.0,
+            effort: -pull,
+            impulse: -pull * PERIOD,
+            flow,
+        }
+        .sample()
+        .into();
         book.enter(&sample);
         book.enter(&load);
         if !follows.position.is_finite() || follows.position.abs() > 10.0 {
@@ -196,7 +218,15 @@ fn compensation_counts_with_what_answers_it() {
             "{tick}: {more} {correction:?}"
         );
         spent = spent.max(more);
-        load = AdmittanceSample::new(PERIOD, 0.0, push, push * PERIOD, correction.effort).into();
+        load = HeldFlow {
+            period: PERIOD,
+            momentum: 0.0,
+            effort: push,
+            impulse: push * PERIOD,
+            flow: correction.effort,
+        }
+        .sample()
+        .into();
     }
     assert!(spent > 0.0 && one.drift() > -1e-3, "credit is spent: {spent} W, {} m", one.drift());
 }
@@ -213,7 +243,15 @@ fn drift_is_taken_back() {
             let force: f64 = if tick < 20 { -5.0 } else { -0.1 };
             station.receive(if tick < 100 { 0.0 } else { 1.0 });
             let flow = station.stabilize(&load, 0.1).effort;
-            load = AdmittanceSample::new(PERIOD, 0.0, force, force * PERIOD, flow).into();
+            load = HeldFlow {
+                period: PERIOD,
+                momentum: 0.0,
+                effort: force,
+                impulse: force * PERIOD,
+                flow,
+            }
+            .sample()
+            .into();
             least = least.min(station.drift());
         }
         (least, station.drift())

@@ -2,7 +2,8 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, PortSample, Sampled, Scalar, Stabilizer,
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, PortSample, Sampled, Scalar,
+    Stabilizer,
     stabilizers::{DriftCompensated, TwoPortSide},
 };
 use nalgebra::Vector2;
@@ -58,8 +59,14 @@ fn held<T: Scalar>() {
     for tick in 0..8 {
         side.receive(T::of(1e-3 * received[tick]));
         let moved = T::of(1e-4 * moves[tick]);
-        let sample =
-            PortSample::new(T::of(PERIOD), T::of(0.0), moved / T::of(PERIOD), moved, force);
+        let sample = HeldTick {
+            period: T::of(PERIOD),
+            position: T::of(0.0),
+            velocity: moved / T::of(PERIOD),
+            displacement: moved,
+            applied: force,
+        }
+        .sample();
         kept += (force - wished) * moved;
         wished = T::of(asked[tick]);
         let correction: Correction<T> = side.stabilize(&sample, wished);
@@ -95,8 +102,16 @@ fn the_held_account() {
 #[test]
 fn what_burns_pays_its_own_debt_once() {
     let (mut here, mut there) = (TwoPortSide::new(limit(1e3)), TwoPortSide::new(limit(1e3)));
-    let outwards =
-        |moved: f64, applied: f64| PortSample::new(PERIOD, 0.0, moved / PERIOD, moved, applied);
+    let outwards = |moved: f64, applied: f64| {
+        HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied,
+        }
+        .sample()
+    };
     // The channel's 2 N over a millimetre outwards, nothing received.
     here.stabilize(&PortSample::starting(PERIOD, 0.0, -1.0), 2.0);
     let correction: Correction<f64> = here.stabilize(&outwards(-1e-3, 2.0), 0.0);
@@ -138,8 +153,14 @@ fn both_accounts_are_below_the_work_of_both_ports() {
                 let moved: Vector2<f64> = dice.signal(2e-4);
                 // A motor that does not always do as it is told.
                 let applied = correction.effort.map(|force| force.clamp(-8.0, 8.0));
-                drives[side] =
-                    PortSample::new(PERIOD, Vector2::zeros(), moved / PERIOD, moved, applied);
+                drives[side] = HeldTick {
+                    period: PERIOD,
+                    position: Vector2::zeros(),
+                    velocity: moved / PERIOD,
+                    displacement: moved,
+                    applied,
+                }
+                .sample();
             }
             told = [sides[0].absorbed(), sides[1].absorbed()];
             assert!(sum <= work + 1e-12 * size, "{sum:e} J of {work:e} J");
@@ -218,7 +239,15 @@ fn a_surplus_is_spent_once() {
                 }
                 let asked = if tick < 50 { 0.1 } else { 0.0 };
                 let flow = side.stabilize(&load, asked).effort;
-                load = AdmittanceSample::new(PERIOD, 0.0, -1.0, -PERIOD, flow).into();
+                load = HeldFlow {
+                    period: PERIOD,
+                    momentum: 0.0,
+                    effort: -1.0,
+                    impulse: -PERIOD,
+                    flow,
+                }
+                .sample()
+                .into();
             }
             assert!(lost < -4.5e-3, "{lost} m");
             side.drift() - lost

@@ -186,6 +186,12 @@ fn a_filter_gives_no_energy() {
         }
     }
     assert!(WaveFilter::<f64>::new(0.0).is_err() && WaveFilter::<f64>::new(1.1).is_err());
+    let mut neutral = WaveFilter::new(1.0).expect("a filter");
+    let mut dice = Dice::of(6);
+    for _ in 0..1000 {
+        let wave = dice.within(1.0) * 2f64.powf(dice.within(40.0));
+        assert_eq!(neutral.pass(wave).to_bits(), wave.to_bits());
+    }
     let mut filter = WaveFilter::new(0.5).expect("a filter");
     assert_eq!((filter.pass(f64::NAN), filter.pass(1.0)), (0.0, 0.5));
 }

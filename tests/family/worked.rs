@@ -1,6 +1,6 @@
 //! The common inputs of the worked examples: a way in and out, and what is asked for on it.
 
-use lyapunov::{OnePort, PortSample, Scalar, Stabilizer};
+use lyapunov::{HeldTick, OnePort, PortSample, Scalar, Stabilizer};
 
 use crate::support::PERIOD;
 
@@ -18,7 +18,10 @@ pub(crate) fn answers<T: Scalar>(mut port: impl OnePort<T>) -> [f64; 10] {
         let moved = position - last;
         last = position;
         let [period, x, v, u] = [PERIOD, position, moved / PERIOD, moved].map(T::of);
-        force = port.respond(&PortSample::new(period, x, v, u, force));
+        force = port.respond(
+            &HeldTick { period, position: x, velocity: v, displacement: u, applied: force }
+                .sample(),
+        );
         force.lane(T::LANES - 1)
     })
 }

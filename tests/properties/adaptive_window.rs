@@ -6,7 +6,7 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{OnePort, PortSample, Scalar, effects::OnePortExt, environments::Spring};
+use lyapunov::{HeldTick, OnePort, PortSample, Scalar, effects::OnePortExt, environments::Spring};
 
 use crate::support::{
     Bits, CASES, Port, Real, Scripted, Spy, drive_of, hold, log_between, same_axes,
@@ -29,7 +29,14 @@ fn through<V: Port>(period: V::Scalar, positions: &[V]) -> Vec<PortSample<V>> {
     let before = |n: usize| positions[n.max(1) - 1];
     (0..positions.len())
         .map(|n| {
-            PortSample::new(period, positions[n], V::zero(), positions[n] - before(n), V::zero())
+            HeldTick {
+                period,
+                position: positions[n],
+                velocity: V::zero(),
+                displacement: positions[n] - before(n),
+                applied: V::zero(),
+            }
+            .sample()
         })
         .collect()
 }

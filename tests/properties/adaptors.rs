@@ -8,7 +8,7 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    DampingLimit, Lolc, OnePort, PortEnergy, PortSample, Scalar, effects::OnePortExt,
+    DampingLimit, HeldTick, Lolc, OnePort, PortEnergy, PortSample, Scalar, effects::OnePortExt,
     environments::Spring,
 };
 
@@ -225,7 +225,14 @@ mod check {
             let push = |tick: u32| {
                 // The port gives energy away on every tick but the first.
                 let applied = if tick == 0 { V::zero() } else { still(-2.0) };
-                PortSample::new(of(1e-3), still(0.0), flow, flow.scale(of(1e-3)), applied)
+                HeldTick {
+                    period: of(1e-3),
+                    position: still(0.0),
+                    velocity: flow,
+                    displacement: flow.scale(of(1e-3)),
+                    applied,
+                }
+                .sample()
             };
             let mut injected = V::zero();
             for tick in 0..40 {
@@ -269,8 +276,14 @@ fn hold_keeps_the_work_of_a_round_trip() {
     let mut spy = Spy::on(Scripted::of(vec![1.0; 3]));
     let mut held = (&mut spy).held(2).expect("a hold");
     held.respond(&PortSample::starting(0.5, 0.0, 0.0));
-    held.respond(&PortSample::new(0.5, 2.0, 4.0, 2.0, 3.0));
-    held.respond(&PortSample::new(0.5, 0.0, -4.0, -2.0, 1.0));
+    held.respond(
+        &HeldTick { period: 0.5, position: 2.0, velocity: 4.0, displacement: 2.0, applied: 3.0 }
+            .sample(),
+    );
+    held.respond(
+        &HeldTick { period: 0.5, position: 0.0, velocity: -4.0, displacement: -2.0, applied: 1.0 }
+            .sample(),
+    );
     let PortSample { period, displacement, work, .. } = spy.asked[1];
     assert_eq!((period, displacement, work), (1.0, 0.0, 4.0));
 }

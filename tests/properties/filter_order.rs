@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use approx::abs_diff_eq;
-use lyapunov::{OnePort, PortSample, effects::OnePortExt, environments::Spring};
+use lyapunov::{HeldTick, OnePort, PortSample, effects::OnePortExt, environments::Spring};
 
 use crate::support::Spy;
 
@@ -17,7 +17,16 @@ const CUTOFF: f64 = 0.25 / (TAU * PERIOD);
 /// The samples of steady motion, a quarter of a count off the edges.
 fn steady() -> impl Iterator<Item = PortSample<f64>> {
     let at = |n: usize| (n as f64 / 10.0 + 0.025) * RESOLUTION;
-    (0..500).map(move |n| PortSample::new(PERIOD, at(n), SPEED, at(n) - at(n.max(1) - 1), 0.0))
+    (0..500).map(move |n| {
+        HeldTick {
+            period: PERIOD,
+            position: at(n),
+            velocity: SPEED,
+            displacement: at(n) - at(n.max(1) - 1),
+            applied: 0.0,
+        }
+        .sample()
+    })
 }
 
 /// Moves `port` until the transient is gone.

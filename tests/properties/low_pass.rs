@@ -8,7 +8,7 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::prop_assert;
 
-use lyapunov::{OnePort, PortSample, Scalar, effects::OnePortExt, environments::Spring};
+use lyapunov::{HeldTick, OnePort, PortSample, Scalar, effects::OnePortExt, environments::Spring};
 
 use crate::support::{Bits, CASES, Port, Real, Scripted, Spy, bad, drive_of, hold, log_between};
 
@@ -101,7 +101,14 @@ fn steady_motion_is_approached() {
     let period = 1e-3;
     let drives: Vec<_> = (0..20)
         .map(|n| {
-            PortSample::new(period, f64::from(n) * 1e-3, 9.0, if n == 0 { 5.0 } else { 1e-3 }, 0.0)
+            HeldTick {
+                period,
+                position: f64::from(n) * 1e-3,
+                velocity: 9.0,
+                displacement: if n == 0 { 5.0 } else { 1e-3 },
+                applied: 0.0,
+            }
+            .sample()
         })
         .collect();
     for (n, told) in told(1.0 / (TAU * period), &drives).iter().enumerate() {
@@ -120,7 +127,16 @@ fn gain_is_that_of_a_first_order_lag() {
         let omega = TAU * cutoff * ratio;
         let at = |n: usize| (omega * period * n as f64).sin() / omega;
         let drives: Vec<_> = (0..300_000)
-            .map(|n| PortSample::new(period, at(n), 0.0, at(n) - at(n.max(1) - 1), 0.0))
+            .map(|n| {
+                HeldTick {
+                    period,
+                    position: at(n),
+                    velocity: 0.0,
+                    displacement: at(n) - at(n.max(1) - 1),
+                    applied: 0.0,
+                }
+                .sample()
+            })
             .collect();
         let told = told(cutoff, &drives);
         let settled = told[100_000..].iter().map(|sample| sample.velocity);
@@ -136,8 +152,18 @@ fn gain_is_that_of_a_first_order_lag() {
 /// The larger the cutoff, the nearer to the backward difference.
 #[test]
 fn large_cutoffs_tend_to_the_difference() {
-    let drives: Vec<_> =
-        (0..50).map(|n| PortSample::new(1e-3, 0.0, 0.0, f64::from(n * n % 7 - 3), 0.0)).collect();
+    let drives: Vec<_> = (0..50)
+        .map(|n| {
+            HeldTick {
+                period: 1e-3,
+                position: 0.0,
+                velocity: 0.0,
+                displacement: f64::from(n * n % 7 - 3),
+                applied: 0.0,
+            }
+            .sample()
+        })
+        .collect();
     let mut last = f64::INFINITY;
     for cutoff in [1e2, 1e4, 1e6, 1e9, 1e13, 1e25, 1e300] {
         let off = told(cutoff, &drives)

@@ -9,7 +9,7 @@ use proptest::test_runner::TestCaseResult;
 
 use lyapunov::lanes::{AutoF32x4, AutoF64x8, WideF32x8, WideF64x4};
 use lyapunov::{
-    OnePort, ParameterError, PortSample, Scalar, Signal,
+    HeldTick, OnePort, ParameterError, Scalar, Signal,
     bodies::Impedance,
     effects::{Fallback, OnePortExt},
     environments::MassSpringDamper,
@@ -67,7 +67,9 @@ impl Parameters {
             });
             position = position + moved;
             let applied = answers.last().copied().unwrap_or_else(V::zero);
-            let sample = PortSample::new(period, position, moved, moved, applied);
+            let sample =
+                HeldTick { period, position, velocity: moved, displacement: moved, applied }
+                    .sample();
             answers.push(filtered.respond(&sample));
             answers.push(windowed.respond(&sample));
         }

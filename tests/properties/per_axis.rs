@@ -4,7 +4,7 @@ use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::lanes::{AutoF32x8, AutoF64x4};
 use lyapunov::laws::{self, Samples};
 use lyapunov::{
-    DampingLimit, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
+    DampingLimit, HeldTick, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
     stabilizers::PerAxis,
 };
 use nalgebra::SVector;
@@ -81,8 +81,14 @@ fn every_axis_acts_as_it_would_alone() {
 #[test]
 fn one_sum_is_silent_where_a_sum_per_axis_acts() {
     let axes = |x, y| SVector::from([x, y]);
-    let sample =
-        PortSample::new(1e-3, axes(0.0, 0.0), axes(0.1, 0.1), axes(1e-4, 1e-4), axes(10.0, -9.0));
+    let sample = HeldTick {
+        period: 1e-3,
+        position: axes(0.0, 0.0),
+        velocity: axes(0.1, 0.1),
+        displacement: axes(1e-4, 1e-4),
+        applied: axes(10.0, -9.0),
+    }
+    .sample();
     let effort = axes(0.5, 0.5);
     let one = popc::<f64>(0.5).stabilize(&sample, effort);
     assert!(
@@ -100,13 +106,14 @@ fn one_sum_is_silent_where_a_sum_per_axis_acts() {
 #[test]
 fn a_bad_axis_does_not_stop_the_others() {
     let axes = |x, y| SVector::from([x, y]);
-    let sample = PortSample::new(
-        1e-3,
-        axes(0.0, 0.0),
-        axes(f64::NAN, 0.1),
-        axes(1e-4, 1e-4),
-        axes(10.0, -9.0),
-    );
+    let sample = HeldTick {
+        period: 1e-3,
+        position: axes(0.0, 0.0),
+        velocity: axes(f64::NAN, 0.1),
+        displacement: axes(1e-4, 1e-4),
+        applied: axes(10.0, -9.0),
+    }
+    .sample();
     let correction = PerAxis::of([popc::<f64>(0.5); 2]).stabilize(&sample, axes(0.5, 0.5));
     assert!(!correction.accepted.all());
     assert!(correction.effort.x == 0.0 && abs_diff_eq!(correction.effort.y, 9.5, epsilon = 1e-9));

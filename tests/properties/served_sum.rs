@@ -5,7 +5,8 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    Correction, Dissipation, Lolc, LyapunovCandidate, PortEnergy, PortSample, Scalar, Stabilizer,
+    Correction, Dissipation, HeldTick, Lolc, LyapunovCandidate, PortEnergy, PortSample, Scalar,
+    Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
 };
 
@@ -170,7 +171,14 @@ mod check {
             let effort = V::from_axes(|axis| of(-share(5 + axis, 0.16)));
             let limit = DampingLimit::at(of(1.0)).expect("a limit");
             let mut popc = Lolc::new(PortEnergy, limit);
-            let sample = PortSample::new(of(1.0), V::zero(), velocity, V::splat(of(1.0)), applied);
+            let sample = HeldTick {
+                period: of(1.0),
+                position: V::zero(),
+                velocity,
+                displacement: V::splat(of(1.0)),
+                applied,
+            }
+            .sample();
             let correction = popc.stabilize(&sample, effort);
             prop_assert!(correction.accepted && correction.effort == effort, "{correction:?}");
             Ok(())
@@ -216,8 +224,14 @@ mod any_bits {
     ) -> TestCaseResult {
         for bits in samples {
             let signal = |at: usize| V::from_axes(|axis| wild(bits[at + axis]));
-            let sample =
-                PortSample::new(wild(bits[15]), V::zero(), signal(0), signal(3), signal(6));
+            let sample = HeldTick {
+                period: wild(bits[15]),
+                position: V::zero(),
+                velocity: signal(0),
+                displacement: signal(3),
+                applied: signal(6),
+            }
+            .sample();
             let effort = signal(9);
             let correction = lolc.stabilize(&sample, effort);
             Seen { sample, effort, limit, correction }.bounds()?;

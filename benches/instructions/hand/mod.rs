@@ -3,6 +3,7 @@
 mod lolc;
 mod loops;
 mod masses;
+mod readings;
 mod stabilizers;
 mod walls;
 
@@ -13,7 +14,7 @@ macro_rules! hand {
             use nalgebra::Matrix3;
 
             use crate::numbers::{
-                BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, HOLD, MOST,
+                BOUND_DAMPING, BUDGET, DAMPING, DEVICE_DAMPING, DEVICE_MASS, FASTEST, HOLD, MOST,
                 OPERATOR_DAMPING, OPERATOR_MASS, OPERATOR_STIFFNESS, PERIOD, POWER, ROOM, START,
                 STEPS, STIFFNESS,
             };
@@ -23,6 +24,7 @@ macro_rules! hand {
             super::stabilizers::stabilizers!($real);
             super::loops::loops!($real);
             super::lolc::lolc!($real);
+            super::readings::readings!($real);
         }
     };
 }

@@ -12,7 +12,8 @@ use super::{End, heed_interrupts, standard_output};
 /// Say how stiff the environment of a scene may be, by formula.
 ///
 /// The linear part of the scene, contact assumed: passive for any operator (Colgate and Schenkel), Gil's rule, friction
-/// and encoder (Abbott and Okamura), and the exact limit of the loop itself. docs/bounds.md defines them.
+/// and encoder (Abbott and Okamura), and the exact limit up to which the linear loop is stable. What a run does is
+/// another question, and `lyapunov run` answers it. docs/bounds.md defines the limits.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]

@@ -1,8 +1,10 @@
 //! The command `lyapunov compare` of scenes.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::Args;
 use indicatif::ProgressBar;
@@ -12,10 +14,12 @@ use lyapunov_lab::compare::{
 };
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::tune::{Objective, Tuned, Tuning};
 use lyapunov_lab::{Space, models, teleoperation};
 
 use super::folder::Folder;
 use super::subjects::{self, Subjects};
+use super::tune::tune;
 use super::{BAR, End, heed_interrupts, shown, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
@@ -28,9 +32,9 @@ pub(super) const RESULTS: &str = "compare.json";
 
 /// Compare stabilizers on the same scenes.
 ///
-/// Prints a table for each scene. All stabilizers take damping_cap from the scene's own stabilizer if it has one, POPC and
-/// LOLC its work and ledger as well; docs/family.md says what each of the others is set to. A `-` stands where a column
-/// does not apply; docs/compare.md defines the columns.
+/// Prints a table for each scene. A name takes the scene's own table of that name if there is one; else its numbers follow
+/// from the loop, as docs/family.md says, and damping_cap, work and ledger are those of the table that the scene has. A
+/// `-` stands where a column does not apply; docs/compare.md defines the columns, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -38,13 +42,18 @@ pub(crate) struct Compare {
     /// The scene files, or files of models or of teleoperators, TOML.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
-    /// Who takes part, by the names of docs/family.md, or all; files that are no scenes have rows of their own.
-    #[arg(long, default_value_t = StabilizerNames::standard(), value_name = "NAMES")]
-    pub(super) stabilizers: StabilizerNames,
+    /// Who takes part, by name, or all: of scenes docs/family.md has the names, and default are none, popc and lolc with
+    /// each candidate; of models docs/any-plant.md and of teleoperators docs/teleoperation.md, and default are all.
+    #[arg(long, value_name = "NAMES")]
+    stabilizers: Option<String>,
+    /// Tune each of them on each scene first, for this objective (lyapunov tune), and let the tuned ones take part too.
+    #[arg(long, value_name = "TERMS", num_args = 0..=1, require_equals = true,
+        default_missing_value = "settling")]
+    tuned: Option<Objective>,
     /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
-    /// Of each scene: positions and sums over time, forces over time, energy by cause, and what is stable against how
-    /// transparent it is, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
+    /// Of each scene: positions and sums over time, forces over time, energy by cause, and on how many walls the run stays
+    /// bounded against how transparent they are, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
@@ -65,13 +74,19 @@ impl Compare {
         heed_interrupts(true);
         let scenes = match Subjects::load(&self.scenes)? {
             Subjects::Scenes(scenes) => scenes,
+            _ if self.tuned.is_some() => {
+                let remedy = "leave it away for files of models and of teleoperators";
+                return Err(End::input(format!("--tuned is for scenes\n  = {remedy}")));
+            }
             Subjects::Models(models) => return subjects::run::<models::Comparison>(self, &models),
             Subjects::Teleoperators(them) => {
                 return subjects::run::<teleoperation::Comparison>(self, &them);
             }
         };
+        let named = self.entrants()?.unwrap_or_else(StabilizerNames::standard);
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-        let (comparisons, answers): (Vec<_>, Vec<_>) = self.compare(&scenes)?.into_iter().unzip();
+        let compared = self.compare(&scenes, &named)?;
+        let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let text = document(&comparisons).map_err(End::internal)?;
         if let Some(folder) = folder {
             fill(&folder, &self.scenes, comparisons.iter().zip(&answers), &text)?;
@@ -92,22 +107,48 @@ impl Compare {
         Ok(())
     }
 
-    fn compare(&self, scenes: &[(String, Scene)]) -> Result<Vec<(Comparison, Answers)>, End> {
+    /// The entrants that are named, if any: the kind of file says who has a name.
+    pub(super) fn entrants<N>(&self) -> Result<Option<N>, End>
+    where
+        N: FromStr<Err: Display>,
+    {
+        let named = self.stabilizers.as_deref().map(str::parse).transpose();
+        named.map_err(|error| End::input(format!("--stabilizers: {error}")))
+    }
+
+    fn compare(
+        &self,
+        scenes: &[(String, Scene)],
+        named: &StabilizerNames,
+    ) -> Result<Vec<(Comparison, Answers)>, End> {
         let ticks = |scene: &Scene| {
             let once = scene.ticks() + 1;
             let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
             once + self.out.as_ref().map_or(0, |_| drawn)
         };
-        let entrants = self.stabilizers.len() as u64;
-        let ticks = scenes.iter().map(|(_, scene)| entrants * ticks(scene)).sum();
-        let bar = self.progress(ticks);
-        let met = scenes.iter().map(|(name, scene)| match scene.scalar {
-            Scalar::F64 => self.meet::<f64>(name, scene, &bar),
-            Scalar::F32 => self.meet::<f32>(name, scene, &bar),
+        let tuned: Result<Vec<_>, End> =
+            scenes.iter().map(|(name, scene)| self.tuned(name, scene, named)).collect();
+        let tuned = tuned?;
+        let entrants = |tuned: &[Tuned]| (named.len() + tuned.len()) as u64;
+        let each = scenes.iter().zip(&tuned);
+        let bar =
+            self.progress(each.clone().map(|(it, tuned)| entrants(tuned) * ticks(&it.1)).sum());
+        let met = each.map(|((name, scene), tuned)| match scene.scalar {
+            Scalar::F64 => self.meet(name, scene, &entered::<f64>(named, scene, tuned), &bar),
+            Scalar::F32 => self.meet(name, scene, &entered::<f32>(named, scene, tuned), &bar),
         });
         let met = met.collect();
         bar.finish_and_clear();
         met
+    }
+
+    /// The tuned stabilizers that take part: those with a number to tune.
+    fn tuned(&self, name: &str, scene: &Scene, named: &StabilizerNames) -> Result<Vec<Tuned>, End> {
+        let Some(objective) = self.tuned else { return Ok(Vec::new()) };
+        let tuning = Tuning { objective, ..Tuning::default() };
+        let mut tuned = tune(&tuning, name, scene, named, self.quiet)?;
+        tuned.retain(|one| !one.settings[1].numbers().is_empty());
+        Ok(tuned)
     }
 
     /// Progress bar, hidden for a short comparison.
@@ -122,6 +163,7 @@ impl Compare {
         &self,
         name: &str,
         scene: &Scene,
+        entrants: &Entrants<T>,
         bar: &ProgressBar,
     ) -> Result<(Comparison, Answers), End> {
         let watch = |ticks| {
@@ -131,27 +173,37 @@ impl Compare {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let entrants = Entrants::<T>::of(self.stabilizers.on(scene));
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),
         };
-        let mut comparison =
-            Comparison::watched(name, scene, &entrants, &watch).map_err(refused)?;
+        let mut comparison = Comparison::watched(name, scene, entrants, &watch).map_err(refused)?;
         if let Some(column) = self.by {
             comparison.sort_by(column);
         }
         let mut answers = Answers::default();
         if self.out.is_some() {
-            let energies = Energies::of(&comparison, &entrants, &watch).map_err(refused)?;
+            let energies = Energies::of(&comparison, entrants, &watch).map_err(refused)?;
             answers.push("energy", &energies.figure(), energies.csv())?;
-            let trade_off = TradeOff::of(&comparison, &entrants, &watch).map_err(refused)?;
+            let trade_off = TradeOff::of(&comparison, entrants, &watch).map_err(refused)?;
             if let Some(trade_off) = trade_off {
                 answers.push("trade-off", &trade_off.figure(), trade_off.csv())?;
             }
         }
         Ok((comparison, answers))
     }
+}
+
+/// The stabilizers that are `named`, then the `tuned` ones.
+fn entered<T: lyapunov::Scalar + Space>(
+    named: &StabilizerNames,
+    scene: &Scene,
+    tuned: &[Tuned],
+) -> Entrants<T> {
+    tuned.iter().fold(Entrants::of(named.on(scene)), |entrants, one| {
+        let (name, setting) = (format!("{} tuned", one.name), one.settings[1].clone());
+        entrants.with_fitted(name, one.name, move |scene| setting.fitted(scene))
+    })
 }
 
 /// Files of the figures that take runs of their own: the end of each file's name, and its text or picture.

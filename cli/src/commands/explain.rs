@@ -9,10 +9,10 @@ use lyapunov_lab::scene::{Scalar, Scene};
 
 use super::{End, heed_interrupts, standard_output};
 
-/// Say why the loop of a scene is or is not stable, and what helps.
+/// Say why the run of a scene settles, swings or grows, and what helps.
 ///
 /// The energies of the first contact and of the whole run by cause, the limits that are broken, and changes of the scene
-/// that were run and hold. docs/explain.md defines all.
+/// that were run and do not grow. docs/explain.md defines all, docs/verdicts.md the verdict.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]

@@ -24,10 +24,11 @@ const RESULTS: &str = "map.json";
 
 const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
 
-/// Map which cells of a grid of two numbers of a scene are stable, and how they behave.
+/// Map in which cells of a grid of two numbers of a scene the run settles, swings or grows, and how it behaves.
 ///
-/// Prints what share of the grid each stabilizer renders stably. With --out it writes map.csv (a row for each cell and
-/// stabilizer, the scene in its head), heat maps (SVG and PNG), map.json and report.html. docs/map.md defines them.
+/// Prints which share of the runs settles under each stabilizer, and which stays bounded. With --out it writes map.csv (a
+/// row for each cell and stabilizer, the scene in its head), heat maps (SVG and PNG), map.json and report.html.
+/// docs/map.md defines them, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]

@@ -15,6 +15,7 @@ mod scenes;
 mod schema;
 mod source;
 mod subjects;
+mod tune;
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
@@ -45,6 +46,7 @@ pub(crate) enum Command {
     Paper(paper::Paper),
     Hard(hard::Hard),
     Observe(observe::Observe),
+    Tune(tune::Tune),
     Effects(effects::Effects),
     Accuracy(accuracy::Accuracy),
     Scenes(scenes::Scenes),
@@ -62,6 +64,7 @@ impl Command {
             Self::Paper(paper) => paper.run(),
             Self::Hard(hard) => hard.run(),
             Self::Observe(observe) => observe.run(),
+            Self::Tune(tune) => tune.run(),
             Self::Effects(effects) => effects.run(),
             Self::Accuracy(accuracy) => accuracy.run(),
             Self::Scenes(scenes) => scenes.run(),

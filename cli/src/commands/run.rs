@@ -19,8 +19,9 @@ const BREATH: u64 = 1 << 16;
 
 /// Simulate a scene and summarize the run.
 ///
-/// The summary goes to standard output, or to standard error where `--csv -` sends the rows to standard output.
-/// docs/contract.md defines the rows, docs/command.md the JSON.
+/// The summary says whether the run settles, swings or grows. It goes to standard output, or to standard error where
+/// `--csv -` sends the rows to standard output. docs/contract.md defines the rows, docs/command.md the JSON,
+/// docs/verdicts.md the verdict.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -88,19 +89,19 @@ impl Run {
         }
     }
 
-    fn tell(&self, told: &Told) -> Result<(), End> {
+    fn tell(&self, summary: &Summary) -> Result<(), End> {
         if self.quiet {
             return Ok(());
         }
-        io::stdout().write_all(self.words(told)?.as_bytes()).map_err(standard_output)
+        io::stdout().write_all(self.words(summary)?.as_bytes()).map_err(standard_output)
     }
 
-    fn words(&self, (summary, hint): &Told) -> Result<String, End> {
+    fn words(&self, summary: &Summary) -> Result<String, End> {
         let scene = self.scene.display();
         if self.json {
             summary.to_json(&scene.to_string()).map_err(End::internal)
         } else {
-            Ok(format!("{scene}\n{summary}\n{hint}"))
+            Ok(format!("{scene}\n{summary}\n{}", Hint::of(summary)))
         }
     }
 
@@ -113,9 +114,6 @@ impl Run {
     }
 }
 
-/// Summary of a run, and the reason why it diverged if it did.
-type Told = (Summary, Hint);
-
 /// Destination of the ticks of a run, and the meaning of an error there.
 type Rows<'a, W> = (&'a mut Csv<W>, &'a dyn Fn(io::Error) -> End);
 
@@ -123,7 +121,7 @@ fn simulate<W: Write>(
     scene: &Scene,
     bar: &ProgressBar,
     rows: Option<Rows<'_, W>>,
-) -> Result<Told, End> {
+) -> Result<Summary, End> {
     in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), rows))
 }
 
@@ -132,8 +130,8 @@ fn drain<V: Space, W: Write>(
     bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
     mut rows: Option<Rows<'_, W>>,
-) -> Result<Told, End> {
-    let (mut summary, mut hint) = (Summary::new(scene), Hint::new(scene));
+) -> Result<Summary, End> {
+    let mut summary = Summary::new(scene);
     for tick in rollout.map_err(End::input)? {
         if summary.rows.is_multiple_of(BREATH) {
             End::if_interrupted()?;
@@ -143,8 +141,7 @@ fn drain<V: Space, W: Write>(
             csv.write(&tick).map_err(refused)?;
         }
         summary.add(&tick);
-        hint.add(&tick);
     }
     bar.finish_and_clear();
-    Ok((summary, hint))
+    Ok(summary)
 }

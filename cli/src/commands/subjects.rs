@@ -5,8 +5,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use lyapunov_lab::Scene;
-use lyapunov_lab::compare::{Compared, RunError, Sheet, Subject, page};
-use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
 use lyapunov_lab::models::Model;
 use lyapunov_lab::teleoperation::Teleoperator;
 
@@ -59,13 +58,10 @@ pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> 
             "--by names a column of scenes\n  = the rows of a {noun} keep their order: leave it out"
         )));
     }
-    if asked.stabilizers != StabilizerNames::standard() {
-        return Err(End::input(format!(
-            "--stabilizers names stabilizers of scenes\n  = of a {noun} the same are always compared: leave it out"
-        )));
-    }
+    let entrants: Names<C::Entrant> = asked.entrants()?.unwrap_or_default();
     let folder = asked.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-    let bar = asked.progress(files.iter().map(|(_, file)| C::ticks(file)).sum());
+    let ticks: u64 = files.iter().map(|(_, file)| C::ticks(file)).sum();
+    let bar = asked.progress(ticks * entrants.len() as u64);
     let watch = |ticks| {
         bar.inc(ticks);
         match End::if_interrupted() {
@@ -73,7 +69,7 @@ pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> 
             Err(_) => ControlFlow::Break(()),
         }
     };
-    let compared = files.iter().map(|(name, file)| C::of(name, file, &watch));
+    let compared = files.iter().map(|(name, file)| C::of(name, file, &entrants, &watch));
     let comparisons: Result<Vec<_>, _> = compared.collect();
     let comparisons = comparisons.map_err(|error| match error {
         RunError::Stopped => End::Interrupted,

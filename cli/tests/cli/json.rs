@@ -45,7 +45,8 @@ fn the_json_agrees_with_the_rows() {
     let (f_ctl, f_act) = (column(5), column(7));
     assert_eq!(json["scene"], "scene.toml");
     assert_eq!(json["rows"], x.len());
-    assert_eq!((&json["complete"], &json["settled"]), (&Value::Bool(true), &Value::Bool(false)));
+    assert_eq!(json["complete"], true);
+    assert_eq!((&json["verdict"], &json["verdict_by"]), (&"swinging".into(), &"distance".into()));
     // The operator's spring rests at the wall, 4 mm from the start; the run ends outside of 5 % of that.
     assert!(x.last().unwrap().abs() > 0.0002);
     assert!(json["settling_time_s"].is_null());
@@ -65,23 +66,23 @@ fn the_json_agrees_with_the_rows() {
     near(&stabilizer["energy_asked_for_mj"], 1e3 * asked);
     near(&stabilizer["shortfall_mj"], 1e3 * most(column(10), |short| short));
     assert_eq!(stabilizer.as_object().unwrap().len(), 6);
-    assert_eq!(json.as_object().unwrap().len(), 11);
+    assert_eq!(json.as_object().unwrap().len(), 12);
 }
 
 #[test]
 fn settling_is_reported_as_in_words() {
     let place = Place::new();
     let popc = SCENE.replace("stiffness = 8000.0\ndamping = 2.0", "stiffness = 5e4\ndamping = 20");
-    // A run that settles in its last tenth does not count as settled, but the time is reported.
-    for (duration, settled) in [("10.0", true), ("2.4", false)] {
+    // A run that settles in its last tenth counts as swinging, but the time is reported.
+    for (duration, verdict) in [("10.0", "settles"), ("2.4", "swinging")] {
         let scene = popc.replace("duration = 10.0", &format!("duration = {duration}"));
         place.put("scene.toml", scene);
         let json: Value =
             serde_json::from_str(&place.run(["run", "scene.toml", "--json"]).out).unwrap();
-        assert_eq!(json["settled"], settled);
+        assert_eq!(json["verdict"], verdict);
         assert_eq!(json["settling_time_s"], 2.35);
-        let words = if settled { "settled yes" } else { "settled not yet" };
-        place.run(["run", "scene.toml"]).ended(0, &[words, "t = 2.35 s"]);
+        let words = format!("verdict {verdict}");
+        place.run(["run", "scene.toml"]).ended(0, &[&words, "t = 2.35 s"]);
     }
 }
 
@@ -106,6 +107,7 @@ fn numbers_are_finite_or_null() {
     assert!(away["peak_force_environment_n"].as_f64().unwrap() > 1e100);
     let free = json(&STIFF.replace("stiffness = 50.0", "stiffness = 0.0"));
     assert!(free["equilibrium_mm"].is_null() && free["band_mm"].is_null());
+    assert_eq!(free["verdict_by"], "speed");
     let none = json(&STIFF.replace("position = -0.004", "position = 1e308"));
     assert_eq!(none["rows"], 0);
 }

@@ -27,28 +27,46 @@ fn a_map_is_the_same_whole_in_shards_and_on_any_threads() {
     let place = place();
     place
         .run(axes(&["--out", "whole", "--threads", "1"]))
-        .ended(0, &["none", "popc", "lolc", "share"]);
+        .ended(0, &["none", "popc", "lolc", "settles", "bounded"]);
     place.run(axes(&["--out", "threads", "--threads", "3", "--quiet"])).ended(0, &[]);
     for shard in ["0/3", "1/3", "2/3"] {
         place.run(axes(&["--out", "shards", "--shard", shard])).ended(0, &["shard"]);
     }
-    place.run(["map", "merge", "shards", "--out", "merged"]).ended(0, &["lolc", "share"]);
+    place.run(["map", "merge", "shards", "--out", "merged"]).ended(0, &["lolc", "bounded"]);
     let whole = place.text("whole/map.csv");
     assert_eq!(whole.lines().filter(|line| !line.starts_with('#')).count(), 1 + 9 * 5 * 3);
     assert!(whole.contains("#| [environment.wall]"), "{whole}");
     assert_eq!(place.text("threads/map.csv"), whole);
     assert_eq!(place.text("merged/map.csv"), whole);
-    for file in ["stable.svg", "peak_force.svg", "chatter_rms.svg", "active.svg"] {
+    for file in ["verdict.svg", "peak_force.svg", "chatter_rms.svg", "active.svg"] {
         assert_eq!(place.text(&format!("merged/{file}")), place.text(&format!("whole/{file}")));
     }
     let page = place.text("whole/report.html");
-    assert!(page.contains("What is rendered stably") && page.matches("<figure").count() == 11);
+    assert!(page.contains("Which runs settle") && page.matches("<figure").count() == 11);
     let json: serde_json::Value = serde_json::from_str(&place.text("whole/map.json")).unwrap();
     assert_eq!(json["cells"], 45);
     assert_eq!(json["rollout_steps"], 45 * 3 * 151);
     assert_eq!(json["areas"][2]["stabilizer"], "lolc");
-    let stable = whole.lines().filter(|line| line.contains(",lolc,1,")).count();
-    assert_eq!(json["areas"][2]["stable_cells"], stable);
+    let mut judged = 0;
+    for (key, word) in [("settles", "settles"), ("swinging", "swinging"), ("grows", "grows")] {
+        let rows = whole.lines().filter(|line| line.contains(&format!(",lolc,{word},distance,")));
+        let rows = rows.count();
+        assert_eq!(json["areas"][2][format!("{key}_cells")], rows, "{word}");
+        judged += rows;
+    }
+    let area = &json["areas"][2];
+    assert_eq!(
+        (judged, &area["judged_cells"], &area["too_short_cells"]),
+        (45, &45.into(), &0.into())
+    );
+    let bounded = 45 - area["grows_cells"].as_u64().unwrap();
+    assert_eq!(area["bounded_share"], bounded as f64 / 45.0);
+    // The legend of the figure has the words, and no key with numbers from 0 to 1.
+    let figure = place.text("whole/verdict.svg");
+    for word in ["settles", "swinging", "grows"] {
+        assert_eq!(figure.matches(&format!(">{word}<")).count(), 1, "{word}");
+    }
+    assert!(!figure.contains(">0.2<") && !figure.contains("stable: dark"));
 }
 
 #[test]
@@ -98,7 +116,7 @@ fn a_table_that_was_cut_off_is_resumed() {
         place.refuses(axes(&["--out", &folder]), &["unfinished map", "--resume"]);
         place.run(axes(&["--out", &folder, "--resume"])).ended(0, &[]);
         assert_eq!(place.text(&format!("{folder}/map.csv")), whole);
-        assert_eq!(place.text(&format!("{folder}/stable.svg")), place.text("whole/stable.svg"));
+        assert_eq!(place.text(&format!("{folder}/verdict.svg")), place.text("whole/verdict.svg"));
         assert!(!place.path(format!("{folder}/map.part.csv")).exists());
     }
 }
@@ -183,6 +201,40 @@ fn another_map_is_neither_resumed_nor_merged() {
     let before = place.contents();
     place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
     assert_eq!(place.contents(), before);
+}
+
+/// A table with the column `stable` of earlier versions, as a checkpoint and as a shard.
+#[test]
+fn a_table_with_other_columns_is_refused() {
+    let place = place();
+    place.run(axes(&["--out", "out"])).ended(0, &[]);
+    let table = place.text("out/map.csv");
+    let old = table.replace("stabilizer,verdict,verdict_by,", "stabilizer,stable,");
+    assert_ne!(old, table);
+    std::fs::create_dir(place.path("old")).unwrap();
+    place.put("old/map.part.csv", &old);
+    place.put("old/map-0-of-1.csv", &old);
+    let words = ["its columns are `stable,", "compute the map anew"];
+    place.refuses(axes(&["--out", "old", "--resume"]), &words);
+    place.refuses(["map", "merge", "old/map-0-of-1.csv", "--out", "merged"], &words);
+    // A word that is none is a row that no map has.
+    place.put("old/map.part.csv", table.replacen(",grows,", ",stable,", 1));
+    place.refuses(axes(&["--out", "old", "--resume"]), &["row", "which no map has there"]);
+}
+
+#[test]
+fn a_map_of_what_never_rests_says_what_is_judged() {
+    let place = Place::new();
+    place.put("scene.toml", include_str!("../../../scenes/motion-sine.toml"));
+    let axes = ["map", "scene.toml", "--x", X, "--y", "device.mass=0.1..0.4:3"];
+    let said = place.run([&axes[..], &["--stabilizers", "none"]].concat());
+    said.ended(0, &["judged by speed, as what moves the plant never rests", "bounded"]);
+    let json = place.run([&axes[..], &["--stabilizers", "none", "--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!(
+        (&json["cells_by_speed"], &json["areas"][0]["judged_cells"]),
+        (&27.into(), &27.into())
+    );
 }
 
 #[test]

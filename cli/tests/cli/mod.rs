@@ -18,4 +18,5 @@ mod range;
 mod said;
 mod streams;
 mod summary;
+mod tune;
 mod why;

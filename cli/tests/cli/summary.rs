@@ -20,7 +20,7 @@ fn the_summary_has_one_form() {
     assert_eq!(lines[2], "  wall         8000 N/m, 2 N.s/m");
     let stabilizer = "LOLC: mass-spring-damper, held work, damping cap 0.5 m / T";
     assert_eq!(lines[3], format!("  stabilizer   {stabilizer}"));
-    let rest = ["settled", "peak force", "energy", "observed", "controller"];
+    let rest = ["verdict", "peak force", "energy", "observed", "controller"];
     assert_eq!(lines.len(), 4 + rest.len(), "{}", said.out);
     for (line, label) in lines[4..].iter().zip(rest) {
         assert!(line.starts_with(&format!("  {label:<13}")), "{line}");
@@ -40,7 +40,7 @@ fn the_shipped_scenes_fit_the_terminal() {
         place.put(scene.file_name(), fs::read(scene.path()).unwrap());
         place.put("motion-file.csv", MOTION);
         let said = place.run(["run".as_ref(), scene.file_name().as_os_str()]);
-        said.ended(0, &["run", "settled", "peak force", "energy"]);
+        said.ended(0, &["run", "verdict", "peak force", "energy"]);
         said.fits();
     }
 }
@@ -82,10 +82,20 @@ fn an_integrator_other_than_exact_is_reported() {
 }
 
 #[test]
-fn without_an_operator_s_spring_nothing_settles() {
+fn without_an_operator_s_spring_the_speed_is_judged() {
     let place = Place::new();
     place.put_scene("scene.toml", "stiffness = 50.0", "stiffness = 0.0");
-    place.run(["run", "scene.toml"]).ended(0, &["without an operator's spring"]);
+    let words = ["verdict settles: up to 0 mm/s", "by speed, as no spring of the operator pulls"];
+    place.run(["run", "scene.toml"]).ended(0, &words);
+}
+
+#[test]
+fn a_run_too_short_to_judge_says_so() {
+    let words = ["verdict too short: 0.97 s is less than two swings of 0.4867 s"];
+    said_of("duration = 10.0", "duration = 0.97", "").ended(0, &words);
+    let delay = "[effects.delay]\nticks = 99";
+    let words = ["verdict too short: 1000 ticks, and twenty answers of the environment take 2000"];
+    said_of("stiffness = 8000.0\ndamping = 2.0", "stiffness = 0.0", delay).ended(0, &words);
 }
 
 /// The summary of a scene with `tables` in place of the stabilizer.
@@ -102,7 +112,7 @@ fn effects_are_reported_in_words() {
     let cases = [
         ("[effects.delay]\nticks = 1", "effects delay 1 tick"),
         ("[effects.filter]\nwindow = 1", "effects window 1 tick"),
-        ("[effects.friction]\ncoulomb = 0.5", "effects friction 0.5 N settled"),
+        ("[effects.friction]\ncoulomb = 0.5", "effects friction 0.5 N verdict"),
         (
             "[effects.friction]\ncoulomb = 0.5\nstatic = 1\nstribeck_velocity = 0.01",
             "effects friction 0.5 N, 1 N at rest",
@@ -121,7 +131,7 @@ fn effects_are_reported_in_words() {
 fn a_scene_that_starts_where_it_rests_is_not_judged_by_its_start() {
     let pulse = "[effects.pulse]\nstart = 9.99\nduration = 0.01\nforce = 1";
     let said = said_of("position = -0.004", "position = 0", pulse);
-    said.ended(0, &["settled not judged: it starts where it comes to rest, x = 0 mm"]);
+    said.ended(0, &["verdict grows: up to", "by speed, as it starts where it rests"]);
 }
 
 #[test]

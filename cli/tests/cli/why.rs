@@ -27,7 +27,10 @@ fn place() -> Place {
 fn the_limits_are_printed_in_words_and_as_json() {
     let place = place();
     let said = place.run(["bound", "wall.toml"]);
-    said.ended(0, &["passive, any operator 6000", "6.667 times too stiff", "the loop grows"]);
+    said.ended(
+        0,
+        &["passive, any operator 6000", "6.667 times too stiff", "the linear loop is not stable"],
+    );
     assert_eq!(said.err, "");
     let said = place.run(["bound", "wall.toml", "--json"]);
     said.ended(0, &[]);
@@ -45,31 +48,37 @@ fn the_limits_are_printed_in_words_and_as_json() {
 }
 
 #[test]
-fn a_remedy_put_into_the_file_ends_what_run_calls_divergence() {
+fn a_remedy_put_into_the_file_ends_what_grows() {
     let place = place();
     let run = place.run(["run", "wall.toml"]);
-    run.ended(0, &["diverges", "times what the loop bears by itself", "`lyapunov explain`"]);
+    run.ended(
+        0,
+        &["verdict grows", "times what the linear loop bears by itself", "`lyapunov explain`"],
+    );
     place
         .run(["explain", "wall.toml"])
-        .ended(0, &["the run grows", "through the hold", "what helps"]);
+        .ended(0, &["verdict grows", "linear loop not stable", "through the hold", "what helps"]);
     let told: Value =
         serde_json::from_str(&place.run(["explain", "wall.toml", "--json"]).out).unwrap();
-    assert_eq!(told["bounded"], false);
+    assert_eq!((&told["verdict"], &told["verdict_by"]), (&"grows".into(), &"distance".into()));
     assert_abs_diff_eq!(
-        told["groups"]["kt_over_b"].as_f64().unwrap(),
+        told["groups"]["krt_over_b"].as_f64().unwrap(),
         40000.0 * 0.001 / 3.0,
         epsilon = 1e-9
     );
+    for remedy in told["remedies"].as_array().unwrap() {
+        assert!(["settles", "swinging"].contains(&remedy["verdict"].as_str().unwrap()), "{remedy}");
+    }
     let set: Vec<_> = told["remedies"].as_array().unwrap().iter().map(|it| &it["set"]).collect();
     assert!(set.len() >= 2);
     let softer = set.iter().find_map(|set| set["environment.spring.stiffness"].as_f64()).unwrap();
     place.put("soft.toml", WALL.replace("40000", &softer.to_string()));
     let run = place.run(["run", "soft.toml"]);
     run.ended(0, &[]);
-    assert!(!run.out.contains("diverges"), "{}", run.out);
+    assert!(!run.out.contains("grows"), "{}", run.out);
     let faster = set.iter().find_map(|set| set["servo_rate"].as_f64()).unwrap();
     place.put("fast.toml", WALL.replace("1000", &faster.to_string()));
-    assert!(!place.run(["run", "fast.toml"]).out.contains("diverges"));
+    assert!(!place.run(["run", "fast.toml"]).out.contains("grows"));
 }
 
 #[test]

@@ -212,7 +212,7 @@ fn agrees(log: &Log) -> Result<(), TestCaseError> {
     prop_assert_eq!(report.rows, steps.len() as u64 + 1);
     prop_assert_eq!(report.gaps.count, steps.iter().filter(|step| step.gap).count() as u64);
     sums(log, &observed, &steps)?;
-    repair(log, &observed, &steps)?;
+    damper(log, &observed, &steps)?;
     contacts(log, &observed, &steps)
 }
 
@@ -239,8 +239,8 @@ fn sums(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCaseEr
     Ok(())
 }
 
-fn repair(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCaseError> {
-    let Some(damping) = observed.report.repair.damping else { return Ok(()) };
+fn damper(log: &Log, observed: &Observed, steps: &[Step]) -> Result<(), TestCaseError> {
+    let Some(damping) = observed.report.damper.damping else { return Ok(()) };
     // With that damping the sum never falls below zero, and with less it does.
     let (mut sum, mut size) = (0.0, 0.0);
     let mut lowest = f64::INFINITY;

@@ -2,8 +2,9 @@
 
 use approx::assert_relative_eq;
 use lyapunov::{DampingLimit, Popc, PortEnergy};
+use lyapunov_lab::bound::Limits;
 use lyapunov_lab::observe::{Report, Settings, observe};
-use lyapunov_lab::{Rollout, Row, Scene};
+use lyapunov_lab::{Rollout, Row, Scene, Summary, Verdict};
 
 use crate::observe::command::run;
 
@@ -97,8 +98,8 @@ fn the_command_prints_the_same_as_json() {
 }
 
 #[test]
-fn a_credit_as_large_as_the_repair_leaves_no_debt() {
-    let needed = report().repair.damping.unwrap();
+fn a_credit_as_large_as_the_damper_leaves_no_debt() {
+    let needed = report().damper.damping.unwrap();
     for (share, debts) in [(1.001, 0), (0.99, 1)] {
         let damping = (needed * share).to_string();
         let credited = ["--candidate", "device-damping", "--damping", &damping];
@@ -106,6 +107,25 @@ fn a_credit_as_large_as_the_repair_leaves_no_debt() {
         let json: serde_json::Value = serde_json::from_str(&ended.out).unwrap();
         assert_eq!(json["observed_energy"]["debts"], debts, "{damping}");
     }
+}
+
+/// The damper that the debts ask for over the recorded motion is no repair of the loop.
+#[test]
+fn with_the_damper_of_the_log_its_loop_still_grows() {
+    let needed = report().damper.damping.unwrap();
+    let text = std::fs::read_to_string(SCENE).unwrap();
+    let with = |from: &str, damping: f64| {
+        assert_eq!(text.matches(from).count(), 1);
+        let text = text.replace(from, &format!("damping = {damping}"));
+        Scene::parse(&text, "damped").unwrap()
+    };
+    // Rendered by the controller, late and from samples, as the wall's own damper.
+    let rendered = with("damping = 2.0", 2.0 + needed);
+    let summary = Summary::of(&rendered, Rollout::<f64>::of(&rendered).unwrap());
+    assert_eq!(summary.verdict(), Verdict::Grows);
+    // In the device: the linear loop is still not stable.
+    let limits = Limits::of(&with("damping = 0.001", 0.001 + needed));
+    assert!(limits.spectral_radius.unwrap() > 1.3);
 }
 
 #[test]

@@ -4,9 +4,9 @@
 //! run.
 
 pub(crate) mod balance;
-pub(crate) mod boundedness;
 pub(crate) mod chatter;
 pub(crate) mod energies;
+pub(crate) mod fate;
 pub(crate) mod force_felt;
 pub(crate) mod given;
 pub(crate) mod law;
@@ -18,15 +18,17 @@ pub(crate) mod samples;
 pub(crate) mod settling;
 pub(crate) mod share;
 pub(crate) mod stiffness_felt;
+pub(crate) mod stretches;
 pub(crate) mod summary;
 pub(crate) mod teleoperation;
 pub(crate) mod timing;
 pub(crate) mod trace;
+pub(crate) mod verdict;
 
 pub use balance::Balance;
-pub(crate) use boundedness::Boundedness;
 pub(crate) use chatter::Chatter;
 pub(crate) use energies::Energies;
+pub(crate) use fate::Fate;
 pub(crate) use force_felt::ForceFelt;
 pub(crate) use given::{Given, device_damper};
 pub use linear::{Limits, LinearPart};
@@ -36,3 +38,4 @@ pub(crate) use share::Share;
 pub(crate) use stiffness_felt::StiffnessFelt;
 pub(crate) use summary::Summary;
 pub(crate) use trace::Trace;
+pub(crate) use verdict::{Verdict, Yardstick};

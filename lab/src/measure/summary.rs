@@ -1,8 +1,9 @@
 //! Summary of a run.
 
+use super::fate::Fate;
 use super::settling::Settling;
+use super::verdict::{Verdict, Yardstick};
 use crate::files::Scene;
-use crate::simulate::equilibrium::{BAND, equilibrium, swing};
 use crate::simulate::{Row, Space, Tick};
 
 /// Lengths and energies are reported in thousandths of their units.
@@ -24,6 +25,7 @@ pub struct Summary {
     /// The time since when the plant has stayed in the band, s; none if it is outside.
     pub settled: Option<f64>,
     settling: Settling<f64>,
+    pub(crate) fate: Fate<f64>,
     /// Largest magnitude of the environment's force, N.
     pub environment_peak: f64,
     /// Largest magnitude of the force applied to the plant, N.
@@ -47,9 +49,11 @@ pub struct Summary {
 impl Summary {
     /// A summary without ticks.
     pub fn new(scene: &Scene) -> Self {
-        let rest = equilibrium(scene).map(|rest| (rest, BAND * swing(scene, rest)));
+        let fate = Fate::of(scene);
+        let (rest, band) = fate.criterion(0).rest();
         let shown = |metres: f64| (MILLI * metres).is_finite();
-        let (equilibrium, band) = rest.filter(|(rest, band)| shown(*rest) && shown(*band)).unzip();
+        let place = (band >= 0.0 && shown(rest) && shown(band)).then_some((rest, band));
+        let (equilibrium, band) = place.unzip();
         Self {
             scene: scene.clone(),
             rows: 0,
@@ -57,7 +61,8 @@ impl Summary {
             equilibrium,
             band: band.unwrap_or_default(),
             settled: None,
-            settling: rest_of(equilibrium.zip(band)),
+            settling: rest_of(place),
+            fate,
             environment_peak: 0.0,
             acting_peak: 0.0,
             absorbed: 0.0,
@@ -85,6 +90,7 @@ impl Summary {
                 self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
             }
         }
+        self.fate.add_tick(tick);
         self.settling.add(row.x);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
@@ -100,6 +106,16 @@ impl Summary {
         self.rows += 1;
         self.last = Some(row);
         self.axes = axes;
+    }
+
+    /// The verdict on the run.
+    pub fn verdict(&self) -> Verdict {
+        self.fate.verdict(0)
+    }
+
+    /// The quantity that the run is judged by.
+    pub fn verdict_by(&self) -> Yardstick {
+        self.fate.verdict_by(0)
     }
 
     /// The last time at which everything was finite, s, if the motion left the range of the scalar.

@@ -1,11 +1,69 @@
 //! Parts of a scene in words.
 
-use crate::files::scene::{Effects, Filter, Integrator, Link, Motion, Operator, Policy, Scene};
-use crate::text::{given, shorten};
+use crate::files::scene::{
+    Basis, Candidate, Effects, Filter, Integrator, Ledger, Link, Lolc, Motion, Operator, Parameter,
+    Policy, Popc, Scene, Stabilizer, Work,
+};
+use crate::text::{given, listed, shorten};
 
 /// The environment in a line, without its name.
 pub(crate) fn environment(scene: &Scene) -> String {
     scene.environment.kind().words(|number| given(number).to_string())
+}
+
+/// The line of a summary that tells the stabilizer and its numbers.
+pub(crate) fn stabilizer(scene: &Scene) -> String {
+    let observer = |booking: String| {
+        let cap = scene.damping_cap();
+        let cap = match cap.is_infinite() {
+            true => "no damping cap".to_owned(),
+            false => format!("damping cap {} m / T", given(cap)),
+        };
+        format!("  stabilizer   {booking}, {cap}")
+    };
+    match scene.stabilizer {
+        None => "  stabilizer   none".to_owned(),
+        Some(Stabilizer::Popc(Popc { work, ledger, .. })) => {
+            observer(format!("POPC: {}", booking(work, ledger)))
+        }
+        Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, .. })) => {
+            let candidate = match candidate {
+                Candidate::MassSpringDamper => "mass-spring-damper",
+                Candidate::DeviceDamping => "device-damping",
+                Candidate::Spring => "spring",
+            };
+            observer(format!("LOLC: {candidate}, {}", booking(work, ledger)))
+        }
+        Some(other) => {
+            let parameters = other.kind().parameters(&Basis::of(scene));
+            let numbers: Vec<String> = parameters.iter().filter_map(number).collect();
+            listed(&format!("  stabilizer   {}: ", other.name()), &numbers)
+        }
+    }
+}
+
+/// The sentence about a damping cap that is too high for the delay of a scene, if it is.
+pub(crate) fn exceeded_cap(scene: &Scene) -> Option<String> {
+    let (limit, ticks) = (given(scene.exceeded_cap()?), scene.delay_ticks());
+    let ticks = counted(ticks as usize, "tick");
+    Some(format!("the damping cap is above {limit} m / T, the limit for a delay of {ticks}"))
+}
+
+/// A number of a stabilizer in words; none where it has no value.
+fn number(parameter: &Parameter) -> Option<String> {
+    let value = parameter.value()?;
+    let value = if value.is_infinite() { "inf".to_owned() } else { given(value).to_string() };
+    Some(format!("{} {value} {}", parameter.name(), parameter.unit).trim_end().to_owned())
+}
+
+fn booking(work: Work, ledger: Ledger) -> String {
+    let work = if work == Work::Held { "held" } else { "sampled" };
+    let ledger = match ledger {
+        Ledger::Plain => "",
+        Ledger::Compensated => ", compensated ledger",
+        Ledger::Wide => ", wide ledger",
+    };
+    format!("{work} work{ledger}")
 }
 
 /// The effects of a scene in words, one entry each.

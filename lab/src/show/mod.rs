@@ -6,5 +6,6 @@ pub(crate) mod html;
 pub(crate) mod output_error;
 mod summary;
 pub(crate) mod table;
+pub(crate) mod verdict;
 
 pub(crate) use output_error::OutputError;

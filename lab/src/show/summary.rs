@@ -5,22 +5,19 @@ use std::fmt;
 use serde::Serialize;
 
 use super::described;
-use crate::files::scene::{Candidate, Cap, Ledger, Lolc, Popc, Scalar, Stabilizer, Velocity, Work};
-use crate::simulate::equilibrium::never_rests;
-use crate::text::{found, given, listed};
+use crate::files::scene::{Scalar, Velocity};
+use crate::text::{folded, found, given, listed};
 
-use crate::measure::Summary;
 use crate::measure::summary::MILLI;
-
-/// A run that settles in the last tenth is not yet settled.
-const LATE: f64 = 0.9;
+use crate::measure::{Summary, Verdict, Yardstick};
 
 #[derive(Serialize)]
 struct Document<'a> {
     scene: &'a str,
     rows: u64,
     complete: bool,
-    settled: bool,
+    verdict: Verdict,
+    verdict_by: Yardstick,
     settling_time_s: Option<f64>,
     equilibrium_mm: Option<f64>,
     band_mm: Option<f64>,
@@ -37,6 +34,9 @@ struct Observed {
     observed_energy_most_mj: f64,
     observed_energy_end_mj: f64,
     active_percent: f64,
+    /// The limit of the damping cap for the delay, m / T, where the cap lies above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_cap_limit: Option<f64>,
     energy_asked_for_mj: f64,
     shortfall_mj: f64,
 }
@@ -48,14 +48,14 @@ impl Summary {
     /// None: every part can be written as JSON, and a number that is not finite becomes null.
     pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
         let complete = self.left_range().is_none();
-        let end = self.last.map_or(0.0, |row| row.t);
         let settling_time_s = self.settled.filter(|_| complete);
         let stabilizer = self.scene.stabilizer.is_some().then(|| self.stabilizer());
         let document = Document {
             scene,
             rows: self.rows,
             complete,
-            settled: settling_time_s.is_some_and(|time| time <= LATE * end),
+            verdict: self.verdict(),
+            verdict_by: self.verdict_by(),
             settling_time_s,
             equilibrium_mm: self.equilibrium.map(|rest| MILLI * rest),
             band_mm: self.equilibrium.map(|_| MILLI * self.band),
@@ -72,6 +72,7 @@ impl Summary {
             observed_energy_least_mj: MILLI * self.observed_energy_least,
             observed_energy_most_mj: MILLI * self.observed_energy_most,
             observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
+            damping_cap_limit: self.scene.exceeded_cap(),
             active_percent: 100.0 * self.active as f64 / self.rows.max(1) as f64,
             energy_asked_for_mj: MILLI * self.injected,
             shortfall_mj: MILLI * self.shortfall,
@@ -90,7 +91,7 @@ impl fmt::Display for Summary {
             }
             write!(f, ": the motion left the range of {scalar}")?;
         }
-        self.write_settling(f)?;
+        write!(f, "\n{}", folded("  verdict      ", &self.verdict_in_words()))?;
         write!(
             f,
             "\n  peak force   {} N from the environment, {} N on the plant",
@@ -137,60 +138,11 @@ impl Summary {
             write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
         }
         write_list("operator", &described::operator(scene), f)?;
-        match scene.stabilizer {
-            None => f.write_str("\n  stabilizer   none")?,
-            Some(Stabilizer::Popc(Popc { work, ledger, damping_cap })) => {
-                write!(f, "\n  stabilizer   POPC: {}", Booking(work, ledger, damping_cap))?;
-            }
-            Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })) => {
-                let candidate = match candidate {
-                    Candidate::MassSpringDamper => "mass-spring-damper",
-                    Candidate::DeviceDamping => "device-damping",
-                    Candidate::Spring => "spring",
-                };
-                let booking = Booking(work, ledger, damping_cap);
-                write!(f, "\n  stabilizer   LOLC: {candidate}, {booking}")?;
-            }
+        write!(f, "\n{}", described::stabilizer(scene))?;
+        if let Some(sentence) = described::exceeded_cap(scene) {
+            write!(f, "\n  cap          {sentence}")?;
         }
         write_list("effects", &described::effects(scene), f)
-    }
-
-    fn write_settling(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("\n  settled      ")?;
-        let millimetres = |metres: f64| found(MILLI * metres);
-        let (rest, last) = match (self.equilibrium, self.last, self.left_range()) {
-            (_, None, _) | (_, _, Some(_)) => return f.write_str("no"),
-            (None, ..) if self.scene.operator.stiffness.get() == 0.0 => {
-                return f
-                    .write_str("no: without an operator's spring there is no place to settle at");
-            }
-            (None, ..) if self.scene.dimensions() > 1 => {
-                return f.write_str("not judged in more than one dimension");
-            }
-            (None, ..) if never_rests(&self.scene) => {
-                return f.write_str("no: what moves the plant never rests");
-            }
-            (None, ..) => return f.write_str("no: the place to settle at is out of range"),
-            (Some(rest), Some(last), None) => (rest, last),
-        };
-        let (band, place) = (millimetres(self.band), millimetres(rest));
-        match self.settled {
-            // One last swing through the band is not rest.
-            Some(time) if time > LATE * last.t => {
-                let since = given(time);
-                write!(f, "not yet: within {band} mm of x = {place} mm only since t = {since} s")
-            }
-            None if self.band == 0.0 => {
-                write!(f, "not judged: it starts where it comes to rest, x = {place} mm")
-            }
-            Some(time) => {
-                write!(f, "yes: from t = {} s on within {band} mm of x = {place} mm", given(time))
-            }
-            None => {
-                let away = millimetres((last.x - rest).abs());
-                write!(f, "no: at the end {away} mm from x = {place} mm, not within {band} mm")
-            }
-        }
     }
 
     fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -218,24 +170,4 @@ fn write_list(name: &str, things: &[String], f: &mut fmt::Formatter<'_>) -> fmt:
         return Ok(());
     }
     write!(f, "\n{}", listed(&format!("  {name:<13}"), things))
-}
-
-/// Work, ledger and damping cap of a stabilizer.
-struct Booking(Work, Ledger, Cap);
-
-impl fmt::Display for Booking {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let work = if self.0 == Work::Held { "held" } else { "sampled" };
-        let ledger = match self.1 {
-            Ledger::Plain => "",
-            Ledger::Compensated => ", compensated ledger",
-            Ledger::Wide => ", wide ledger",
-        };
-        let cap = self.2.get();
-        if cap.is_infinite() {
-            write!(f, "{work} work{ledger}, no damping cap")
-        } else {
-            write!(f, "{work} work{ledger}, damping cap {} m / T", given(cap))
-        }
-    }
 }

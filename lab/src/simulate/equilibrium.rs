@@ -7,9 +7,6 @@ use crate::files::scene::{Draft, Motion, StaticSpring};
 /// Halvings of an interval: more than f64 has digits.
 const HALVINGS: usize = 200;
 
-/// Largest distance from the equilibrium that counts as settled, as a share of the starting swing.
-pub(crate) const BAND: f64 = 0.05;
-
 /// Position where the operator's spring, the environment and the forces that push at the end balance, m; none where no
 /// spring pulls, where something never rests, and in more than one dimension.
 pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
@@ -26,13 +23,13 @@ pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
 
 /// Whether something drives the scene for as long as it lasts.
 pub(crate) fn never_rests(scene: &Draft) -> bool {
-    last_rest(scene).is_none() || scene.environment.kind().swings()
+    last_rest(scene).is_none() || scene.environment.kind().frequency().is_some()
 }
 
 /// Position where a spring of `pull` N/m that would rest at `free` balances the environment.
 fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     let kind = scene.environment.kind();
-    if kind.swings() {
+    if kind.frequency().is_some() {
         return None;
     }
     let law = scene.law()?;
@@ -65,8 +62,15 @@ pub(crate) fn swing(scene: &Draft, rest: f64) -> f64 {
     away.hypot(scene.initial.velocity.get() / frequency)
 }
 
-fn swings(amplitude: f64, frequency: f64) -> bool {
-    amplitude != 0.0 && frequency != 0.0
+/// Frequency at which the operator's rest swings, Hz, if it does.
+pub(crate) fn driven(scene: &Draft) -> Option<f64> {
+    match &scene.operator.motion {
+        Some(Motion::Sine { amplitude, frequency }) => {
+            let swings = amplitude.get() != 0.0 && frequency.get() != 0.0;
+            swings.then_some(frequency.get())
+        }
+        _ => None,
+    }
 }
 
 /// Stiffness that pulls the device back at the end, N/m: the operator's spring, and a link in series.
@@ -105,38 +109,9 @@ fn last_rest(scene: &Draft) -> Option<f64> {
             let moved = speed * time.max(0.0);
             if moved >= way.abs() { Some(to.get()) } else { (moved == 0.0).then_some(rest) }
         }
-        Some(Motion::Sine { amplitude, frequency }) => {
-            (!swings(amplitude.get(), frequency.get())).then_some(rest)
-        }
+        Some(Motion::Sine { .. }) => driven(scene).is_none().then_some(rest),
         Some(Motion::File { samples, .. }) => {
             samples.last().filter(|(time, _)| *time <= end).map(|(_, rest)| *rest)
         }
-    }
-}
-
-/// Equilibrium and swing that the motion of a scene is judged by.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Criterion {
-    pub(crate) equilibrium: Option<f64>,
-    swing: f64,
-    /// The swing that a run is measured against, m.
-    pub(crate) start: f64,
-}
-
-impl Criterion {
-    pub(crate) fn of(scene: &Draft) -> Self {
-        let equilibrium = equilibrium(scene);
-        let swing = equilibrium.map_or(0.0, |rest| swing(scene, rest));
-        // The starting swing, or the spring's deflection at the equilibrium if that is larger, so that a start in
-        // balance is not measured against zero.
-        let deflection = |rest: f64| (scene.operator.rest.get() - rest).abs();
-        let start = equilibrium.map_or(0.0, |rest| swing.max(deflection(rest)));
-        Self { equilibrium, swing, start }
-    }
-
-    /// The position where the plant comes to rest and half the width of the band about it that counts as settled, m; a
-    /// band below 0 where there is no such position.
-    pub(crate) fn rest(&self) -> (f64, f64) {
-        self.equilibrium.map_or((0.0, -1.0), |rest| (rest, BAND * self.swing))
     }
 }

@@ -6,9 +6,10 @@ use super::building::{Assembly, in_space};
 use super::{models, teleoperation};
 use crate::files::models::{self as model_files, Model};
 use crate::files::scene::{
-    self, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
+    self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
 };
 use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
+use crate::text::names::Named;
 
 impl Draft {
     /// Checks the rules between values and returns the scene: the number of ticks, the ratio of the rates, what tables
@@ -18,6 +19,9 @@ impl Draft {
     /// The first broken rule, and its key.
     pub fn check(self) -> Result<Scene, Conflict> {
         let scene = self.by_rules()?;
+        if let Some(stabilizer) = &scene.stabilizer {
+            stabilizer.kind().check(&Basis::of(&scene))?;
+        }
         // Values that are each allowed may make a loop that is not.
         let built = in_space!(scene, Axes => Assembly::<Axes>::of(&scene).map(drop));
         match built {
@@ -129,7 +133,7 @@ impl Teleoperator {
     /// The first broken rule, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
         self.check_rules()?;
-        teleoperation::Entrant::ALL.into_iter().try_for_each(|entrant| {
+        teleoperation::Entrant::ALL.iter().copied().try_for_each(|entrant| {
             teleoperation::rig::build(self, entrant).map_err(|refused| self.refusal(refused))
         })
     }

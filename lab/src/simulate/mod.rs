@@ -1,6 +1,9 @@
 //! Simulation: loops built from files, stabilizers by name, and their runs tick by tick.
 
+pub(crate) mod basis;
 pub(crate) mod building;
+pub(crate) mod criterion;
+pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
 pub mod family;
 pub(crate) mod load;
@@ -10,8 +13,8 @@ pub(crate) mod row;
 pub(crate) mod teleoperation;
 pub(crate) mod tick;
 
-pub(crate) use building::{AnyStabilizer, Assembly, Port, Space};
-pub(crate) use equilibrium::Criterion;
+pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Space};
+pub(crate) use criterion::Criterion;
 pub use load::Subject;
 pub(crate) use rollout::Rollout;
 pub(crate) use row::Row;

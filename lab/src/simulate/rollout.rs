@@ -2,7 +2,7 @@
 
 use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Signal, Stabilizer};
 
-use super::building::{AnyStabilizer, Assembly, Seen, Space};
+use super::building::{AnyStabilizer, Assembly, Fitted, Seen, Space};
 use super::family::StabilizerName;
 use super::row::Row;
 use super::tick::Tick;
@@ -27,7 +27,7 @@ impl<V: Space> Rollout<V> {
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::assemble(scene, AnyStabilizer::of(scene)?)
+        Self::assemble(scene, Fitted::of(scene)?)
     }
 
     /// The loop of `scene` with `stabilizer` instead of the scene's own.
@@ -38,7 +38,7 @@ impl<V: Space> Rollout<V> {
         scene: &Scene,
         stabilizer: impl Stabilizer<V> + 'static,
     ) -> Result<Self, ParameterError> {
-        Self::assemble(scene, AnyStabilizer::new(stabilizer))
+        Self::assemble(scene, Fitted::Behind(AnyStabilizer::new(stabilizer)))
     }
 
     /// The loop of `scene` under `member` of the family, whatever `scene` names.
@@ -57,13 +57,13 @@ impl<V: Space> Rollout<V> {
         self.map(|tick| Row::of(&tick))
     }
 
-    /// The loop of `scene` with `stabilizer`, which is already boxed.
-    pub(crate) fn assemble(
-        scene: &Scene,
-        stabilizer: AnyStabilizer<V>,
-    ) -> Result<Self, ParameterError> {
+    /// The loop of `scene` with what is already boxed.
+    ///
+    /// # Errors
+    /// Those of [`Rollout::of`].
+    pub fn assemble(scene: &Scene, fitted: Fitted<V>) -> Result<Self, ParameterError> {
         let seen = Seen::default();
-        let assembly = Assembly::watched(scene, &seen, stabilizer)?;
+        let assembly = Assembly::watched(scene, &seen, fitted)?;
         let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
         Ok(Self { rate, number: 0, last, assembly, seen, truth })
     }

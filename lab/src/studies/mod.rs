@@ -10,3 +10,4 @@ pub mod map;
 pub mod observe;
 pub mod paper;
 pub mod scenes;
+pub mod tune;

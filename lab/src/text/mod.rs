@@ -1,6 +1,7 @@
 //! The ground floor: text helpers for every other floor, independent of the subject of the text.
 
 pub(crate) mod excerpt;
+pub(crate) mod names;
 pub(crate) mod numbers;
 pub(crate) mod suggest;
 pub(crate) mod words;

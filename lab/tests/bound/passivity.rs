@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{OnePort, PortSample};
+use lyapunov::{HeldTick, OnePort, PortSample};
 use lyapunov_lab::bound::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene};
 use nalgebra::DMatrix;
@@ -26,7 +26,10 @@ fn least(scene: &Scene, displacements: &[f64]) -> (f64, f64) {
         size += (applied * moved).abs();
         least = least.min(energy);
         position += moved;
-        applied = port.respond(&PortSample::new(period, position, moved / period, *moved, applied));
+        applied = port.respond(
+            &HeldTick { period, position, velocity: moved / period, displacement: *moved, applied }
+                .sample(),
+        );
     }
     (least, size)
 }
@@ -78,7 +81,16 @@ fn answer(scene: &Scene) -> Vec<f64> {
     let mut displacements = vec![1.0];
     displacements.resize(600, 0.0);
     let answer = displacements.into_iter().map(|moved| {
-        applied = port.respond(&PortSample::new(period, 1.0, moved / period, moved, applied));
+        applied = port.respond(
+            &HeldTick {
+                period,
+                position: 1.0,
+                velocity: moved / period,
+                displacement: moved,
+                applied,
+            }
+            .sample(),
+        );
         applied
     });
     answer.collect()
@@ -129,8 +141,16 @@ fn form(scene: &Scene, count: usize) -> DMatrix<f64> {
             form[(pushed, tick)] += 0.5 * applied;
             let moved = if tick == pushed { 1.0 } else { 0.0 };
             position += moved;
-            applied =
-                port.respond(&PortSample::new(period, position, moved / period, moved, applied));
+            applied = port.respond(
+                &HeldTick {
+                    period,
+                    position,
+                    velocity: moved / period,
+                    displacement: moved,
+                    applied,
+                }
+                .sample(),
+            );
         }
         form[(pushed, pushed)] += damping / period;
     }

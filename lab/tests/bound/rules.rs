@@ -1,7 +1,7 @@
 //! Gil's rule, the limit of friction and encoder, and limits that do not apply.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::{OnePort, PortSample};
+use lyapunov::{HeldTick, OnePort, PortSample};
 use lyapunov_lab::bound::Limits;
 use lyapunov_lab::{Assembly, Scene};
 
@@ -54,7 +54,16 @@ fn energies(text: &str, positions: &[f64]) -> Vec<f64> {
         let moved = position - place;
         energy += applied * moved + damping * moved * moved / period + coulomb * moved.abs();
         place = *position;
-        applied = port.respond(&PortSample::new(period, place, moved / period, moved, applied));
+        applied = port.respond(
+            &HeldTick {
+                period,
+                position: place,
+                velocity: moved / period,
+                displacement: moved,
+                applied,
+            }
+            .sample(),
+        );
         energy
     });
     energies.collect()

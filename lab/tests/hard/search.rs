@@ -8,7 +8,7 @@ use std::fmt::Write;
 use lyapunov::lanes::AutoF64x8;
 use lyapunov_lab::Space;
 use lyapunov_lab::hard::{Tally, watch};
-use lyapunov_lab::scene::{Scene, Stabilizer};
+use lyapunov_lab::scene::Scene;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
@@ -140,12 +140,7 @@ fn grows(scene: &Scene, tally: &Tally) -> Option<bool> {
 
 /// Whether nothing limits the damping.
 fn uncapped(scene: &Scene) -> bool {
-    let cap = match scene.stabilizer {
-        Some(Stabilizer::Popc(popc)) => popc.damping_cap,
-        Some(Stabilizer::Lolc(lolc)) => lolc.damping_cap,
-        None => return false,
-    };
-    cap.get().is_infinite()
+    scene.written_cap().is_some_and(f64::is_infinite)
 }
 
 fn check(text: &str) -> Result<(), String> {

@@ -1,6 +1,8 @@
 //! Two hand-written models that use nothing of the library but the file.
 
 use approx::abs_diff_eq;
+use lyapunov_lab::Verdict;
+use lyapunov_lab::compare::Named;
 use lyapunov_lab::models::{Entrant, Model, Plant, Score};
 
 use crate::models::shipped::{compared, curve, model};
@@ -78,7 +80,7 @@ impl Hand {
 
     fn equals(&self, model: &Model) {
         let comparison = compared(model);
-        for (entrant, score) in Entrant::ALL.into_iter().zip(comparison.scores()) {
+        for (entrant, score) in Entrant::ALL.iter().copied().zip(comparison.scores()) {
             let name = entrant.name();
             let found = self.run(model, entrant);
             let told = curve(&comparison, entrant);
@@ -114,7 +116,14 @@ impl Found {
                 score.stabilizer
             );
         }
-        assert_eq!(score.bounded, largest <= 4.0 * self.values[0], "{}", score.stabilizer);
+        let last = self.values.len() - 1;
+        let tail = self.values[(9 * last).div_ceil(10)..].iter().copied().fold(0.0, f64::max);
+        let verdict = match (largest > 4.0 * self.values[0], tail <= 0.0025 * self.values[0]) {
+            (true, _) => Verdict::Grows,
+            (_, true) => Verdict::Settles,
+            _ => Verdict::Swinging,
+        };
+        assert_eq!(score.verdict, verdict, "{}", score.stabilizer);
         let share = 100.0 * self.active as f64 / self.values.len() as f64;
         // Where the debt is about zero, rounding decides whether the tick counts as active.
         assert!(abs_diff_eq!(score.active, share, epsilon = 0.1), "{}: {share}", score.stabilizer);

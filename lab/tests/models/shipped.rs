@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use approx::abs_diff_eq;
-use lyapunov_lab::compare::Compared;
-use lyapunov_lab::models::{Comparison, Entrant, Model, schema_text};
+use lyapunov_lab::Verdict;
+use lyapunov_lab::compare::{Compared, Names};
+use lyapunov_lab::models::{Comparison, Entrant, Model, Score, schema_text};
 use lyapunov_lab::scene::Positive;
 use serde_json::Value;
 
@@ -28,7 +29,7 @@ pub(crate) fn model(name: &str) -> Model {
 }
 
 pub(crate) fn compared(model: &Model) -> Comparison {
-    Comparison::of("test", model, &|_| ControlFlow::Continue(())).unwrap()
+    Comparison::of("test", model, &Names::default(), &|_| ControlFlow::Continue(())).unwrap()
 }
 
 /// V at every tick under `entrant`.
@@ -74,7 +75,8 @@ fn the_schema_is_what_the_command_prints_and_takes_every_file() {
 fn loops_are_bounded_where_their_examples_say_so() {
     for name in NAMES {
         let comparison = compared(&model(name));
-        let bounded: Vec<bool> = comparison.scores().map(|score| score.bounded).collect();
+        let bounded: Vec<bool> =
+            comparison.scores().map(|score| score.verdict.is_bounded()).collect();
         // No effort acts on the oscillator, so the energy of its port shows nothing.
         let by_port = name != "van-der-pol";
         assert_eq!(bounded, [false, by_port, true, true], "{name}");
@@ -98,7 +100,8 @@ fn single_precision_agrees() {
         single.check().unwrap();
         let (single, double) = (compared(&single), compared(&model(name)));
         for (one, other) in single.scores().zip(double.scores()).skip(2) {
-            assert!(one.bounded, "{name} {}", one.stabilizer);
+            assert_eq!(one.verdict, other.verdict, "{name} {}", one.stabilizer);
+            assert!(one.verdict.is_bounded(), "{name} {}", one.stabilizer);
             let (one, other) = (one.largest.unwrap(), other.largest.unwrap());
             assert!(
                 abs_diff_eq!(one / other, 1.0, epsilon = 1e-3),
@@ -125,7 +128,9 @@ fn a_run_that_leaves_the_range_has_no_numbers_of_its_end() {
     model.check().unwrap();
     let comparison = compared(&model);
     let none = comparison.scores().next().unwrap();
-    assert_eq!((none.bounded, none.largest, none.end, none.effort), (false, None, None, None));
-    assert!(comparison.scores().skip(1).all(|score| score.bounded && score.end.is_some()));
+    assert_eq!(none.verdict, Verdict::Grows);
+    assert_eq!((none.largest, none.end, none.effort), (None, None, None));
+    let rest = |score: &Score| score.verdict.is_bounded() && score.end.is_some();
+    assert!(comparison.scores().skip(1).all(rest));
     assert!(!comparison.csv().contains("inf") && !comparison.csv().contains("NaN"));
 }

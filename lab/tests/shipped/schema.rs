@@ -4,7 +4,8 @@ use std::fs;
 
 use jsonschema::Validator;
 use lyapunov_lab::Scene;
-use lyapunov_lab::scene::schema_text;
+use lyapunov_lab::family::StabilizerName;
+use lyapunov_lab::scene::{Member, schema_text};
 use lyapunov_lab::scenes::{SCENES, text_of};
 use serde_json::Value;
 
@@ -50,6 +51,8 @@ const ALLOWED: &[(&str, &str, &str)] = &[
     ("paper-8k-lolc", "\"held\"", "\"sampled\""),
     ("hold", "[stabilizer.popc]", "[stabilizer.popc]\ndamping_cap = inf"),
     ("hold", "[stabilizer.popc]", "[stabilizer.lolc]"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.iss]\nslope = inf"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.directed-damping]\ndirection = [1.0]"),
     ("hold", "rest = 0.01", "rest = [0.01]"),
     ("hold", "duration = 2.0", "duration = 2"),
     ("hold", "duration = 2.0", "duration = 2.0\nvelocity = \"exact\"\nscalar = \"f32\"\nintegrator = \"exact\""),
@@ -108,6 +111,12 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("hold", "[stabilizer.popc]", "[stabilizer.popc]\n[stabilizer.lolc]"),
     ("hold", "[stabilizer.popc]", "[stabilizer.popc]\ndamping_cap = -1"),
     ("hold", "[stabilizer.popc]", "[stabilizer.popc]\ndamping_cap = \"inf\""),
+    ("hold", "[stabilizer.popc]", "[stabilizer.tank]\nstart = -1e-3"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.tank]\nlevel = 1e-3"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.iss]\nslope = 0"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.popc-spread]\nticks = 1.5"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.least-norm]\ndecay = 2.0"),
+    ("hold", "[stabilizer.popc]", "[stabilizer.lolc-spring]"),
     ("paper-8k-lolc", "\"held\"", "\"hold\""),
     ("paper-8k-lolc", "\"mass-spring-damper\"", "\"mass_spring_damper\""),
     ("delay", "ticks = 2", "ticks = 1025"),
@@ -169,6 +178,31 @@ fn forbidden_values_are_not_valid() {
         let text = with(name, from, to);
         assert!(!validator.is_valid(&json(&text)), "valid:\n{text}");
         assert!(Scene::parse(&text, name).is_err(), "read:\n{text}");
+    }
+}
+
+/// Every table of a stabilizer, empty and with each number written out.
+#[test]
+fn tables_of_stabilizers_are_valid() {
+    let validator = validator();
+    let bare = Scene::parse(text_of("hold").unwrap(), "hold").unwrap();
+    for member in Member::ALL {
+        let name = StabilizerName::Member(*member);
+        let empty = with("hold", "[stabilizer.popc]", &format!("[stabilizer.{name}]"));
+        let scene = Scene::parse(&empty, name.name()).unwrap_or_else(|fault| panic!("{fault}"));
+        let parameters = name.parameters(&scene);
+        let numbers = parameters.iter().filter_map(|it| Some((it.name(), it.default?)));
+        let written = name.written_in(&bare, &numbers.collect::<Vec<_>>()).unwrap();
+        for text in [&empty, &toml::to_string(&written).unwrap()] {
+            let faults: Vec<String> =
+                validator.iter_errors(&json(text)).map(|fault| fault.to_string()).collect();
+            assert!(faults.is_empty(), "{text}\n{faults:?}");
+        }
+        for wrong in ["stiffnes = 1.0", &format!("{} = \"much\"", parameters[0].name())] {
+            let text = with("hold", "[stabilizer.popc]", &format!("[stabilizer.{name}]\n{wrong}"));
+            assert!(!validator.is_valid(&json(&text)), "valid:\n{text}");
+            assert!(Scene::parse(&text, name.name()).is_err(), "read:\n{text}");
+        }
     }
 }
 

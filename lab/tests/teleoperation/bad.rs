@@ -25,21 +25,26 @@ const CASES: &[(&str, &str, &str, &[&str])] = &[
     ("stiffness = 2000.0, position", "stiffness = 2000.0, damping = 1.0, position", "slave.wall.damping",
         &["unknown key `damping` in [slave.wall]"]),
     ("[coordination]\nstiffness = 200.0\ndamping = 2.0\n", "", "coordination.stiffness", &["there is no [coordination]"]),
-    ("stiffness = 200.0\ndamping = 2.0", "stiffness = 200.0", "stabilizer.wave_impedance",
-        &["without damping in [coordination]", "wave_impedance = 5.0"]),
+    ("stiffness = 200.0\ndamping = 2.0", "stiffness = 200.0\n# without [stabilizer.wave-variables]", "stabilizer.wave-variables.impedance",
+        &["without damping in [coordination]", "impedance = 5.0"]),
     ("delay = 10", "delay = 1025", "channel.delay", &["from 0 to 1024, not 1025"]),
     ("spread = 40", "spread = -1", "channel.spread", &["from 0 to 1024, not -1"]),
     ("seed = 1", "seed = -1", "channel.seed", &["0 or more"]),
     ("seed = 1\n", "", "channel.seed", &["is random", "seed = 1"]),
     ("seed = 1", "seed = 1\nloss = 1.5", "channel.loss", &["from 0 to 1, not 1.5"]),
     ("damping_cap = 0.5", "damping_cap = nan", "stabilizer.damping_cap", &["0 or greater"]),
-    ("compensation_speed = 0.02", "compensation_speed = -1", "stabilizer.compensation_speed", &["0 or greater", "m/s"]),
-    ("compensation_speed = 0.02", "wave_impedance = 0", "stabilizer.wave_impedance", &["greater than 0"]),
+    ("speed = 0.02", "speed = -1", "stabilizer.drift-compensated.speed", &["0 or greater", "m/s"]),
+    ("impedance = 8.0", "impedance = 0", "stabilizer.wave-variables.impedance", &["greater than 0"]),
+    ("impedance = 8.0", "filter_time = -1", "stabilizer.wave-variables.filter_time", &["0 or greater", "the unit is s"]),
+    ("wave-variables.impedance = 8.0", "two-layer.share = 1.5", "stabilizer.two-layer.share", &["at most 1"]),
+    ("wave-variables.impedance = 8.0", "two-layer.level = 0", "stabilizer.two-layer.level", &["greater than 0"]),
+    ("wave-variables.impedance = 8.0", "two-layer.gain = inf", "stabilizer.two-layer.gain", &["finite"]),
+    ("wave-variables.impedance = 8.0", "two-layers.gain = 1", "stabilizer.two-layers", &["did you mean `two-layer`?"]),
     ("duration = 5.0", "duration = 1e9", "duration", &["a run has at most 1e9 ticks"]),
     ("servo_rate = 1000.0", "servo_rate = 1e-320", "servo_rate", &["too small"]),
     ("mass = 0.3", "mass = 1e-320", "master.mass", &["beyond the range of f64"]),
-    ("servo_rate = 1000.0", "servo_rate = 1000.0\nscalar = \"f32\"\nstabilizer.wave_impedance = 1e-60",
-        "stabilizer.wave_impedance", &["f32"]),
+    ("servo_rate = 1000.0", "servo_rate = 1000.0\nscalar = \"f32\"\nstabilizer.wave-variables.impedance = 1e-60",
+        "stabilizer.wave-variables.impedance", &["f32"]),
 ];
 
 #[test]
@@ -48,7 +53,7 @@ fn a_fault_is_named_with_its_key_its_place_and_its_remedy() {
     for (from, to, key, words) in CASES {
         assert!(file.contains(from), "{from}");
         let mut text = file.replacen(from, to, 1);
-        if to.contains("stabilizer.") {
+        if to.contains("stabilizer.wave") {
             text = text.split("[stabilizer]").next().unwrap().to_owned();
         }
         let fault = Teleoperator::parse(&text, "test.toml").expect_err(to);

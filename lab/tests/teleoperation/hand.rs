@@ -2,6 +2,7 @@
 
 use approx::abs_diff_eq;
 use lyapunov::effects::{Random, Source};
+use lyapunov_lab::compare::Named;
 use lyapunov_lab::teleoperation::{Entrant, Score, Teleoperator};
 
 use crate::teleoperation::shipped::{NAMES, compared, parsed, text};
@@ -17,6 +18,8 @@ const K: f64 = 200.0;
 const B: f64 = 2.0;
 const CAP: f64 = 0.5;
 const SPEED: f64 = 0.02;
+const SHARE: f64 = 0.1;
+const WAVE: f64 = 8.0;
 
 /// Allowed distance between two runs, m: the part of the start's energy, 5 mJ, that the rounding of a ledger hides
 /// moves a device in its hand by `√(2 ε E / k)`, 0.15 nm.
@@ -126,6 +129,142 @@ impl Port {
     }
 }
 
+/// One end's tank.
+#[derive(Default)]
+struct Tank {
+    held: f64,
+    received: f64,
+    sent: f64,
+}
+
+impl Tank {
+    /// Takes in what is new of `told` and the `work` of the last tick, and sends a share; the force that is left of the
+    /// `wished` one at `velocity`, and the debt.
+    fn serve(&mut self, told: f64, work: f64, wished: f64, velocity: f64) -> (f64, f64) {
+        self.held += (told - self.received).max(0.0) + work;
+        self.received = self.received.max(told);
+        let packet = SHARE * self.held.max(0.0);
+        self.held -= packet;
+        self.sent += packet;
+        let most = self.held.max(0.0) / (velocity.abs() * T);
+        let left = if self.held > 0.0 { wished.clamp(-most, most) } else { 0.0 };
+        (left, (-self.held).max(0.0))
+    }
+}
+
+/// One tick at one end: the force on the master or the velocity commanded, what acts on the device, the message, the
+/// damping or mobility, and what is left unpaid.
+struct Answer {
+    given: f64,
+    acts: f64,
+    sent: Message,
+    alpha: f64,
+    unpaid: f64,
+}
+
+/// What an end knows of the tick before: the work that the channel asked for and that was done at the port, the work of
+/// the device's own motion, and the force that came in.
+#[derive(Clone, Copy, Default)]
+struct Before {
+    works: [f64; 2],
+    own: f64,
+    load: f64,
+}
+
+/// The law of one entrant at both ends.
+enum Law {
+    None,
+    Ports { near: Port, far: Port, joined: bool, speed: f64, drift: f64 },
+    Tanks { near: Tank, far: Tank, level: f64, gain: f64 },
+    Line { damping: f64, share: f64, there: f64, back: f64 },
+}
+
+impl Law {
+    fn of(file: &Teleoperator, entrant: Entrant) -> Self {
+        let longest = f64::from(file.channel.delay.get() + file.channel.spread.get());
+        let trip = (2.0 * longest + 1.0) * T;
+        let ports = |joined, speed| Self::Ports {
+            near: Port { most: CAP * MASS / T, ..Port::default() },
+            far: Port { most: CAP / ((K + B / T) * T), ..Port::default() },
+            joined,
+            speed,
+            drift: 0.0,
+        };
+        let line = |damping, share| Self::Line { damping, share, there: 0.0, back: 0.0 };
+        match entrant {
+            Entrant::None => Self::None,
+            Entrant::Popc => ports(false, 0.0),
+            Entrant::TwoPort => ports(true, 0.0),
+            Entrant::Compensated => ports(true, SPEED),
+            Entrant::TwoLayer => {
+                let level = 0.5 * HAND * START * START;
+                let (near, far) = (Tank::default(), Tank::default());
+                Self::Tanks { near, far, level, gain: (B + K * trip) / level }
+            }
+            Entrant::Waves => line(B, 1.0),
+            Entrant::MatchedWaves => line(WAVE, 1.0),
+            Entrant::FilteredWaves => line(WAVE, T / (T + 0.1 * trip)),
+        }
+    }
+
+    fn near(&mut self, (signal, energy): Message, before: Before, v: f64) -> Answer {
+        let root = (2.0 * WAVE).sqrt();
+        let (acts, sent, alpha, unpaid) = match self {
+            Self::None => (signal, (v, 0.0), 0.0, 0.0),
+            Self::Ports { near, joined, .. } => {
+                near.received = near.received.max(energy);
+                let (alpha, _, unpaid) = near.serve(before.works, v, *joined);
+                (signal + alpha * v, (v, near.absorbed), alpha, unpaid)
+            }
+            Self::Tanks { near, level, gain, .. } => {
+                let (left, unpaid) = near.serve(energy, before.own, signal, v);
+                let damping = *gain * (*level - near.held).max(0.0);
+                (left + damping * v, (v, near.sent), damping, unpaid)
+            }
+            Self::Line { share, there, .. } => {
+                *there += *share * (root * v - signal - *there);
+                (WAVE * v - root * signal, (*there, 0.0), 0.0, 0.0)
+            }
+        };
+        Answer { given: acts, acts, sent, alpha, unpaid }
+    }
+
+    /// At the slave, which is `error` behind the command and moves at `w`.
+    fn far(&mut self, (signal, energy): Message, before: Before, error: f64, w: f64) -> Answer {
+        let pull = |flow: f64, damping: f64| K * error + damping * (flow - w);
+        let acting = |given: f64, told, alpha, unpaid| {
+            let acts = pull(given, B);
+            Answer { given, acts, sent: (acts, told), alpha, unpaid }
+        };
+        match self {
+            Self::None => acting(signal, 0.0, 0.0, 0.0),
+            Self::Ports { far, joined, speed, drift, .. } => {
+                far.received = far.received.max(energy);
+                let (beta, sum, unpaid) = far.serve(before.works, before.load, *joined);
+                let mut flow = signal + beta * before.load;
+                let back = (-*drift / T).clamp(-*speed, *speed);
+                let answer = (K * T + B) * back.abs() * (flow.abs() + back.abs());
+                let draw = (answer - back * before.load) * T;
+                flow += back * if draw > sum.max(0.0) { sum.max(0.0) / draw } else { 1.0 };
+                *drift += (flow - signal) * T;
+                acting(flow, far.absorbed, beta, unpaid)
+            }
+            Self::Tanks { far, .. } => {
+                let (acts, unpaid) = far.serve(energy, before.own, pull(signal, B), w);
+                Answer { given: signal, acts, sent: (acts, far.sent), alpha: 0.0, unpaid }
+            }
+            Self::Line { damping, share, back, .. } => {
+                // F = K e + B' (v − w) and v = (√(2b) u − F) / b.
+                let root = (2.0 * WAVE).sqrt();
+                let given = (root * signal - K * error + *damping * w) / (WAVE + *damping);
+                *back += *share * (root * given - signal - *back);
+                let acts = pull(given, *damping);
+                Answer { given, acts, sent: (*back, 0.0), alpha: 0.0, unpaid: 0.0 }
+            }
+        }
+    }
+}
+
 /// Result of a run.
 #[derive(Debug, Default)]
 struct Found {
@@ -135,6 +274,9 @@ struct Found {
     drift: f64,
     energy: f64,
     felt: f64,
+    felt_end: f64,
+    touch: Option<f64>,
+    given: f64,
     kept: f64,
     shortfall: f64,
     active: [usize; 2],
@@ -143,68 +285,48 @@ struct Found {
 fn run(file: &Teleoperator, entrant: Entrant) -> Found {
     let seed = file.channel.seed.map_or(0, |seed| seed.get());
     let (mut there, mut back) = (Post::of(file, seed), Post::of(file, !seed));
-    let mut near = Port { most: CAP * MASS / T, ..Port::default() };
-    let mut far = Port { most: CAP / ((K + B / T) * T), ..Port::default() };
-    let (guarded, waves) = (entrant != Entrant::None, entrant == Entrant::Waves);
-    let joined = matches!(entrant, Entrant::TwoPort | Entrant::Compensated);
+    let mut law = Law::of(file, entrant);
     let ([mut x, mut v], [mut y, mut w]) = ([START, 0.0], [START, 0.0]);
     let (mut found, mut arrived) = (Found { command: START, ..Found::default() }, (0.0, 0.0));
-    let (mut works, mut load, mut drift, mut crossed) = ([[0.0; 2]; 2], 0.0, 0.0, 0.0);
-    for _ in 0..=file.ticks() {
-        let root = (2.0 * B).sqrt();
-        let (asked, mut force, mut sent) = (arrived.0, arrived.0, v);
-        let (mut alphas, mut unpaid) = ([0.0; 2], 0.0);
-        if waves {
-            (force, sent) = (B * v - root * arrived.0, root * v - arrived.0);
-        } else if guarded {
-            near.received = near.received.max(arrived.1);
-            let (alpha, _, short) = near.serve(works[0], v, joined);
-            (force, unpaid, alphas[0]) = (force + alpha * v, short, alpha);
-        }
-        let (signal, energy) = there.carry((sent, near.absorbed));
-        let spring = K * (found.command - y);
-        let (mut flow, mut pull) = (signal, 0.0);
-        if waves {
-            // F = spring + B (v − w) and v = (√(2b) u − F) / b with b = B.
-            flow = (root * signal - spring + B * w) / (2.0 * B);
-        } else if guarded {
-            far.received = far.received.max(energy);
-            let (beta, sum, short) = far.serve(works[1], load, joined);
-            (flow, unpaid, alphas[1]) = (flow + beta * load, unpaid + short, beta);
-            if entrant == Entrant::Compensated {
-                let back = (-drift / T).clamp(-SPEED, SPEED);
-                let answer = (K * T + B) * back.abs() * (flow.abs() + back.abs());
-                let draw = (answer - back * load) * T;
-                flow += back * if draw > sum.max(0.0) { sum.max(0.0) / draw } else { 1.0 };
-                drift += (flow - signal) * T;
-            }
-        }
-        pull += spring + B * (flow - w);
-        let answer = if waves { root * flow - signal } else { pull };
-        arrived = back.carry((answer, far.absorbed));
+    let ([mut near, mut far], mut crossed, mut taken) = ([Before::default(); 2], 0.0, 0.0);
+    for tick in 0..=file.ticks() {
+        let asked = arrived.0;
+        let felt = law.near(arrived, near, v);
+        let message = there.carry(felt.sent);
+        let moves = law.far(message, far, found.command - y, w);
+        arrived = back.carry(moves.sent);
 
         let depth = (y - SURFACE).max(0.0);
+        if depth > 0.0 {
+            found.touch.get_or_insert(tick as f64 / 1e3);
+        }
         let energy = MASS * (v * v + w * w) + HAND * x * x + WALL * depth * depth;
         found.master.push(x);
         found.slave.push(y);
         found.energy = found.energy.max(0.5 * energy);
         found.drift = found.command - x;
-        found.felt = found.felt.max(force.abs());
-        let burnt = [alphas[0] * v * v * T, alphas[1] * load * load * T];
+        found.felt = found.felt.max(felt.acts.abs());
+        if tick >= 4500 {
+            found.felt_end += felt.acts / 501.0;
+        }
+        let burnt = [felt.alpha * v * v * T, moves.alpha * far.load * far.load * T];
+        found.given = found.given.max(-taken);
         found.kept = found.kept.min(crossed + burnt[0] + burnt[1]);
-        found.shortfall = found.shortfall.max(unpaid);
+        found.shortfall = found.shortfall.max(felt.unpaid + moves.unpaid);
         for (count, burnt) in found.active.iter_mut().zip(burnt) {
             *count += usize::from(burnt > 1e-9 * 0.5 * HAND * START * START);
         }
 
-        let before = x;
-        [x, v] = sprung(HAND, -force, [x, v], T);
+        let ([last_x, last_y], pull) = ([x, y], moves.acts);
+        [x, v] = sprung(HAND, -felt.acts, [x, v], T);
         [y, w] = walled(pull, [y, w], T);
-        found.command += flow * T;
-        let moved = x - before;
-        works = [[asked * moved, force * moved], [-pull * signal * T, -pull * flow * T]];
-        crossed += works[0][1] + works[1][1];
-        load = -pull;
+        found.command += moves.given * T;
+        let (moved, own) = (x - last_x, felt.acts * (x - last_x));
+        near = Before { works: [asked * moved, own], own, load: 0.0 };
+        let works = [-pull * message.0 * T, -pull * moves.given * T];
+        far = Before { works, own: -pull * (y - last_y), load: -pull };
+        crossed += near.works[1] + far.works[1];
+        taken += near.own + far.own;
     }
     found
 }
@@ -223,13 +345,22 @@ impl Found {
             ("error at the end", score.error_end, 1e3 * (x - y), 1e3 * error),
             ("drift", score.drift, 1e3 * self.drift, 1e3 * error),
             ("force felt", score.felt, self.felt, self.felt),
+            ("force at the end", score.felt_end, self.felt_end, self.felt),
             ("contact", score.contact, WALL * deepest, WALL * deepest),
-            ("least energy", score.kept, 1e3 * self.kept, 1.0 + 1e3 * self.kept.abs()),
+            ("given", score.given, 1e3 * self.given, 1.0 + 1e3 * self.given),
             ("shortfall", score.shortfall, 1e3 * self.shortfall, 1.0 + 1e3 * self.shortfall),
         ] {
             let told = told.unwrap();
             let near = (told - hand).abs() <= 1e-7 * size;
             assert!(near, "{what} of {}: {told}, {hand}", score.stabilizer);
+        }
+        assert_eq!(score.touch, self.touch, "{}", score.stabilizer);
+        match score.kept {
+            Some(kept) => {
+                let (hand, size) = (1e3 * self.kept, 1.0 + 1e3 * self.kept.abs());
+                assert!((kept - hand).abs() <= 1e-7 * size, "{}: {kept}", score.stabilizer);
+            }
+            None => assert_eq!(score.stabilizer, "two-layer"),
         }
         for (told, count) in [score.active_master, score.active_slave].into_iter().zip(self.active)
         {

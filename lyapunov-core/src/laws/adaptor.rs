@@ -1,6 +1,6 @@
 //! The law of an adaptor: a port that owns another.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{Correction, OnePort, PortSample, Scalar, Signal};
 
 /// Port with a correction that no other port reports, which [`adaptor`] puts inside the adaptor under test.
@@ -61,13 +61,23 @@ pub fn adaptor<V: Signal, P: OnePort<V>>(
     let inside = probe.correction;
     let mut port = wrap(probe);
     for (tick, (sample, _)) in samples.into_iter().enumerate() {
-        port.respond(&sample);
-        let (now, told) = (Tick(tick), port.correction());
-        now.same(Law::HandsOn, told.effort, inside.effort)?;
-        now.same(Law::HandsOn, told.observed_energy, inside.observed_energy)?;
-        now.same(Law::HandsOn, told.alpha, inside.alpha)?;
-        now.same(Law::HandsOn, told.shortfall, inside.shortfall)?;
-        now.require(Law::HandsOn, told.accepted, told.observed_energy)?;
+        let effort = port.respond(&sample);
+        let told = alike(Tick(tick), &port.correction(), &inside);
+        told.map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
+}
+
+fn alike<V: Signal>(
+    now: Tick,
+    told: &Correction<V>,
+    inside: &Correction<V>,
+) -> Result<(), Violation> {
+    let law = Law::HandsOn;
+    now.told(quantity::REPORTED_EFFORT).same(law, told.effort, inside.effort)?;
+    let [energy, inner] = [told, inside].map(|it| it.observed_energy);
+    now.told(quantity::REPORTED_OBSERVED_ENERGY).same(law, energy, inner)?;
+    now.told(quantity::REPORTED_DAMPING).same(law, told.alpha, inside.alpha)?;
+    now.told(quantity::REPORTED_SHORTFALL).same(law, told.shortfall, inside.shortfall)?;
+    now.told(quantity::REPORTED_ACCEPTANCE).holds::<V::Scalar>(law, told.accepted)
 }

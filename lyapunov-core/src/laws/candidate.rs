@@ -1,7 +1,7 @@
 //! The laws of a Lyapunov candidate.
 
-use crate::laws::{Law, Tick, Violation};
-use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
+use crate::laws::{Law, Tick, Violation, quantity};
+use crate::{HeldTick, LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Check of a `candidate` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NothingForNothing`](Law::NothingForNothing) and [`Recovers`](Law::Recovers).
@@ -13,22 +13,41 @@ pub fn candidate<V: Signal, C: LyapunovCandidate<V> + Clone>(
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (candidate.clone(), candidate.clone());
-    for (tick, (sample, _)) in samples.into_iter().enumerate() {
-        let now = Tick(tick);
-        let decrease = one.decrease(&sample);
-        now.finite(Law::Finite, decrease)?;
-        now.same(Law::Repeatable, decrease, other.decrease(&sample))?;
-
-        let mut resting = one.clone();
-        let still = PortSample::starting(sample.period, sample.position, V::zero());
-        resting.decrease(&still);
-        let credited = resting.decrease(&still);
-        now.same(Law::NothingForNothing, credited, V::Scalar::of(0.0))?;
-
-        let mut shaken = one.clone();
-        let nan = V::splat(V::Scalar::of(f64::NAN));
-        shaken.decrease(&PortSample::new(sample.period, nan, nan, nan, nan));
-        now.finite(Law::Recovers, shaken.decrease(&sample))?;
+    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
+        let told = tick_of(Tick(tick), &mut one, &mut other, &sample);
+        told.map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
+}
+
+fn tick_of<V: Signal, C: LyapunovCandidate<V> + Clone>(
+    now: Tick,
+    one: &mut C,
+    other: &mut C,
+    sample: &PortSample<V>,
+) -> Result<(), Violation> {
+    let told = now.told(quantity::DECREASE);
+    let decrease = one.decrease(sample);
+    told.finite(Law::Finite, decrease)?;
+    told.same(Law::Repeatable, decrease, other.decrease(sample))?;
+
+    let mut resting = one.clone();
+    let still = PortSample::starting(sample.period, sample.position, V::zero());
+    resting.decrease(&still);
+    let credited = resting.decrease(&still);
+    let zero = V::Scalar::of(0.0);
+    now.told(quantity::DECREASE_AT_REST).same(Law::NothingForNothing, credited, zero)?;
+
+    let mut shaken = one.clone();
+    let nan = V::splat(V::Scalar::of(f64::NAN));
+    let spoilt = HeldTick {
+        period: sample.period,
+        position: nan,
+        velocity: nan,
+        displacement: nan,
+        applied: nan,
+    };
+    shaken.decrease(&spoilt.sample());
+    let after = now.told(quantity::NEXT_DECREASE).finite(Law::Recovers, shaken.decrease(sample));
+    after.map_err(|broken| broken.after("motion", f64::NAN))
 }

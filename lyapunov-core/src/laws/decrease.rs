@@ -1,6 +1,6 @@
 //! The law of a candidate's decrease: its sum is the decrease of its function.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{LyapunovCandidate, PortSample, Scalar, Signal};
 
 /// Check of the law [`AddsUp`](Law::AddsUp) on a `candidate` over the samples `samples`: from the first sample on its
@@ -28,15 +28,15 @@ pub fn decrease<V: Signal, C: LyapunovCandidate<V> + Clone>(
     for (index, sample) in samples.enumerate() {
         let now = Tick(index + 1);
         let here = value(&sample);
-        now.finite(Law::Finite, here)?;
+        now.told(quantity::ENERGY_VALUE).finite(Law::Finite, here)?;
         told += candidate.decrease(&sample);
-        now.finite(Law::Finite, told)?;
+        now.told(quantity::SUM_OF_DECREASES).finite(Law::Finite, told)?;
         travelled += (here - last).magnitude();
         rounding += (told.magnitude() + here.magnitude() + last.magnitude()) * V::Scalar::epsilon();
         last = here;
         let apart = told - (start - here);
         let allowed = share * travelled + rounding;
-        now.require(Law::AddsUp, !apart.magnitude().above(allowed), apart)?;
+        now.told(quantity::SUM_OF_DECREASES).within(Law::AddsUp, apart, allowed)?;
     }
     Ok(())
 }

@@ -2,7 +2,8 @@
 
 use num_traits::Float;
 
-use crate::laws::{Law, Tick, Violation};
+use super::tick::spread;
+use crate::laws::{Allowed, Law, Tick, Violation, quantity};
 use crate::{Dynamics, Integrator, Scalar, Signal};
 
 /// Steps of the coarse runs over the interval.
@@ -56,11 +57,6 @@ where
         converges(now, integrator, dynamics, from, input, interval, order)?;
     }
     Ok(())
-}
-
-/// Lane `lane` of every axis, in all lanes.
-fn spread<X: Signal>(signal: X, lane: usize) -> X {
-    signal.map(|axis| X::Scalar::of(axis.lane(lane)))
 }
 
 /// States of a run of `steps` steps, at the end of each of [`PLACES`] equal parts of the interval.
@@ -132,7 +128,15 @@ where
         let errors = errors.map(|error| error.lane(lane));
         let Some(slope) = slope(errors, rounding.lane(lane)) else { continue };
         if slope.is_nan() || slope < f64::from(order) - SLACK {
-            return Err(Violation { law: Law::Converges, tick: now.0, value: slope });
+            return Err(Violation {
+                law: Law::Converges,
+                tick: now.0,
+                lane: lane as u32,
+                quantity: quantity::ORDER,
+                value: slope,
+                allowed: Allowed::From(f64::from(order) - SLACK),
+                drive: None,
+            });
         }
     }
     Ok(())

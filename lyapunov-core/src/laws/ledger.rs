@@ -1,6 +1,6 @@
 //! The laws of a stabilizer's ledger.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{
     Accumulator, Compensated, LyapunovCandidate, PortSample, Requirement, Scalar, Signal,
     Stabilizer,
@@ -36,7 +36,9 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
         let most = sample.velocity.map(|v| v.magnitude() * limit);
         let added = (correction.effort - effort).map(Scalar::magnitude);
         let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
-        now.not_below_zero(Law::WithinLimit, (most - added).sum(), size.sum())?;
+        now.told(quantity::ROOM_IN_LIMIT)
+            .not_below_zero(Law::WithinLimit, (most - added).sum(), size.sum())
+            .map_err(|broken| broken.under(&sample, effort))?;
 
         supplied.add(decrease);
         let sum = supplied.value();
@@ -45,11 +47,13 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
         ticks += V::Scalar::of(1.0);
         let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
         let stored = correction.observed_energy.larger(zero);
-        let error = (sum - (stored - burnt - correction.shortfall)).magnitude();
+        let error = sum - (stored - burnt - correction.shortfall);
         let unit = V::Scalar::epsilon() * V::Scalar::of(0.5);
         let allowed = V::Scalar::of(4.0) * unit * (absolute + ticks * largest)
             + ticks * V::Scalar::of(4.0) * V::Scalar::smallest_normal();
-        now.require(Law::Balances, !allowed.below(error), error)?;
+        now.told(quantity::ACCOUNT)
+            .within(Law::Balances, error, allowed)
+            .map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
 }

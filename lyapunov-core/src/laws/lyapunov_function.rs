@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Allowed, Law, Tick, Violation, quantity};
 use crate::{LyapunovFunction, Scalar, Signal};
 
 /// Check of a `function` at the `states` visited and at rest: the laws [`Finite`](Law::Finite),
@@ -25,15 +25,17 @@ pub fn lyapunov_function<X: Signal, F: LyapunovFunction<X>>(
 ) -> Result<(), Violation> {
     let zero = X::Scalar::of(0.0);
     let rest = X::splat(zero);
-    Tick(0).same(Law::ZeroAtRest, function.value(rest), zero)?;
+    Tick(0).told(quantity::VALUE_AT_REST).same(Law::ZeroAtRest, function.value(rest), zero)?;
     slopes(Tick(0), function, rest)?;
     for (index, state) in states.into_iter().enumerate() {
         let now = Tick(index);
         let value = function.value(state);
-        now.finite(Law::Finite, value)?;
-        now.finite(Law::Finite, function.gradient(state))?;
+        now.told(quantity::VALUE).finite(Law::Finite, value)?;
+        now.told(quantity::GRADIENT).finite(Law::Finite, function.gradient(state))?;
         let away = state.inner(state).above(X::Scalar::smallest_normal());
-        now.require(Law::Positive, !away | value.above(zero), value)?;
+        let kept = !away | value.above(zero);
+        let least = |lane| Allowed::From(X::Scalar::smallest_positive().lane(lane));
+        now.told(quantity::VALUE).require(Law::Positive, kept, value, least)?;
         slopes(now, function, state)?;
     }
     Ok(())
@@ -66,8 +68,10 @@ fn slopes<X: Signal>(
             + of(8.0) * X::Scalar::epsilon() * heights / step
             + share * (told.magnitude() + steepness)
             + X::Scalar::smallest_normal();
-        let apart = (told - near).magnitude();
-        now.require(Law::Slope, apart.below(tolerance), told - near)?;
+        let apart = told - near;
+        let allowed = |lane| Allowed::Within(tolerance.lane(lane));
+        let kept = apart.magnitude().below(tolerance);
+        now.told(quantity::GRADIENT).require(Law::Slope, kept, apart, allowed)?;
     }
     Ok(())
 }

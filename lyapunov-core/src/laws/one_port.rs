@@ -1,6 +1,6 @@
 //! The laws of a one-port.
 
-use crate::laws::{Law, Tick, Violation};
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{OnePort, PortSample, Signal};
 
 /// Check of a `port` over `samples`: the laws [`Finite`](Law::Finite) and [`Repeatable`](Law::Repeatable).
@@ -13,10 +13,11 @@ pub fn one_port<V: Signal, P: OnePort<V> + Clone>(
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (port.clone(), port.clone());
     for (tick, (sample, _)) in samples.into_iter().enumerate() {
-        let now = Tick(tick);
+        let now = Tick(tick).told(quantity::EFFORT);
         let effort = one.respond(&sample);
-        now.finite(Law::Finite, effort)?;
-        now.same(Law::Repeatable, effort, other.respond(&sample))?;
+        now.finite(Law::Finite, effort)
+            .and_then(|()| now.same(Law::Repeatable, effort, other.respond(&sample)))
+            .map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Test samples for the laws.
 
-use crate::{PortSample, Scalar, Signal};
+use crate::{HeldTick, PortSample, Scalar, Signal};
 
 /// Number of samples.
 const COUNT: usize = 2000;
@@ -55,8 +55,14 @@ impl<V: Signal> Iterator for Samples<V> {
         let velocity = if resting { V::zero() } else { self.signal(size) };
         let displacement = velocity.scale(self.period);
         self.position = self.position + displacement;
-        let sample =
-            PortSample::new(self.period, self.position, velocity, displacement, self.applied);
+        let sample = HeldTick {
+            period: self.period,
+            position: self.position,
+            velocity,
+            displacement,
+            applied: self.applied,
+        }
+        .sample();
         let effort = self.signal(1e2 * size);
         self.applied = effort;
         self.tick += 1;

@@ -1,11 +1,12 @@
 //! The laws of a stabilizer.
 
-use crate::laws::{Law, Tick, Violation};
+use super::tick::spread;
+use crate::laws::{Law, Tick, Violation, quantity};
 use crate::{Correction, PortSample, Scalar, Signal, Stabilizer};
 
 /// Check of a `stabilizer` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
-/// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers).
+/// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers); on lanes also [`LaneByLane`](Law::LaneByLane).
 ///
 /// The laws check honesty (finite, passive, with debts reported), not that a loop becomes stable: run a scene for that.
 /// They take the reported damping on trust. A limit of the actuator belongs outside the stabilizer, where the next
@@ -46,27 +47,89 @@ fn check<V: Signal, S: Stabilizer<V> + Clone>(
     let (mut one, mut other) = (stabilizer.clone(), stabilizer.clone());
     for (tick, (sample, effort)) in samples.into_iter().enumerate() {
         let now = Tick(tick);
+        let before = one.clone();
         let correction = one.stabilize(&sample, effort);
-        now.finite(Law::Finite, correction.effort)?;
-        now.finite(
-            Law::Finite,
-            correction.observed_energy + correction.alpha + correction.shortfall,
-        )?;
-        now.require(Law::Finite, correction.accepted, effort.sum())?;
-        keeps_its_word(now, &sample, &correction)?;
-        manner(now, &sample, effort, &correction)?;
-
-        let again = other.stabilize(&sample, effort);
-        now.same(Law::Repeatable, correction.effort, again.effort)?;
-        now.same(Law::Repeatable, correction.observed_energy, again.observed_energy)?;
-        now.same(Law::Repeatable, correction.alpha, again.alpha)?;
-
-        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            rejects(now, one.clone(), &sample, effort, V::Scalar::of(bad))?;
-            survives(now, &one, &sample, effort, V::Scalar::of(bad))?;
-        }
+        finite(now, &correction)
+            .and_then(|()| keeps_its_word(now, &sample, &correction))
+            .and_then(|()| manner(now, &sample, effort, &correction))
+            .and_then(|()| repeats(now, &correction, &other.stabilize(&sample, effort)))
+            .and_then(|()| lane_by_lane(now, &before, &sample, effort, &correction))
+            .and_then(|()| {
+                for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                    rejects(now, one.clone(), &sample, effort, bad)?;
+                    survives(now, &one, &sample, effort, bad)?;
+                }
+                Ok(())
+            })
+            .map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
+}
+
+fn finite<V: Signal>(now: Tick, correction: &Correction<V>) -> Result<(), Violation> {
+    let Correction { effort, observed_energy, alpha, shortfall, accepted } = *correction;
+    now.told(quantity::EFFORT).finite(Law::Finite, effort)?;
+    now.told(quantity::OBSERVED_ENERGY).finite(Law::Finite, observed_energy)?;
+    now.told(quantity::DAMPING).finite(Law::Finite, alpha)?;
+    now.told(quantity::SHORTFALL).finite(Law::Finite, shortfall)?;
+    now.told(quantity::ACCEPTANCE).holds::<V::Scalar>(Law::Finite, accepted)
+}
+
+fn repeats<V: Signal>(
+    now: Tick,
+    correction: &Correction<V>,
+    again: &Correction<V>,
+) -> Result<(), Violation> {
+    alike(now, Law::Repeatable, correction, again)
+}
+
+/// Comparison of effort, observed energy and damping.
+pub(super) fn alike<V: Signal>(
+    now: Tick,
+    law: Law,
+    one: &Correction<V>,
+    other: &Correction<V>,
+) -> Result<(), Violation> {
+    now.told(quantity::EFFORT).same(law, one.effort, other.effort)?;
+    let [energy, again] = [one, other].map(|it| it.observed_energy);
+    now.told(quantity::OBSERVED_ENERGY).same(law, energy, again)?;
+    now.told(quantity::DAMPING).same(law, one.alpha, other.alpha)
+}
+
+/// Check of each lane against the same stabilizer with that lane's numbers in all lanes.
+fn lane_by_lane<V: Signal, S: Stabilizer<V> + Clone>(
+    now: Tick,
+    before: &S,
+    sample: &PortSample<V>,
+    effort: V,
+    correction: &Correction<V>,
+) -> Result<(), Violation> {
+    if V::Scalar::LANES == 1 {
+        return Ok(());
+    }
+    for lane in 0..V::Scalar::LANES {
+        let alone = PortSample {
+            period: spread(sample.period, lane),
+            position: spread(sample.position, lane),
+            velocity: spread(sample.velocity, lane),
+            displacement: spread(sample.displacement, lane),
+            applied: spread(sample.applied, lane),
+            work: spread(sample.work, lane),
+        };
+        let own = before.clone().stabilize(&alone, spread(effort, lane));
+        let told = alike(now, Law::LaneByLane, &of_lane(correction, lane), &of_lane(&own, lane));
+        told.map_err(|broken| Violation { lane: lane as u32, ..broken })?;
+    }
+    Ok(())
+}
+
+fn of_lane<V: Signal>(correction: &Correction<V>, lane: usize) -> Correction<V> {
+    Correction {
+        effort: spread(correction.effort, lane),
+        observed_energy: spread(correction.observed_energy, lane),
+        alpha: spread(correction.alpha, lane),
+        ..*correction
+    }
 }
 
 fn keeps_its_word<V: Signal>(
@@ -75,11 +138,16 @@ fn keeps_its_word<V: Signal>(
     correction: &Correction<V>,
 ) -> Result<(), Violation> {
     let zero = V::Scalar::of(0.0);
-    now.not_below_zero(Law::NoNegativeDamping, correction.alpha, zero)?;
-    now.not_below_zero(Law::NoNegativeDamping, correction.shortfall, zero)?;
+    let law = Law::NoNegativeDamping;
+    now.told(quantity::DAMPING).not_below_zero(law, correction.alpha, zero)?;
+    now.told(quantity::SHORTFALL).not_below_zero(law, correction.shortfall, zero)?;
     let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
     let served = correction.observed_energy + burnt + correction.shortfall;
-    now.not_below_zero(Law::Served, served, correction.observed_energy.magnitude())
+    now.told(quantity::SERVED).not_below_zero(
+        Law::Served,
+        served,
+        correction.observed_energy.magnitude(),
+    )
 }
 
 fn opposes<V: Signal>(
@@ -90,7 +158,8 @@ fn opposes<V: Signal>(
 ) -> Result<(), Violation> {
     let power = (correction.effort - effort).inner(sample.velocity);
     let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
-    now.not_below_zero(Law::Opposes, power, size.inner(sample.velocity.map(Scalar::magnitude)))
+    let size = size.inner(sample.velocity.map(Scalar::magnitude));
+    now.told(quantity::POWER_TAKEN).not_below_zero(Law::Opposes, power, size)
 }
 
 /// Check that the effort is between 0 and the given effort on every axis.
@@ -106,7 +175,7 @@ fn no_larger<V: Signal>(
         (out - most).larger(zero) + (least - out).larger(zero)
     });
     let size = effort.map(Scalar::magnitude).sum();
-    now.not_below_zero(Law::NoLarger, -beyond.sum(), size)
+    now.told(quantity::ROOM_IN_EFFORT).not_below_zero(Law::NoLarger, -beyond.sum(), size)
 }
 
 /// Check of samples with one bad field each, every one followed by a sound sample.
@@ -115,22 +184,24 @@ fn survives<V: Signal, S: Stabilizer<V> + Clone>(
     stabilizer: &S,
     sample: &PortSample<V>,
     effort: V,
-    bad: V::Scalar,
+    bad: f64,
 ) -> Result<(), Violation> {
-    let spoilt = V::splat(bad);
-    for flawed in [
-        PortSample { period: bad, ..*sample },
-        PortSample { position: spoilt, ..*sample },
-        PortSample { velocity: spoilt, ..*sample },
-        PortSample { displacement: spoilt, ..*sample },
-        PortSample { applied: spoilt, ..*sample },
-        PortSample { work: spoilt, ..*sample },
+    let lanes = V::Scalar::of(bad);
+    let spoilt = V::splat(lanes);
+    for (field, flawed) in [
+        ("period", PortSample { period: lanes, ..*sample }),
+        ("position", PortSample { position: spoilt, ..*sample }),
+        ("velocity", PortSample { velocity: spoilt, ..*sample }),
+        ("displacement", PortSample { displacement: spoilt, ..*sample }),
+        ("applied effort", PortSample { applied: spoilt, ..*sample }),
+        ("work", PortSample { work: spoilt, ..*sample }),
     ] {
         let mut stabilizer = stabilizer.clone();
-        now.finite(Law::Rejects, stabilizer.stabilize(&flawed, effort).effort)?;
-        let accepted = stabilizer.stabilize(sample, effort);
-        now.finite(Law::Recovers, accepted.effort)?;
-        now.require(Law::Recovers, accepted.accepted, bad)?;
+        let effort_then = stabilizer.stabilize(&flawed, effort).effort;
+        now.told(quantity::EFFORT)
+            .finite(Law::Rejects, effort_then)
+            .and_then(|()| recovers(now, &mut stabilizer, sample, effort))
+            .map_err(|broken| broken.after(field, bad))?;
     }
     Ok(())
 }
@@ -141,12 +212,26 @@ fn rejects<V: Signal>(
     mut stabilizer: impl Stabilizer<V>,
     sample: &PortSample<V>,
     effort: V,
-    bad: V::Scalar,
+    bad: f64,
 ) -> Result<(), Violation> {
-    let rejected = stabilizer.stabilize(sample, V::splat(bad));
-    now.finite(Law::Rejects, rejected.effort)?;
-    now.require(Law::Rejects, !rejected.accepted, bad)?;
-    let accepted = stabilizer.stabilize(sample, effort);
-    now.finite(Law::Recovers, accepted.effort)?;
-    now.require(Law::Recovers, accepted.accepted, bad)
+    let rejected = stabilizer.stabilize(sample, V::splat(V::Scalar::of(bad)));
+    now.told(quantity::EFFORT)
+        .finite(Law::Rejects, rejected.effort)
+        .and_then(|()| {
+            now.told(quantity::REJECTION).holds::<V::Scalar>(Law::Rejects, !rejected.accepted)
+        })
+        .and_then(|()| recovers(now, &mut stabilizer, sample, effort))
+        .map_err(|broken| broken.after("effort", bad))
+}
+
+/// Check of the sound sample that follows.
+fn recovers<V: Signal>(
+    now: Tick,
+    stabilizer: &mut impl Stabilizer<V>,
+    sample: &PortSample<V>,
+    effort: V,
+) -> Result<(), Violation> {
+    let next = stabilizer.stabilize(sample, effort);
+    now.told(quantity::NEXT_EFFORT).finite(Law::Recovers, next.effort)?;
+    now.told(quantity::NEXT_ACCEPTANCE).holds::<V::Scalar>(Law::Recovers, next.accepted)
 }

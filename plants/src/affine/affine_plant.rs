@@ -1,7 +1,7 @@
 //! A control-affine plant behind its port.
 
 use lyapunov_core::{
-    Integrator, LyapunovFunction, ParameterError, Plant, PortSample, Requirement, Scalar,
+    HeldTick, Integrator, LyapunovFunction, ParameterError, Plant, PortSample, Requirement, Scalar,
 };
 use nalgebra::SVector;
 use num_traits::Zero;
@@ -115,6 +115,13 @@ where
             let (at, input) = (self.at, effort.input);
             self.at = at + self.integrator.step(&self.dynamics, at, input, self.interval);
         }
-        PortSample::new(self.period, self.at, self.flow(), self.at - before, effort)
+        HeldTick {
+            period: self.period,
+            position: self.at,
+            velocity: self.flow(),
+            displacement: self.at - before,
+            applied: effort,
+        }
+        .sample()
     }
 }

@@ -1,6 +1,8 @@
 //! Port of a real plant, from measurements of its state.
 
-use lyapunov_core::{LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    HeldTick, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal,
+};
 use nalgebra::SVector;
 
 use crate::{ControlAffine, WithState};
@@ -83,6 +85,7 @@ where
         self.elapsed = T::choose(sound, T::of(0.0), elapsed);
         let velocity = WithState::of_input(flow);
         let applied = WithState::of_input(-input);
-        PortSample::new(elapsed, at, velocity, at - before, applied)
+        HeldTick { period: elapsed, position: at, velocity, displacement: at - before, applied }
+            .sample()
     }
 }

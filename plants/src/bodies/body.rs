@@ -1,6 +1,8 @@
 //! One mass on the operator's spring.
 
-use lyapunov_core::{Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    HeldTick, Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
+};
 use nalgebra::{Matrix2, Matrix3};
 
 use super::propagation::by_rows;
@@ -133,7 +135,14 @@ impl<V: Signal> Plant<V> for Body<V> {
         self.position = before + self.position_map.gain(deflection, self.velocity, effort);
         self.velocity = self.velocity + self.velocity_map.gain(deflection, self.velocity, effort);
         let displacement = self.position - before;
-        PortSample::new(self.period, self.position, self.velocity, displacement, effort)
+        HeldTick {
+            period: self.period,
+            position: self.position,
+            velocity: self.velocity,
+            displacement,
+            applied: effort,
+        }
+        .sample()
     }
 }
 

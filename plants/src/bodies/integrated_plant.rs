@@ -3,8 +3,8 @@
 use core::fmt::Debug;
 
 use lyapunov_core::{
-    Integrator, Mask, Mechanics, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
-    State,
+    HeldTick, Integrator, Mask, Mechanics, ParameterError, Plant, PortSample, Requirement, Scalar,
+    Signal, State,
 };
 
 use crate::{Coordinates, FromParts, OperatedBody};
@@ -132,7 +132,14 @@ where
             self.state = self.state + gain;
         }
         let (position, velocity) = (self.state.position.at_port(), self.state.velocity.at_port());
-        PortSample::new(self.period, position, velocity, position - before, effort)
+        HeldTick {
+            period: self.period,
+            position,
+            velocity,
+            displacement: position - before,
+            applied: effort,
+        }
+        .sample()
     }
 }
 

@@ -12,6 +12,7 @@ mod linear;
 mod operated_body;
 mod plant_ext;
 mod propagation;
+mod rigid_body;
 mod two_mass_body;
 mod two_mass_parts;
 
@@ -28,6 +29,7 @@ pub use linear::Linear;
 pub use operated_body::OperatedBody;
 pub use plant_ext::PlantExt;
 pub use propagation::held_input;
+pub use rigid_body::{RigidBody, RigidParts};
 pub use two_mass_body::TwoMassBody;
 pub(crate) use two_mass_body::two_mass_increments;
 pub use two_mass_parts::{DampedMass, ElasticJoint, TwoMassParts};

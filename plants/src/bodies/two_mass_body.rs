@@ -1,6 +1,8 @@
 //! Operator and device as two masses with a link.
 
-use lyapunov_core::{Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    HeldTick, Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
+};
 use nalgebra::{Matrix4, SMatrix};
 
 use super::propagation::by_rows;
@@ -149,7 +151,14 @@ impl<V: Signal> Plant<V> for TwoMassBody<V> {
         self.stretch = stretch + gain(self.maps[1]);
         self.velocity = velocity + gain(self.maps[2]);
         self.stretching = stretching + gain(self.maps[3]);
-        PortSample::new(self.period, self.position, self.velocity, self.position - before, effort)
+        HeldTick {
+            period: self.period,
+            position: self.position,
+            velocity: self.velocity,
+            displacement: self.position - before,
+            applied: effort,
+        }
+        .sample()
     }
 }
 

@@ -1,10 +1,10 @@
 //! Adaptors of a port, chained.
 
-use lyapunov_core::{OnePort, ParameterError, Signal};
+use lyapunov_core::{Differenced, LowPassed, OnePort, ParameterError, Signal, Windowed};
 
 use crate::{
-    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Fallback, Guard, LowPass, Noise,
-    Saturation, ZeroOrderHold,
+    AdaptiveWindow, BackwardDifference, Delay, Dropout, Encoder, Estimated, Fallback, Guard,
+    LowPass, Noise, Saturation, Scaled, ZeroOrderHold,
 };
 
 /// The adaptors that may act on a port, chained like iterator adaptors, innermost first.
@@ -29,6 +29,14 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         Saturation::new(self, force)
     }
 
+    /// Scales the effort by `scale`, which may be changed later.
+    ///
+    /// # Errors
+    /// `scale` below 0, infinite or NaN.
+    fn scaled(self, scale: V::Scalar) -> Result<Scaled<Self, V::Scalar>, ParameterError> {
+        Scaled::new(self, scale)
+    }
+
     /// Delays the effort by `ticks` calls; `N` is the capacity.
     ///
     /// # Errors
@@ -47,7 +55,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
 
     /// Takes velocities from displacements.
     fn differenced(self) -> BackwardDifference<Self> {
-        BackwardDifference::new(self)
+        Estimated::new(self, Differenced)
     }
 
     /// Takes velocities from displacements through a low pass of `cutoff`, Hz.
@@ -55,7 +63,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     /// # Errors
     /// `cutoff` not above 0 and finite, or too large for the scalar.
     fn low_passed(self, cutoff: V::Scalar) -> Result<LowPass<Self, V>, ParameterError> {
-        LowPass::new(self, cutoff)
+        Ok(Estimated::new(self, LowPassed::new(cutoff)?))
     }
 
     /// Takes velocities over up to `ticks` calls, as long as positions lie within `band`, m, of a line; `N` is the
@@ -68,7 +76,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         ticks: usize,
         band: V::Scalar,
     ) -> Result<AdaptiveWindow<Self, V, N>, ParameterError> {
-        AdaptiveWindow::new(self, ticks, band)
+        Ok(Estimated::new(self, Windowed::new(ticks, band)?))
     }
 
     /// Adds Gaussian noise of a standard `deviation`, m, to positions; `seed` gives the seed of each lane.

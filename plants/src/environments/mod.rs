@@ -1,5 +1,6 @@
 //! Environments, which answer a motion with a force.
 
+mod body_points;
 mod cubic_spring;
 mod dissipation_of;
 mod force_law;
@@ -8,12 +9,14 @@ mod layered_wall;
 mod mass_spring_damper;
 mod moving_wall;
 mod one_sided;
+mod orientation_spring;
 mod oscillation;
 mod solids;
 mod spring;
 mod varying_spring;
 mod wall;
 
+pub use body_points::BodyPoints;
 pub use cubic_spring::CubicSpring;
 pub use dissipation_of::DissipationOf;
 pub use force_law::{ForceLaw, Kinematics, Surface, Time};
@@ -21,6 +24,7 @@ pub use hunt_crossley::HuntCrossley;
 pub use layered_wall::LayeredWall;
 pub use mass_spring_damper::MassSpringDamper;
 pub use moving_wall::MovingWall;
+pub use orientation_spring::OrientationSpring;
 pub use solids::{Contact, Cuboid, NearestPoint, Plane, Solid, Sphere};
 pub use spring::Spring;
 pub use varying_spring::VaryingSpring;

@@ -1,10 +1,11 @@
 //! Bounded credit: a largest stored credit.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use crate::LimitCredit;
+use crate::account::lends;
 
 /// Stabilizer that carries at most `most` joules of credit from tick to tick: `L(n) = min(L(n−1), most) − ΔV(n)`.
 ///
@@ -13,12 +14,14 @@ use crate::LimitCredit;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut bounded = popc.bounded(1e-4)?;
-/// let absorbed = PortSample::new(1e-3, 0.01, 0.1, 1e-4, 10.0); // 1 mJ, of which 0.1 mJ is kept
-/// let given = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // 0.2 mJ
+/// // 1 mJ, of which 0.1 mJ is kept
+/// let absorbed = HeldTick { period: 1e-3, position: 0.01, velocity: 0.1, displacement: 1e-4, applied: 10.0 }.sample();
+/// // 0.2 mJ
+/// let given = HeldTick { period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0 }.sample();
 /// bounded.stabilize(&absorbed, 2.0);
 /// let sum: f64 = bounded.stabilize(&given, 2.0).observed_energy;
 /// assert_abs_diff_eq!(sum, -1e-4, epsilon = 1e-12);
@@ -50,5 +53,36 @@ impl<V: Signal, S: Stabilizer<V> + LimitCredit<V::Scalar>> Stabilizer<V>
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         self.stabilizer.limit_credit(self.most);
         self.stabilizer.stabilize(sample, effort)
+    }
+}
+
+lends!(impl[S, T: Scalar] BoundedCredit<S, T>, of S, in T);
+
+impl<S, T: Scalar> BoundedCredit<S, T> {
+    /// The largest credit that is carried from tick to tick, J.
+    pub fn most(&self) -> T {
+        self.most
+    }
+
+    /// Changes the largest credit between ticks. What is above a smaller one is forfeited on the next tick; a larger one
+    /// weakens the bound to itself.
+    ///
+    /// # Errors
+    /// `most` below 0 or NaN; the old one stays.
+    pub fn set_most(&mut self, most: T) -> Result<(), ParameterError> {
+        self.most = Requirement::Limit.check("most stored credit", most)?;
+        Ok(())
+    }
+}
+
+impl<S: Snapshot, T: Scalar> Snapshot for BoundedCredit<S, T> {
+    type State = S::State;
+
+    fn state(&self) -> Self::State {
+        self.stabilizer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
     }
 }

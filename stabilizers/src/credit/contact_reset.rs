@@ -1,8 +1,11 @@
 //! Credit reset at each contact.
 
-use lyapunov_core::{Correction, Gate, Mask, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov_core::{
+    Correction, Gate, Mask, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer,
+};
 
 use crate::LimitCredit;
+use crate::account::lends;
 
 /// Stabilizer that forfeits its stored credit on the tick on which a gate opens, before that tick is booked.
 ///
@@ -12,12 +15,14 @@ use crate::LimitCredit;
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{InContact, PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{InContact, HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.reset_at(InContact { position: 0.0 });
-/// let outside = PortSample::new(1e-3, -0.001, 0.1, 1e-4, 10.0);
-/// let inside = PortSample::new(1e-3, 0.001, 0.1, 1e-4, 2.0);
+/// let outside = HeldTick {
+///     period: 1e-3, position: -0.001, velocity: 0.1, displacement: 1e-4, applied: 10.0
+/// }.sample();
+/// let inside = HeldTick { period: 1e-3, position: 0.001, velocity: 0.1, displacement: 1e-4, applied: 2.0 }.sample();
 /// let sums: [f64; 3] = [outside, inside, inside].map(|sample| popc.stabilize(&sample, 2.0).observed_energy);
 /// for (sum, joules) in sums.into_iter().zip([1e-3, 2e-4, 4e-4]) {
 ///     assert_abs_diff_eq!(sum, joules, epsilon = 1e-12); // the first in contact holds its own tick only
@@ -58,5 +63,21 @@ where
         let (none, all) = (V::Scalar::of(0.0), V::Scalar::largest());
         self.stabilizer.limit_credit(V::Scalar::choose(begins, none, all));
         self.stabilizer.stabilize(sample, effort)
+    }
+}
+
+lends!(impl[S, G, T: Scalar] ContactReset<S, G, T>, of S, in T);
+
+/// Where the gate was open is a 1, elsewhere a 0.
+impl<S: Snapshot, G, T: Scalar> Snapshot for ContactReset<S, G, T> {
+    type State = (S::State, T);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), T::choose(self.inside, T::of(1.0), T::of(0.0)))
+    }
+
+    fn restored(self, (inside, open): Self::State) -> Result<Self, ParameterError> {
+        let stabilizer = self.stabilizer.restored(inside)?;
+        Ok(Self { stabilizer, inside: open.above(T::of(0.5)), ..self })
     }
 }

@@ -1,6 +1,7 @@
 //! Windowed credit: credit that expires.
 
-use lyapunov_core::{Accumulator, ParameterError, Requirement, Scalar};
+use lyapunov_core::{Accumulator, ParameterError, Requirement, Scalar, Snapshot};
+use nalgebra::SVector;
 
 /// Sum whose credit expires: `L(n) = min(L(n−1), W(n)) + e(n)`, with `W(n)` the sum of the earlier positive `e` in the
 /// last `N` slots.
@@ -87,8 +88,29 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
         self.sum.lower(most);
     }
 
+    fn clear(&mut self) {
+        let Self { ticks, .. } = *self;
+        *self = Self { ticks, left: ticks, ..Self::zero() };
+    }
+
     #[inline]
     fn value(&self) -> T {
         self.sum.value()
+    }
+}
+
+impl<T: Scalar, A: Snapshot, const N: usize> Snapshot for WindowedCredit<T, A, N> {
+    /// The sum, the credit in the slots, J, the current slot, and the ticks left in it.
+    type State = (A::State, SVector<T, N>, usize, u32);
+
+    fn state(&self) -> Self::State {
+        (self.sum.state(), SVector::from(self.slots), self.slot, self.left)
+    }
+
+    fn restored(self, (sum, slots, slot, left): Self::State) -> Result<Self, ParameterError> {
+        let slots = Requirement::NonNegative.check_axes("stored credit", slots)?.into();
+        Requirement::AtMost(N.saturating_sub(1) as f64).check("stored slot", slot as f64)?;
+        Requirement::AtMost(f64::from(self.ticks)).check("stored ticks", f64::from(left))?;
+        Ok(Self { sum: self.sum.restored(sum)?, slots, slot, left, ..self })
     }
 }

@@ -16,15 +16,13 @@ impl<V: Signal> AxisWeights<V> {
     /// # Errors
     /// A weight below 0, above 1 or NaN.
     pub fn new(weights: V) -> Result<Self, ParameterError> {
-        let mut checked = Ok(());
-        let _ = weights.map(|weight| {
-            let own = Requirement::NonNegative
-                .check("weight", weight)
-                .and_then(|weight| Requirement::AtMost(1.0).check("weight", weight));
-            checked = checked.and(own.map(|_| ()));
-            weight
-        });
-        checked.map(|()| Self { weights })
+        let weights = Requirement::NonNegative.check_axes("weight", weights)?;
+        Ok(Self { weights: Requirement::AtMost(1.0).check_axes("weight", weights)? })
+    }
+
+    /// The metric of weights that are known to be from 0 to 1.
+    pub(crate) fn of_shares(weights: V) -> Self {
+        Self { weights }
     }
 }
 

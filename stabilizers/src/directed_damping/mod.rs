@@ -8,8 +8,9 @@ pub use along_direction::AlongDirection;
 pub use axis_weights::AxisWeights;
 pub use inertia_metric::InertiaMetric;
 
-use lyapunov_core::{Correction, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov_core::{Correction, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer};
 
+use crate::account::lends;
 use crate::{DampingLimit, StabilizerExt};
 
 /// Metric of the directions in which damping acts: a symmetric matrix `M` with eigenvalues from 0 to 1.
@@ -28,14 +29,16 @@ pub trait Metric<V: Signal> {
 /// the whole motion.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DirectedDamping, AlongDirection, DampingLimit, Popc};
 /// use nalgebra::Vector2;
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
 /// let normal = AlongDirection::new(Vector2::new(0.0, 2.0))?;
 /// let mut popc = DirectedDamping::new(Popc::new(PortEnergy, limit), normal, limit);
 /// let (velocity, displacement) = (Vector2::new(0.1, 0.1), Vector2::new(1e-4, 1e-4));
-/// let sample = PortSample::new(1e-3, Vector2::zeros(), velocity, displacement, Vector2::new(-1.0, 0.0));
+/// let sample = HeldTick {
+///     period: 1e-3, position: Vector2::zeros(), velocity, displacement, applied: Vector2::new(-1.0, 0.0)
+/// }.sample();
 /// let correction = popc.stabilize(&sample, Vector2::zeros());
 /// assert_eq!(correction.effort.x, 0.0);
 /// let left: f64 = correction.effort.dot(&velocity) * 1e-3 + correction.observed_energy;
@@ -91,5 +94,31 @@ where
             ..inner
         }
         .checked()
+    }
+}
+
+lends!(impl[S, M, T: Scalar] DirectedDamping<S, M, T>, of S, in T);
+
+impl<S, M, T: Scalar> DirectedDamping<S, M, T> {
+    /// The largest damping in any direction.
+    pub fn limit(&self) -> DampingLimit<T> {
+        self.limit
+    }
+
+    /// Changes the limit between ticks, as [`Lolc::set_limit`](crate::Lolc::set_limit).
+    pub fn set_limit(&mut self, limit: DampingLimit<T>) {
+        self.limit = limit;
+    }
+}
+
+impl<S: Snapshot, M, T: Scalar> Snapshot for DirectedDamping<S, M, T> {
+    type State = S::State;
+
+    fn state(&self) -> Self::State {
+        self.stabilizer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
     }
 }

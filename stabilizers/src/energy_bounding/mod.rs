@@ -4,7 +4,7 @@ mod band;
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -35,11 +35,13 @@ use band::{Band, Published, Tight};
 /// rest is never reached.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::EnergyBounding;
 /// let mut bounding = EnergyBounding::of_damping(0.5, 1e-3)?; // c1 = c2 = 500 N/m
 /// bounding.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let pressed = PortSample::new(1e-3, 0.1e-3, 0.1, 0.1e-3, 0.0);
+/// let pressed = HeldTick {
+///     period: 1e-3, position: 0.1e-3, velocity: 0.1, displacement: 0.1e-3, applied: 0.0
+/// }.sample();
 /// let effort: f64 = bounding.stabilize(&pressed, 0.5).effort; // 5 kN/m
 /// assert!((effort - 0.05).abs() < 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -88,11 +90,32 @@ impl<V: Signal> EnergyBounding<V> {
         period: V::Scalar,
         ticks: u32,
     ) -> Result<Self, ParameterError> {
-        let burns = rate(damping, period)?;
-        let slope = burns / V::Scalar::of(1.0 + f64::from(ticks));
-        let slope = Requirement::Positive.check("energy-bounding c1", slope)?;
-        let fall = if ticks == 0 { V::Scalar::largest() } else { slope };
-        Ok(Self::within(Published { rise: slope, release: slope, fall, burns }))
+        let slope = rate(damping, period)? / V::Scalar::of(1.0 + f64::from(ticks));
+        Ok(Self::new(slope, slope)?.on_damping(damping, period)?.late(ticks))
+    }
+
+    /// The same algorithm on a device that has the viscous `damping` b, N·s/m, which may be another than `c1 T`; what it
+    /// dissipates is counted in the observed energy.
+    ///
+    /// # Errors
+    /// `damping` below 0, infinite or NaN; `period` not above 0 and finite, or their quotient out of range.
+    pub fn on_damping(
+        mut self,
+        damping: V::Scalar,
+        period: V::Scalar,
+    ) -> Result<Self, ParameterError> {
+        let damping = Requirement::NonNegative.check("device damping", damping)?;
+        let period = Requirement::Positive.check("period", period)?;
+        let burns = damping / period;
+        self.band.burns =
+            Requirement::NonNegative.check("device damping over the period", burns)?;
+        Ok(self)
+    }
+
+    /// The same algorithm for a force that acts `ticks` periods late: `β` does not fall below `−c1` either.
+    pub fn late(mut self, ticks: u32) -> Self {
+        self.band.fall = if ticks == 0 { V::Scalar::largest() } else { self.band.rise };
+        self
     }
 }
 
@@ -145,5 +168,19 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         self.force = V::choose(accepted, bounded, V::zero());
         let shortfall = (-sum).larger(zero);
         Correction { effort: self.force, observed_energy: sum, alpha: zero, shortfall, accepted }
+    }
+}
+
+impl<V: Signal, B> Snapshot for EnergyBounding<V, B> {
+    /// The last force, N, and the energy, J.
+    type State = (V, V::Scalar);
+
+    fn state(&self) -> Self::State {
+        (self.force, self.energy.state())
+    }
+
+    fn restored(self, (force, energy): Self::State) -> Result<Self, ParameterError> {
+        let force = Requirement::Finite.check_axes("stored force", force)?;
+        Ok(Self { force, energy: self.energy.restored(energy)?, ..self })
     }
 }

@@ -13,10 +13,11 @@ use core::marker::PhantomData;
 
 use lyapunov_core::{
     Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Stabilizer,
+    Snapshot, Stabilizer,
 };
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
+use crate::account::account_in_sum;
 use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
@@ -46,11 +47,11 @@ use reset::Reset;
 /// It needs no velocity and adds no damping: it bounds a swing and need not end it.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::ForceBounding;
 /// let mut bounding = ForceBounding::of_damping(0.5)?; // N·s/m
 /// bounding.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 0.0);
-/// let touched = PortSample::new(1e-3, 1e-4, 0.1, 1e-4, 0.0);
+/// let touched = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: 0.0 }.sample();
 /// let effort: f64 = bounding.stabilize(&touched, 5.0).effort;
 /// assert!((effort - 0.1).abs() < 1e-12); // 2 b v
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -182,5 +183,22 @@ where
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+account_in_sum!(
+    impl[T: Scalar, D, R, A: Accumulator<T>, const N: usize] ForceBounding<T, D, R, A, N>, in T, is energy
+);
+
+impl<T: Scalar, D, R, A: Snapshot, const N: usize> Snapshot for ForceBounding<T, D, R, A, N> {
+    /// The energy, and what the forces under way may take.
+    type State = (A::State, SVector<T, N>);
+
+    fn state(&self) -> Self::State {
+        (self.energy.state(), self.pipe.costs())
+    }
+
+    fn restored(self, (energy, costs): Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { energy: self.energy.restored(energy)?, pipe: self.pipe.carrying(costs)?, ..self })
     }
 }

@@ -3,6 +3,7 @@
 use core::mem::swap;
 
 use lyapunov_core::{ParameterError, Requirement, Scalar};
+use nalgebra::SVector;
 
 /// The energy that each force under way may take at most, J, the latest first; without room for one it has no size.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +25,20 @@ impl<T: Scalar, const N: usize> Pipe<T, N> {
         let mut slots = [Slot { cost: T::of(0.0), used: false }; N];
         slots.iter_mut().take(ticks as usize).for_each(|slot| slot.used = true);
         Ok(Self { slots })
+    }
+
+    /// What each of them may take, J.
+    pub(super) fn costs(&self) -> SVector<T, N> {
+        SVector::from_fn(|index, _| self.slots[index].cost)
+    }
+
+    /// The same pipe with other forces under way; nothing is in the places that are left out.
+    pub(super) fn carrying(mut self, costs: SVector<T, N>) -> Result<Self, ParameterError> {
+        for (slot, cost) in self.slots.iter_mut().zip(costs.iter()) {
+            let cost = Requirement::NonNegative.check("stored cost", *cost)?;
+            slot.cost = if slot.used { cost } else { T::of(0.0) };
+        }
+        Ok(self)
     }
 
     /// Energy that all of them may take.

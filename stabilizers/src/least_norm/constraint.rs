@@ -61,15 +61,8 @@ impl<V: Signal> Constraint<V> {
     /// A weight not above 0 and finite.
     #[inline]
     pub fn filter(&self, wished: V, weights: V) -> Result<Input<V>, ParameterError> {
-        let mut refused = None;
-        weights.map(|weight| {
-            refused = refused.or(Requirement::Positive.check("input's weight", weight).err());
-            weight
-        });
-        match refused {
-            Some(error) => Err(error),
-            None => Ok(self.nearest(wished, |gain| gain.zip(weights, |b, weight| b / weight))),
-        }
+        let weights = Requirement::Positive.check_axes("input's weight", weights)?;
+        Ok(self.nearest(wished, |gain| gain.zip(weights, |b, weight| b / weight)))
     }
 
     #[inline(always)]

@@ -6,9 +6,10 @@ pub use constraint::{Constraint, Input};
 
 use lyapunov_core::{
     Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
-    Requirement, Scalar, Signal, Stabilizer,
+    Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
+use crate::account::account;
 use crate::{DampingLimit, LimitCredit, StabilizerExt};
 
 /// A safety filter on an energy: the least correction that keeps the next observed energy above a share of this one,
@@ -29,11 +30,15 @@ use crate::{DampingLimit, LimitCredit, StabilizerExt};
 /// reported as shortfall.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, LeastNorm};
 /// let mut filter = LeastNorm::new(PortEnergy, DampingLimit::at(100.0)?, 1.0)?;
-/// filter.stabilize(&PortSample::new(1e-3, 2e-4, 0.2, 2e-4, 0.5), 4.0); // takes 0.1 mJ
-/// let back = PortSample::new(1e-3, 2e-4, -0.1, 0.0, 4.0); // is about to give 0.4 mJ
+/// // takes 0.1 mJ
+/// filter.stabilize(&HeldTick {
+///     period: 1e-3, position: 2e-4, velocity: 0.2, displacement: 2e-4, applied: 0.5
+/// }.sample(), 4.0);
+/// // is about to give 0.4 mJ
+/// let back = HeldTick { period: 1e-3, position: 2e-4, velocity: -0.1, displacement: 0.0, applied: 4.0 }.sample();
 /// let correction = filter.stabilize(&back, 4.0_f64);
 /// let effort: f64 = correction.effort;
 /// assert!((effort - 1.0).abs() < 1e-12 && correction.shortfall < 1e-12);
@@ -115,5 +120,41 @@ where
             accepted,
         }
         .checked()
+    }
+}
+
+account!(impl[T: Scalar, C, A: Accumulator<T>] LeastNorm<T, C, A>, in T, is observer.ledger);
+
+impl<T: Scalar, C, A> LeastNorm<T, C, A> {
+    /// The candidate.
+    pub fn candidate(&self) -> &C {
+        &self.observer.candidate
+    }
+
+    /// The candidate, to be changed between ticks, as [`Lolc::candidate_mut`](crate::Lolc::candidate_mut).
+    pub fn candidate_mut(&mut self) -> &mut C {
+        &mut self.observer.candidate
+    }
+
+    /// The largest damping.
+    pub fn limit(&self) -> DampingLimit<T> {
+        self.limit
+    }
+
+    /// Changes the limit between ticks, as [`Lolc::set_limit`](crate::Lolc::set_limit).
+    pub fn set_limit(&mut self, limit: DampingLimit<T>) {
+        self.limit = limit;
+    }
+}
+
+impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for LeastNorm<T, C, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
     }
 }

@@ -1,6 +1,8 @@
 //! Damper of an ideal environment: the energy that it dissipates.
 
-use lyapunov_core::{LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 /// A term of a reference: `−ΔV = −b |Δp|² / T`, what a damper `b` (N·s/m) on the deformation `p(x)` (m) dissipates at
 /// least over a tick, J.
@@ -39,5 +41,18 @@ impl<V: Signal, F: Fn(V) -> V> LyapunovCandidate<V> for ReferenceDamper<F, V> {
         self.last = V::choose(now.finite(), now, self.last);
         let burnt = self.damping * (deformed.inner(deformed) / sample.period);
         V::Scalar::choose(burnt.finite(), -burnt, V::Scalar::of(0.0))
+    }
+}
+
+impl<F, V: Signal> Snapshot for ReferenceDamper<F, V> {
+    /// The last deformation, m.
+    type State = V;
+
+    fn state(&self) -> V {
+        self.last
+    }
+
+    fn restored(self, last: V) -> Result<Self, ParameterError> {
+        Ok(Self { last: Requirement::Finite.check_axes("stored deformation", last)?, ..self })
     }
 }

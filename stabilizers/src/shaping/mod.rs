@@ -4,11 +4,13 @@
 //! applied effort, not the requested one, so the part held back stays in `L`: a shaper delays the dissipation and
 //! changes no sum. Under sampled work the ledger books every correction in full, so the part held back is lost.
 
+mod inertia_limit;
 mod rate_limit;
 mod soft_start;
 mod spread;
 mod velocity_threshold;
 
+pub use inertia_limit::InertiaLimit;
 pub use rate_limit::RateLimit;
 pub use soft_start::SoftStart;
 pub use spread::Spread;

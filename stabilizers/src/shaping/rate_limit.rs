@@ -1,10 +1,11 @@
 //! Rate limit: corrections that grow no faster than a motor follows.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::{added, portion};
+use crate::account::lends;
 
 /// Stabilizer whose correction grows by at most `rate · T` newtons per tick on each axis, `rate` in N/s.
 ///
@@ -15,11 +16,11 @@ use super::{added, portion};
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.rate_limited(500.0)?;
-/// let sample = PortSample::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -8.0 }.sample();
 /// for most in [0.5, 1.0, 1.5] {
 ///     let effort: f64 = popc.stabilize(&sample, 0.0).effort;
 ///     assert_abs_diff_eq!(effort, most, epsilon = 1e-12);
@@ -59,5 +60,36 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for RateLimit<S, V> {
         let correction = portion(correction, sample, effort, share);
         self.last = added(&correction, effort);
         correction
+    }
+}
+
+lends!(impl[S, V: Signal] RateLimit<S, V>, of S, in V::Scalar);
+
+impl<S, V: Signal> RateLimit<S, V> {
+    /// The largest growth of a correction, N/s.
+    pub fn rate(&self) -> V::Scalar {
+        self.rate
+    }
+
+    /// Changes the largest growth between ticks. A smaller one delays dissipation and changes no sum.
+    ///
+    /// # Errors
+    /// `rate` below 0 or NaN; the old one stays.
+    pub fn set_rate(&mut self, rate: V::Scalar) -> Result<(), ParameterError> {
+        self.rate = Requirement::Limit.check("correction rate", rate)?;
+        Ok(())
+    }
+}
+
+impl<S: Snapshot, V: Signal> Snapshot for RateLimit<S, V> {
+    type State = (S::State, V);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.last)
+    }
+
+    fn restored(self, (inside, last): Self::State) -> Result<Self, ParameterError> {
+        let last = Requirement::Finite.check_axes("stored correction", last)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, last, ..self })
     }
 }

@@ -1,10 +1,11 @@
 //! Soft start: corrections that rise over the first ticks of an engagement.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::portion;
+use crate::account::lends;
 
 /// Stabilizer whose correction rises over the first `N` ticks of each engagement: on the `j`-th tick in debt after
 /// one without, `min(1, j / N)` of it is applied.
@@ -13,13 +14,16 @@ use super::portion;
 /// `N = 1` changes no bit.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.rising_over(4)?;
-/// let sample = PortSample::new(1e-3, 0.0, 0.1, 1e-4, -8.0);
+/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -8.0 }.sample();
 /// let first = popc.stabilize(&sample, 0.0);
-/// let second = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 0.0); // the same debt
+/// // the same debt
+/// let second = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 0.0
+/// }.sample(), 0.0);
 /// assert_eq!(second.alpha, 2.0 * first.alpha);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
@@ -46,5 +50,20 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for SoftStart<S, V::Scalar> {
         self.engaged = V::Scalar::choose(correction.observed_energy.below(zero), further, zero);
         // By division: a product with 1 / N may stay below 1 on the N-th tick.
         portion(correction, sample, effort, self.engaged / self.ticks)
+    }
+}
+
+lends!(impl[S, T: Scalar] SoftStart<S, T>, of S, in T);
+
+impl<S: Snapshot, T: Scalar> Snapshot for SoftStart<S, T> {
+    type State = (S::State, T);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.engaged)
+    }
+
+    fn restored(self, (inside, engaged): Self::State) -> Result<Self, ParameterError> {
+        let engaged = Requirement::NonNegative.check("stored ticks", engaged)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, engaged, ..self })
     }
 }

@@ -1,10 +1,11 @@
 //! Spread correction: a debt paid in instalments.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::portion;
+use crate::account::lends;
 
 /// Stabilizer that pays a debt over `N` ticks instead of at once.
 ///
@@ -17,11 +18,14 @@ use super::portion;
 ///
 /// ```
 /// use approx::abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.spread_over(4)?;
-/// let correction = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, -2.0), 0.0); // a debt of 0.2 mJ
+/// // a debt of 0.2 mJ
+/// let correction = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -2.0
+/// }.sample(), 0.0);
 /// let burnt: f64 = correction.alpha * 0.1 * 0.1 * 1e-3;
 /// let left: f64 = correction.shortfall;
 /// assert!(abs_diff_eq!(burnt, 0.5e-4, epsilon = 1e-15) && abs_diff_eq!(left, 1.5e-4, epsilon = 1e-15));
@@ -53,5 +57,20 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
         let one = V::Scalar::of(1.0);
         let share = V::Scalar::choose(self.part.below(full), self.part / burnt, one);
         portion(correction, sample, effort, share)
+    }
+}
+
+lends!(impl[S, T: Scalar] Spread<S, T>, of S, in T);
+
+impl<S: Snapshot, T: Scalar> Snapshot for Spread<S, T> {
+    type State = (S::State, T);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.part)
+    }
+
+    fn restored(self, (inside, part): Self::State) -> Result<Self, ParameterError> {
+        let part = Requirement::NonNegative.check("stored instalment", part)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, part, ..self })
     }
 }

@@ -1,10 +1,11 @@
 //! Velocity threshold: no correction near rest.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::portion;
+use crate::account::lends;
 
 /// Stabilizer that corrects only where `|v|` is at least a threshold, m/s.
 ///
@@ -15,13 +16,17 @@ use super::portion;
 /// count over the period. 0 changes no bit.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt};
 /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
 /// let mut popc = popc.above_velocity(0.05)?;
-/// let slow = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.01, 1e-5, -2.0), 0.0);
+/// let slow = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.01, displacement: 1e-5, applied: -2.0
+/// }.sample(), 0.0);
 /// assert!(slow.alpha == 0.0 && slow.shortfall == 2e-5);
-/// let fast = popc.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 0.0), 0.0);
+/// let fast = popc.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 0.0
+/// }.sample(), 0.0);
 /// assert!(fast.alpha > 0.0 && fast.shortfall == 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
@@ -46,5 +51,19 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for VelocityThreshold<S, V::Scal
         let slow = sample.velocity.inner(sample.velocity).below(self.square);
         let share = V::Scalar::choose(slow, V::Scalar::of(0.0), V::Scalar::of(1.0));
         portion(correction, sample, effort, share)
+    }
+}
+
+lends!(impl[S, T: Scalar] VelocityThreshold<S, T>, of S, in T);
+
+impl<S: Snapshot, T: Scalar> Snapshot for VelocityThreshold<S, T> {
+    type State = S::State;
+
+    fn state(&self) -> Self::State {
+        self.stabilizer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
     }
 }

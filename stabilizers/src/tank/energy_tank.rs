@@ -1,6 +1,6 @@
 //! An energy tank with a port.
 
-use lyapunov_core::{ParameterError, Scalar, Signal};
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal, Snapshot};
 
 use super::{BoundedValve, OpenValve, TankLimits, Valve};
 
@@ -78,5 +78,18 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
         let sound = (left + energy + share + dissipated).finite() & wished.finite();
         self.energy = T::choose(sound, energy, self.energy);
         V::choose(sound, wished.scale(share), V::zero())
+    }
+}
+
+impl<T: Scalar, L> Snapshot for EnergyTank<T, L> {
+    /// The energy in it, J.
+    type State = T;
+
+    fn state(&self) -> T {
+        self.energy
+    }
+
+    fn restored(self, energy: T) -> Result<Self, ParameterError> {
+        Ok(Self { energy: Requirement::Finite.check("stored energy", energy)?, ..self })
     }
 }

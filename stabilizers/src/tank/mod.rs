@@ -8,9 +8,10 @@ pub use valve::{BoundedValve, OpenValve, Valve};
 
 use lyapunov_core::{
     Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
-    Requirement, Scalar, Signal, Stabilizer,
+    Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
+use crate::account::account;
 use crate::{LimitCredit, StabilizerExt};
 
 /// Limits on the energy that a [`Tank`] or an [`EnergyTank`] may hold and hand out.
@@ -60,11 +61,11 @@ impl<T: Scalar> TankLimits<T> {
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
-/// use lyapunov_core::{PortSample, PortEnergy, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
 /// use lyapunov_stabilizers::{TankLimits, Tank};
 /// let store = TankLimits { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
 /// let mut tank = Tank::new(PortEnergy, store)?;
-/// let outwards = PortSample::new(1e-3, 0.0, -0.1, 0.0, 0.0);
+/// let outwards = HeldTick { period: 1e-3, position: 0.0, velocity: -0.1, displacement: 0.0, applied: 0.0 }.sample();
 /// let effort: f64 = tank.stabilize(&outwards, 4.0).effort; // 0.4 W asked, 0.1 mJ over 1 ms to give
 /// assert_abs_diff_eq!(effort, 1.0, epsilon = 1e-12);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
@@ -121,5 +122,31 @@ where
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+account!(impl[T: Scalar, C, A: Accumulator<T>] Tank<T, C, A>, in T, is observer.ledger);
+
+impl<T: Scalar, C, A> Tank<T, C, A> {
+    /// The candidate.
+    pub fn candidate(&self) -> &C {
+        &self.observer.candidate
+    }
+
+    /// The candidate, to be changed between ticks, as [`Lolc::candidate_mut`](crate::Lolc::candidate_mut).
+    pub fn candidate_mut(&mut self) -> &mut C {
+        &mut self.observer.candidate
+    }
+}
+
+impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for Tank<T, C, A> {
+    type State = (C::State, A::State);
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
     }
 }

@@ -1,11 +1,13 @@
 //! Drift compensation of an admittance port.
 
 use lyapunov_core::{
-    Accumulator, Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Accumulator, Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+    Stabilizer,
 };
 
 use super::TwoPortSide;
 use super::booking::{Booking, Spending};
+use crate::account::lends;
 
 /// Stabilizer of an admittance port that compensates the position drift of its corrections.
 ///
@@ -102,5 +104,20 @@ where
         let drift = self.drift + (flow - effort).scale(sample.period);
         self.drift = V::choose(correction.accepted & drift.finite(), drift, self.drift);
         Correction { effort: flow, ..correction }.checked()
+    }
+}
+
+lends!(impl[S, V: Signal] DriftCompensated<S, V>, of S, in V::Scalar);
+
+impl<S: Snapshot, V: Signal> Snapshot for DriftCompensated<S, V> {
+    type State = (S::State, V);
+
+    fn state(&self) -> Self::State {
+        (self.stabilizer.state(), self.drift)
+    }
+
+    fn restored(self, (inside, drift): Self::State) -> Result<Self, ParameterError> {
+        let drift = Requirement::Finite.check_axes("stored drift", drift)?;
+        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, drift, ..self })
     }
 }

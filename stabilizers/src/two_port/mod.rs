@@ -7,9 +7,11 @@ mod one_way;
 pub use drift::DriftCompensated;
 
 use lyapunov_core::{
-    Accumulator, Correction, Held, Plain, PortSample, Sampled, Signal, Stabilizer, Work,
+    Accumulator, Correction, Held, ParameterError, Plain, PortSample, Sampled, Signal, Snapshot,
+    Stabilizer, Work,
 };
 
+use crate::account::account;
 use crate::{DampingLimit, LimitCredit, Lolc, StabilizerExt};
 use booking::Booking;
 use one_way::OneWay;
@@ -44,14 +46,18 @@ use one_way::OneWay;
 /// digits: in `f32` they stop growing after a while, which is safe and useless, so take `f64`.
 ///
 /// ```
-/// use lyapunov_core::{PortSample, Stabilizer};
+/// use lyapunov_core::{HeldTick, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{DampingLimit, TwoPortSide};
 /// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?;
 /// let (mut master, mut slave) = (TwoPortSide::new(limit), TwoPortSide::new(limit));
 /// master.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 3.0);
-/// master.stabilize(&PortSample::new(1e-3, 0.0, 0.1, 1e-4, 3.0), 3.0); // absorbs 0.3 mJ
+/// // absorbs 0.3 mJ
+/// master.stabilize(&HeldTick {
+///     period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 3.0
+/// }.sample(), 3.0);
 /// slave.stabilize(&PortSample::starting(1e-3, 0.0, -0.1), 2.0);
-/// let pushes = PortSample::new(1e-3, 0.0, -0.1, -1e-4, 2.0); // gives 0.2 mJ
+/// // gives 0.2 mJ
+/// let pushes = HeldTick { period: 1e-3, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0 }.sample();
 /// assert!({ slave }.stabilize(&pushes, 2.0).alpha > 0.0); // not received yet: a debt
 /// slave.receive(master.absorbed());
 /// assert_eq!(slave.stabilize(&pushes, 2.0).alpha, 0.0);
@@ -117,5 +123,22 @@ impl<V: Signal, W: Booking, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoPort
             self.controller.candidate_mut().ask(asked);
         }
         correction
+    }
+}
+
+account!(
+    impl[V: Signal, W: Work, A: Accumulator<V::Scalar>] TwoPortSide<V, W, A>, in V::Scalar, is controller
+);
+
+impl<V: Signal, W: Work, A: Snapshot> Snapshot for TwoPortSide<V, W, A> {
+    /// The energies received, booked and absorbed, J, the effort asked for, N, and the account.
+    type State = ((V::Scalar, V::Scalar, V::Scalar, V), A::State);
+
+    fn state(&self) -> Self::State {
+        self.controller.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { controller: self.controller.restored(state)? })
     }
 }

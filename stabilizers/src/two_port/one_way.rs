@@ -1,6 +1,8 @@
 //! The account of one side of a link.
 
-use lyapunov_core::{LyapunovCandidate, PortSample, Scalar, Signal};
+use lyapunov_core::{
+    LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 /// Energy that the other side reported as absorbed, less what the channel gave, plus what the correction dissipated:
 /// the candidate of a [`TwoPortSide`](super::TwoPortSide).
@@ -51,5 +53,24 @@ impl<V: Signal> LyapunovCandidate<V> for OneWay<V> {
         let credit = self.received - self.booked;
         self.booked = V::Scalar::choose(sound, self.received, self.booked);
         V::Scalar::choose(sound, credit + (crossed.smaller(zero) + burnt), burnt)
+    }
+}
+
+impl<V: Signal> Snapshot for OneWay<V> {
+    type State = (V::Scalar, V::Scalar, V::Scalar, V);
+
+    fn state(&self) -> Self::State {
+        (self.received, self.booked, self.absorbed, self.asked)
+    }
+
+    fn restored(
+        self,
+        (received, booked, absorbed, asked): Self::State,
+    ) -> Result<Self, ParameterError> {
+        for energy in [received, booked, absorbed] {
+            Requirement::NonNegative.check("stored exchange", energy)?;
+        }
+        // The effort may be anything: one that is not finite spoils its own tick only.
+        Ok(Self { received, booked, absorbed, asked })
     }
 }

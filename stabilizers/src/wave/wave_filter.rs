@@ -1,6 +1,6 @@
 //! Filter of waves.
 
-use lyapunov_core::{ParameterError, Requirement, Signal};
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal, Snapshot};
 
 /// A low pass in the path of a wave: `s += a (u − s)`, `0 < a ≤ 1`, in √W; `s` is sent.
 ///
@@ -23,7 +23,7 @@ pub struct WaveFilter<V: Signal> {
 }
 
 impl<V: Signal> WaveFilter<V> {
-    /// A filter that takes over `share` a of a change on each tick; 1 passes waves as they are.
+    /// A filter that takes over `share` a of a change on each tick; 1 passes waves as they are, bit for bit.
     ///
     /// # Errors
     /// `share` not above 0, or above 1.
@@ -36,8 +36,23 @@ impl<V: Signal> WaveFilter<V> {
     /// The wave to send for `wave`.
     #[inline]
     pub fn pass(&mut self, wave: V) -> V {
-        let sent = self.sent + (wave - self.sent).scale(self.share);
+        // A share of both, so that a share of 1 passes each bit.
+        let kept = V::Scalar::of(1.0) - self.share;
+        let sent = wave.scale(self.share) + self.sent.scale(kept);
         self.sent = V::choose(sent.finite(), sent, self.sent);
         self.sent
+    }
+}
+
+impl<V: Signal> Snapshot for WaveFilter<V> {
+    /// The last wave that was sent, √W.
+    type State = V;
+
+    fn state(&self) -> V {
+        self.sent
+    }
+
+    fn restored(self, sent: V) -> Result<Self, ParameterError> {
+        Ok(Self { sent: Requirement::Finite.check_axes("stored wave", sent)?, ..self })
     }
 }

@@ -8,7 +8,7 @@ use proptest::prelude::any;
 use proptest::prop_assert;
 
 use lyapunov::{
-    Dissipation, LyapunovCandidate, OnePort, PortSample,
+    Dissipation, HeldTick, LyapunovCandidate, OnePort, PortSample,
     bodies::Impedance,
     effects::OnePortExt,
     environments::{Contact, HuntCrossley, MassSpringDamper, MovingWall, Sphere, Spring, Wall},
@@ -100,7 +100,16 @@ fn acceleration_behind_a_hold_is_over_the_whole_hold() {
     let impedance = Impedance { mass: 7.0, damping: 0.0, stiffness: 0.0 };
     let mut spy = Spy::on(MassSpringDamper::<f64>::new(impedance).expect("a mass"));
     let mut held = (&mut spy).held(3).expect("a hold");
-    let drives = (0..7).map(|n| PortSample::new(0.5, 0.0, f64::from(n), 0.5 * f64::from(n), 0.0));
+    let drives = (0..7).map(|n| {
+        HeldTick {
+            period: 0.5,
+            position: 0.0,
+            velocity: f64::from(n),
+            displacement: 0.5 * f64::from(n),
+            applied: 0.0,
+        }
+        .sample()
+    });
     let forces: Vec<f64> = drives.map(|sample| held.respond(&sample)).collect();
     assert_eq!(forces, [0.0, 0.0, 0.0, 14.0, 14.0, 14.0, 14.0]);
 }
@@ -116,10 +125,24 @@ fn mass_spring_damper_on_several_axes() {
     for n in 0..20 {
         let at = Vector3::new(0.1, 0.2, -0.3) * f64::from(n);
         let velocity = at.map(|x| (3.0 * x).sin());
-        let sample = PortSample::new(1e-3, at, velocity, Vector3::zeros(), Vector3::zeros());
+        let sample = HeldTick {
+            period: 1e-3,
+            position: at,
+            velocity,
+            displacement: Vector3::zeros(),
+            applied: Vector3::zeros(),
+        }
+        .sample();
         let effort = whole.respond(&sample);
         for (axis, port) in axes.iter_mut().enumerate() {
-            let alone = PortSample::new(1e-3, at[axis], velocity[axis], 0.0, 0.0);
+            let alone = HeldTick {
+                period: 1e-3,
+                position: at[axis],
+                velocity: velocity[axis],
+                displacement: 0.0,
+                applied: 0.0,
+            }
+            .sample();
             assert!(same(effort[axis], port.respond(&alone)));
         }
         let burnt: f64 = velocity.iter().map(|v| 3.0 * v * v * 1e-3).sum();

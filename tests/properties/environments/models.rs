@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use lyapunov::{
-    Dissipation, LyapunovCandidate, OnePort, PortSample, Scalar,
+    Dissipation, HeldTick, LyapunovCandidate, OnePort, PortSample, Scalar,
     bodies::Impedance,
     environments::{
         HuntCrossley, LayeredWall, MassSpringDamper, MovingWall, Spring, VaryingSpring, Wall,
@@ -60,7 +60,14 @@ impl<T: Scalar> Parts<T> {
         let position = self.position + each(x, first, |bits| 0.02 * (unit(bits) - 0.5));
         let velocity = each(v, first, |bits| 4.0 * (unit(bits) - 0.5));
         let period = T::of(1.0) / self.rate;
-        PortSample::new(period, position, velocity, velocity * period, T::of(0.0))
+        HeldTick {
+            period,
+            position,
+            velocity,
+            displacement: velocity * period,
+            applied: T::of(0.0),
+        }
+        .sample()
     }
 
     pub(crate) fn widened(&self) -> Parts<f64> {

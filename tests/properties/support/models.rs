@@ -5,7 +5,7 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::strategy::Strategy;
 
-use lyapunov::{DampingLimit, PortSample, Scalar};
+use lyapunov::{DampingLimit, HeldTick, PortSample, Scalar};
 
 use crate::support::{Bits, Double, Port, Real, bad, hostile, log_between, ordinary};
 
@@ -66,7 +66,7 @@ pub(crate) fn drive_of<V: Port>(
     let (applied, effort) = (number(6, 10.0), number(9, 10.0));
     let position = number(12 - 3 * usize::from(bits[15] & 1 == 0), 1.0);
     let period = if tame { period } else { Scalar::of(log_between(bits[15], 1e-6, 1.0)) };
-    (PortSample::new(period, position, velocity, displacement, applied), effort)
+    (HeldTick { period, position, velocity, displacement, applied }.sample(), effort)
 }
 
 /// The sample with a value that is not finite in it.

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Matrix5};
 
 use lyapunov::{
-    ParameterError, Plant, PortSample,
+    HeldTick, ParameterError, Plant, PortSample,
     bodies::{Impedance, Linear, OperatedBody, held_input},
 };
 
@@ -46,7 +46,14 @@ impl Plant<f64> for TwoMasses {
         for (row, value) in self.state.iter_mut().enumerate() {
             *value += (0..5).map(|column| increment[(row, column)] * by[column]).sum::<f64>();
         }
-        PortSample::new(self.period, self.state[2], self.state[3], self.state[2] - x2, effort)
+        HeldTick {
+            period: self.period,
+            position: self.state[2],
+            velocity: self.state[3],
+            displacement: self.state[2] - x2,
+            applied: effort,
+        }
+        .sample()
     }
 }
 

@@ -137,6 +137,19 @@ impl Draft {
                 keys.extend(self.further_parts());
                 (keys, format!("the motion within one period is beyond the range of {scalar}"))
             }
+            ("device.damping", Requirement::Positive) => {
+                let name = self.stabilizer.map_or("", |it| it.name());
+                return Conflict::new(
+                    error.parameter,
+                    format!(
+                        "`stabilizer.{name}` relies on a damping of the device, and `device.damping` is {:?} N.s/m",
+                        error.value
+                    ),
+                    format!(
+                        "give the damping that the device surely has, or write the numbers of [stabilizer.{name}]"
+                    ),
+                );
+            }
             ("mass", _) => (vec![mass, theirs[0]], sum(theirs[0].0, mass.0)),
             ("damping", _) => (vec![damping, theirs[1]], sum(theirs[1].0, damping.0)),
             ("period", Requirement::InRange) if self.integrator != Integrator::Exact => {

@@ -1,7 +1,7 @@
 //! The keys of scene files for messages: the unit and a correct example line of each.
 
 use super::book::{Book, Key, count, joined, key};
-use super::environments;
+use super::{environments, stabilizers};
 
 /// The keys of scene files.
 pub(crate) const BOOK: Book = Book { noun: "scene", keys: KEYS, smallest: SMALLEST };
@@ -17,7 +17,7 @@ stiffness = 8000.0  # N/m";
 /// Every key and table; a test compares them with the types.
 pub(super) const KEYS: &[Key] = &joined::<{ count(TABLES) }>(TABLES);
 
-const TABLES: &[&[Key]] = &[LOOP, environments::KEYS, WATCHING];
+const TABLES: &[&[Key]] = &[LOOP, environments::KEYS, STABILIZED, stabilizers::KEYS, EFFECTS];
 
 /// The keys before the environments.
 const LOOP: &[Key] = &[
@@ -64,18 +64,12 @@ const LOOP: &[Key] = &[
     key("environment", "", "[environment.wall]\nstiffness = 8000.0  # N/m"),
 ];
 
-/// The keys from the stabilizer on.
-const WATCHING: &[Key] = &[
-    key("stabilizer", "", "[stabilizer.popc]\ndamping_cap = 0.5  # m / T"),
-    key("stabilizer.lolc", "", "[stabilizer.lolc]\ndamping_cap = 0.5  # m / T"),
-    key("stabilizer.lolc.work", "", "work = \"held\""),
-    key("stabilizer.lolc.candidate", "", "candidate = \"device-damping\""),
-    key("stabilizer.lolc.ledger", "", "ledger = \"wide\""),
-    key("stabilizer.lolc.damping_cap", "m / T", "damping_cap = 0.5  # m / T"),
-    key("stabilizer.popc", "", "[stabilizer.popc]\ndamping_cap = 0.5  # m / T"),
-    key("stabilizer.popc.work", "", "work = \"held\""),
-    key("stabilizer.popc.ledger", "", "ledger = \"wide\""),
-    key("stabilizer.popc.damping_cap", "m / T", "damping_cap = 0.5  # m / T"),
+/// The key of the stabilizers.
+const STABILIZED: &[Key] =
+    &[key("stabilizer", "", "[stabilizer.popc]\ndamping_cap = 0.5  # m / T")];
+
+/// The keys of the effects.
+const EFFECTS: &[Key] = &[
     key("effects", "", "[effects.encoder]\nresolution = 1e-5  # m"),
     key("effects.encoder", "", "[effects.encoder]\nresolution = 1e-5  # m"),
     key("effects.encoder.resolution", "m", "resolution = 1e-5  # m"),
@@ -120,9 +114,15 @@ const WATCHING: &[Key] = &[
     key("effects.pulse.force", "N", "force = 2.0  # N"),
 ];
 
-/// The keys of numbers: all but those of tables and words.
-pub(crate) fn number_keys() -> impl Iterator<Item = &'static str> {
-    KEYS.iter().filter(|key| !key.is_table() && !key.example.contains('"')).map(|key| key.path)
+/// Whether `key` is a number: all are but those of tables and words.
+pub(crate) fn is_number(key: &str) -> bool {
+    BOOK.find(key).is_some_and(|key| !key.is_table() && !key.example.contains('"'))
+}
+
+/// Whether `key` is a number that is whole in its example.
+pub(crate) fn is_whole(key: &str) -> bool {
+    let example = BOOK.find(key).and_then(|key| key.example.parse::<toml::Table>().ok());
+    example.is_some_and(|it| it.values().any(toml::Value::is_integer))
 }
 
 /// The unit of a key of a scene; empty if it has none.

@@ -53,7 +53,7 @@ mod quantity;
 mod reader;
 mod rules;
 mod schema;
-mod stabilizer;
+mod stabilizers;
 mod syntax;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -73,18 +73,18 @@ pub use effects::{
 };
 pub use environments::*;
 pub use integrator::Integrator;
-pub(crate) use keys::{BOOK, number_keys, unit};
+pub(crate) use keys::{BOOK, is_number, is_whole, unit};
 pub(crate) use load::{MODEL, TELEOPERATOR, text_of};
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{
-    Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive, Probability,
-    Seed, StepsPerTick, WindowTicks,
+    Cap, DelayTicks, Dimensions, Finite, HoldTicks, NonNegative, OutOfRange, Positive,
+    PositiveLimit, Probability, Seed, Share, StepsPerTick, Ticks, WindowTicks,
 };
-pub(crate) use quantity::{of, two};
+pub(crate) use quantity::{Quantity, of, two};
 pub(crate) use schema::schema_of;
 pub use schema::{schema, schema_text};
-pub use stabilizer::{Candidate, Ledger, Lolc, Popc, Stabilizer, Work};
+pub use stabilizers::*;
 pub(crate) use written::Keys;
 
 use std::ops::Deref;

@@ -51,6 +51,21 @@ macro_rules! schema {
     };
 }
 
+/// A checked number of a scene, whole or not.
+pub(crate) trait Quantity: Copy + Sized {
+    /// Whether it is whole.
+    const IS_WHOLE: bool;
+
+    /// Accepts a number that it allows.
+    ///
+    /// # Errors
+    /// Any other number.
+    fn of(number: f64) -> Result<Self, OutOfRange>;
+
+    /// The plain number.
+    fn number(self) -> f64;
+}
+
 macro_rules! quantity {
     ($(#[$attribute:meta])* $name:ident, $rule:literal, $schema:tt, $accepts:expr) => {
         $(#[$attribute])*
@@ -90,6 +105,18 @@ macro_rules! quantity {
         impl From<$name> for f64 {
             fn from(quantity: $name) -> f64 {
                 quantity.0
+            }
+        }
+
+        impl Quantity for $name {
+            const IS_WHOLE: bool = false;
+
+            fn of(number: f64) -> Result<Self, OutOfRange> {
+                Self::new(number)
+            }
+
+            fn number(self) -> f64 {
+                self.0
             }
         }
 
@@ -148,6 +175,22 @@ impl Default for Cap {
 }
 
 quantity!(
+    /// A limit greater than 0; infinity means that there is no limit.
+    PositiveLimit,
+    "greater than 0 (inf is allowed)",
+    { "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "const": null }] },
+    |value| value > 0.0
+);
+
+quantity!(
+    /// A share of a whole, which is not nothing.
+    Share,
+    "greater than 0 and at most 1",
+    { "type": "number", "exclusiveMinimum": 0, "maximum": 1 },
+    |value| value > 0.0 && value <= 1.0
+);
+
+quantity!(
     /// A number from 0 to 1.
     #[derive(Default)]
     Probability,
@@ -192,6 +235,19 @@ macro_rules! whole {
         impl From<$name> for i64 {
             fn from(quantity: $name) -> i64 {
                 quantity.0.try_into().unwrap_or(i64::MAX)
+            }
+        }
+
+        impl Quantity for $name {
+            const IS_WHOLE: bool = true;
+
+            fn of(number: f64) -> Result<Self, OutOfRange> {
+                let rule = OutOfRange { rule: $rule, value: Given::Real(number) };
+                if number.fract() == 0.0 { Self::new(number as i64) } else { Err(rule) }
+            }
+
+            fn number(self) -> f64 {
+                self.0 as f64
             }
         }
 
@@ -247,6 +303,15 @@ impl Default for StepsPerTick {
         Self(1)
     }
 }
+
+whole!(
+    /// A number of servo ticks over which something happens.
+    Ticks,
+    u32,
+    "a whole number from 1 to 1000000",
+    { "type": "integer", "minimum": 1, "maximum": 1_000_000 },
+    1..=1_000_000
+);
 
 whole!(
     /// The dimensions of a space.

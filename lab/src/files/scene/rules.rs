@@ -2,7 +2,7 @@
 
 use super::check::Conflict;
 use super::environments::NAMES;
-use super::{Draft, Friction, Integrator, Velocity};
+use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
 
 impl Draft {
     /// Checks each table whose values must fit each other or another table.
@@ -85,6 +85,7 @@ impl Draft {
     fn check_space(&self) -> Result<(), Conflict> {
         self.check_environment()?;
         let dimensions = self.dimensions();
+        self.check_stabilizer()?;
         let mut vectors = vec![
             ("initial.position".to_owned(), self.initial.position.len()),
             ("initial.velocity".to_owned(), self.initial.velocity.len()),
@@ -95,6 +96,10 @@ impl Draft {
         let (name, kind) = (self.environment.name(), self.environment.kind());
         let own = kind.vectors().into_iter();
         vectors.extend(own.map(|(key, length)| (format!("environment.{name}.{key}"), length)));
+        if let Some(stabilizer) = &self.stabilizer {
+            let (name, own) = (stabilizer.name(), stabilizer.kind().vectors().into_iter());
+            vectors.extend(own.map(|(key, length)| (format!("stabilizer.{name}.{key}"), length)));
+        }
         if let Some((key, length)) = vectors.into_iter().find(|(_, length)| *length != dimensions) {
             let numbers = |count: usize| match count {
                 1 => "one number".to_owned(),
@@ -123,6 +128,22 @@ impl Draft {
             ));
         }
         kind.check()
+    }
+
+    fn check_stabilizer(&self) -> Result<(), Conflict> {
+        let on_a_line = self.stabilizer.filter(Stabilizer::is_on_a_line);
+        match on_a_line {
+            Some(stabilizer) if self.dimensions() > 1 => Err(Conflict::new(
+                format!("stabilizer.{}", stabilizer.name()),
+                format!(
+                    "`stabilizer.{}` works in one dimension only, and the scene has {}",
+                    stabilizer.name(),
+                    self.dimensions()
+                ),
+                "take another, such as popc, or leave out [space]",
+            )),
+            _ => Ok(()),
+        }
     }
 
     fn check_environment(&self) -> Result<(), Conflict> {

@@ -95,6 +95,7 @@ impl TryFrom<Keys> for Draft {
 impl From<Draft> for Keys {
     fn from(scene: Draft) -> Self {
         let (integrator, steps_per_tick, tolerance) = scene.integrator.keys();
+        let stabilizer = with_cap(&scene);
         Self {
             integrator,
             steps_per_tick,
@@ -110,8 +111,18 @@ impl From<Draft> for Keys {
             space: scene.space,
             initial: scene.initial,
             environment: scene.environment,
-            stabilizer: scene.stabilizer,
+            stabilizer,
             effects: scene.effects,
         }
     }
+}
+
+/// The stabilizer of `scene` with its cap in place, unless the scene has a delay that sets it.
+fn with_cap(scene: &Draft) -> Option<Stabilizer> {
+    let mut stabilizer = scene.stabilizer?;
+    if scene.effects.delay.is_none() && scene.written_cap().is_none() {
+        // The key allows every default, and a table without the key stays as it is.
+        let _ = stabilizer.write("damping_cap", scene.default_cap());
+    }
+    Some(stabilizer)
 }

@@ -25,9 +25,9 @@ impl Teleoperator {
         }
         if self.wave_impedance() <= 0.0 {
             return Err(Conflict::new(
-                "stabilizer.wave_impedance",
+                "stabilizer.wave-variables.impedance",
                 "without damping in [coordination] there is no impedance for the wave variables",
-                "give one: `wave_impedance = 5.0` in N.s/m in [stabilizer]",
+                "give one: `impedance = 5.0` in N.s/m in [stabilizer.wave-variables]",
             ));
         }
         if self.scalar == Scalar::F32 { check_single(self) } else { Ok(()) }

@@ -4,12 +4,17 @@
 //! them and a port at each end. docs/teleoperation.md has its equations.
 
 mod check;
+mod defaults;
 mod keys;
 mod parts;
 mod teleoperator;
 #[cfg(test)]
 mod tests;
 
+pub use defaults::Layers;
 pub(crate) use keys::BOOK;
-pub use parts::{Channel, Coordination, Master, Slave, Stabilizer, Wall};
+pub use parts::{
+    Channel, Coordination, DriftCompensated, Master, Slave, Stabilizer, TwoLayer, Wall,
+    WaveVariables,
+};
 pub use teleoperator::{Teleoperator, schema_text};

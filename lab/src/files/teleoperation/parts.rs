@@ -3,7 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::files::scene::{Cap, DelayTicks, Finite, NonNegative, Positive, Probability, Seed};
+use crate::files::scene::{
+    Cap, DelayTicks, Finite, NonNegative, Positive, Probability, Seed, Share,
+};
 
 /// The master in the operator's hand, which pulls it from `start` to 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -71,16 +73,57 @@ pub struct Channel {
     pub seed: Option<Seed>,
 }
 
-/// Settings of the stabilizers of a teleoperator.
+/// Settings of the stabilizers of a teleoperator: what several share, and a table of each that has more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Stabilizer {
     /// Limit of what is injected, 0 or more, inf for no limit: of a damping at the master in m / T, of a mobility at
     /// the slave in 1 / ((K + B / T) T), with K and B the coordination's; default 0.5.
     pub damping_cap: Cap,
+    /// Settings of `drift-compensated`.
+    #[serde(rename = "drift-compensated")]
+    pub drift_compensated: DriftCompensated,
+    /// Settings of `two-layer`.
+    #[serde(rename = "two-layer")]
+    pub two_layer: TwoLayer,
+    /// Settings of `wave-variables` and of what its name begins.
+    #[serde(rename = "wave-variables")]
+    pub wave_variables: WaveVariables,
+}
+
+/// Settings of drift compensation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct DriftCompensated {
     /// Speed in m/s with which drift is taken back, 0 or more; default 0.
-    pub compensation_speed: NonNegative,
-    /// Impedance of the wave variables in N.s/m, greater than 0; default: the coordination's damping.
+    pub speed: NonNegative,
+}
+
+/// Settings of the two-layer architecture, whose tanks are empty at the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct TwoLayer {
+    /// Energy in J up to which the master's damper fills its tank, greater than 0; default: what the hand stores at the
+    /// start.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub wave_impedance: Option<Positive>,
+    pub level: Option<Positive>,
+    /// Damping at the master for each joule that its tank lacks, in N.s/(m J), 0 or more; default: the damping that the
+    /// coordination's damper and its spring need over the channel, at most damping_cap m / T, for an empty tank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gain: Option<NonNegative>,
+    /// Share of its tank that each end sends on a tick, greater than 0 and at most 1; default 0.1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub share: Option<Share>,
+}
+
+/// Settings of the wave variables.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct WaveVariables {
+    /// Impedance b in N.s/m, greater than 0; default: the coordination's damping.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub impedance: Option<Positive>,
+    /// Time constant of the wave filter in s, 0 or more; default: a tenth of the longest way there and back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub filter_time: Option<NonNegative>,
 }

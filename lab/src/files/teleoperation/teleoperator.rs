@@ -48,17 +48,6 @@ impl Teleoperator {
     pub fn ticks(&self) -> u64 {
         (self.duration.get() * self.servo_rate.get()).round() as u64
     }
-
-    /// The energy stored in the hand's spring at the start, J: all the energy of the system.
-    pub fn stored_at_start(&self) -> f64 {
-        let start = self.master.start.get();
-        0.5 * self.master.hand_stiffness.get() * start * start
-    }
-
-    /// The impedance of the wave variables, or its default, N·s/m.
-    pub fn wave_impedance(&self) -> f64 {
-        self.stabilizer.wave_impedance.map_or(self.coordination.damping.get(), Positive::get)
-    }
 }
 
 /// The JSON Schema (draft 7, which TOML editors know) of teleoperator files as the text of a file, generated from the

@@ -1,10 +1,8 @@
-//! Energies of a run by cause, and the verdict on the run.
+//! Energies of a run by cause.
 
 mod account;
 mod body;
-mod fate;
 mod trial;
 
 pub use account::Balance;
-pub(crate) use fate::Fate;
 pub(crate) use trial::{Feel, Trial};

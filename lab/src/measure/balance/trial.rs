@@ -6,10 +6,11 @@ use lyapunov::ParameterError;
 
 use super::account::{Account, Balance};
 use super::body::{Body, Masses};
-use super::fate::Fate;
 use crate::files::Scene;
+use crate::measure::fate::Fate;
 use crate::measure::law::{Law, Motion};
 use crate::measure::linear::LinearPart;
+use crate::measure::verdict::{Verdict, Yardstick};
 use crate::simulate::{Rollout, Space};
 
 /// Past this, m and m/s, squares soon leave the range of the numbers.
@@ -21,7 +22,8 @@ const BREATH: u64 = 1 << 14;
 /// The outcome of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trial {
-    pub(crate) is_bounded: bool,
+    pub(crate) verdict: Verdict,
+    pub(crate) verdict_by: Yardstick,
     pub(crate) whole: Balance,
     pub(crate) first: Option<Balance>,
     pub(crate) feel: Feel,
@@ -49,13 +51,13 @@ impl Trial {
         rollout: Rollout<V>,
         watch: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Self, ParameterError> {
-        let mut fate = Fate::new(scene);
+        let mut fate = Fate::of(scene);
         let mut account = Account::new::<V>(scene, Body::of(scene)?);
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
         let law = Law::of(scene);
         let mut open = true;
         for (tick, number) in rollout.zip(1..) {
-            fate.add(&tick);
+            fate.add_tick(&tick);
             let [position, velocity] = Masses::at(&tick).device;
             let (applied, environment) = (tick.applied.axis(0), tick.environment.axis(0));
             peak = peak.max(applied.abs());
@@ -73,10 +75,11 @@ impl Trial {
         }
         let (whole, first) = account.finish();
         let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
-        Ok(Self { is_bounded: fate.is_bounded(), whole, first, feel: Feel { peak, error } })
+        let (verdict, verdict_by) = (fate.verdict(0), fate.verdict_by(0));
+        Ok(Self { verdict, verdict_by, whole, first, feel: Feel { peak, error } })
     }
 
-    /// Runs `scene`; none unless the loop is bounded and, if it is linear and has no stabilizer, decays in contact.
+    /// Runs `scene`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.
     pub(crate) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
         let decays = scene.stabilizer.is_some()
             || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
@@ -84,7 +87,7 @@ impl Trial {
         if !decays {
             return None;
         }
-        Self::of::<V>(scene).ok().filter(|trial| trial.is_bounded)
+        Self::of::<V>(scene).ok().filter(|trial| trial.verdict != Verdict::Grows)
     }
 }
 

@@ -62,7 +62,7 @@ impl Limits {
                 "friction and encoder",
                 self.friction_quantization,
             ),
-            ("exact_max_stiffness", "exact, this operator", self.exact),
+            ("exact_max_stiffness", "linear loop stable, this operator", self.exact),
         ]
     }
 }
@@ -89,11 +89,11 @@ fn notes(
     );
     note(
         range == Some([0.0, 0.0]),
-        "no stiffness is stable: the loop grows, or does not decay, for any above 0",
+        "no stiffness makes the linear loop stable: it does not decay for any above 0",
     );
     note(
         range.is_some_and(|[_, end]| end.is_infinite()),
-        "the exact limit is none: all are stable",
+        "the exact limit is none: the linear loop is stable for all",
     );
     friction_notes(scene).into_iter().for_each(|text| note(true, text));
     let left_out = scene.environment.kind().impedance_note();

@@ -1,7 +1,7 @@
 //! The whole loop of a scene.
 
 use lyapunov::{
-    LyapunovCandidate, OnePort, ParameterError, Plant, PortSample, Signal,
+    LyapunovCandidate, OnePort, ParameterError, Plant, PortSample, Scalar, Signal,
     effects::{Fallback, OnePortExt},
     environments::ForceLaw,
     integrators::{CoupledOscillators, Integrator, Oscillator},
@@ -9,8 +9,9 @@ use lyapunov::{
 
 use super::plant::stepped;
 use super::seen::{Operator, Seen};
-use super::{AnyPlant, AnyStabilizer, Port};
-use crate::files::scene::{Filter, Policy, Positive, Render, Scene, Velocity, of};
+use super::wrapper::Passing;
+use super::{AnyPlant, AnyStabilizer, AnyWrapper, Fitted, Port};
+use crate::files::scene::{Filter, Pace, Policy, Positive, Render, Scene, Velocity, of};
 use crate::simulate::building::Space;
 
 /// Room for a scene's delay, ticks.
@@ -34,16 +35,16 @@ impl<V: Space> Assembly<V> {
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::put_together(scene, None, AnyStabilizer::of(scene)?)
+        Self::put_together(scene, None, Fitted::of(scene)?)
     }
 
     /// The same loop, with `seen` recording what the stabilizer and the port do.
     pub(crate) fn watched(
         scene: &Scene,
         seen: &Seen<V>,
-        stabilizer: AnyStabilizer<V>,
+        fitted: Fitted<V>,
     ) -> Result<Self, ParameterError> {
-        Self::put_together(scene, Some(seen), stabilizer)
+        Self::put_together(scene, Some(seen), fitted)
     }
 
     /// The loop of `scene` with `stabilizer` instead of the scene's own.
@@ -54,7 +55,7 @@ impl<V: Space> Assembly<V> {
         scene: &Scene,
         stabilizer: AnyStabilizer<V>,
     ) -> Result<Self, ParameterError> {
-        Self::put_together(scene, None, stabilizer)
+        Self::put_together(scene, None, Fitted::Behind(stabilizer))
     }
 
     /// One tick; returns the effort that acts until the next.
@@ -68,9 +69,9 @@ impl<V: Space> Assembly<V> {
     fn put_together(
         scene: &Scene,
         seen: Option<&Seen<V>>,
-        stabilizer: AnyStabilizer<V>,
+        fitted: Fitted<V>,
     ) -> Result<Self, ParameterError> {
-        let port = answering(scene, seen, stabilizer)?;
+        let port = answering(scene, seen, fitted)?;
         let unseen = Operator::default();
         let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
         Ok(Self { plant, port })
@@ -84,7 +85,7 @@ impl<V: Space> Assembly<V> {
             + Copy
             + 'static,
     {
-        let port = answering(scene, None, AnyStabilizer::of(scene)?)?;
+        let port = answering(scene, None, Fitted::of(scene)?)?;
         let plant = stepped(scene, &Operator::default(), integrator, 1)?;
         Ok(Self { plant, port })
     }
@@ -94,9 +95,20 @@ impl<V: Space> Assembly<V> {
 fn answering<V: Space>(
     scene: &Scene,
     seen: Option<&Seen<V>>,
-    stabilizer: AnyStabilizer<V>,
+    fitted: Fitted<V>,
 ) -> Result<Port<V>, ParameterError> {
-    let port = V::render(scene, AtServoRate(scene))?;
+    let around = fitted.around(Pace::Environment);
+    let port = V::render(scene, AtServoRate { scene, around, seen })?;
+    let (port, stabilizer) = match fitted {
+        Fitted::Behind(stabilizer) => (port, stabilizer),
+        Fitted::Around(wrapper) => {
+            let port = match wrapper.pace() {
+                Pace::Environment => port,
+                Pace::Servo => wrapper.around(port, V::Scalar::of(scene.period()), seen)?,
+            };
+            (port, AnyStabilizer::called(Passing))
+        }
+    };
     let port = match seen {
         None => stabilizer.on(port, scene)?,
         Some(seen) => measured(scene, port.stabilized(seen.stabilizer(stabilizer)))?,
@@ -104,10 +116,14 @@ fn answering<V: Space>(
     commanded(scene, seen, port)
 }
 
-/// Rendering of the environment at the servo's rate, in one box with its hold.
-struct AtServoRate<'a>(&'a Scene);
+/// Rendering of the environment at the servo's rate, in one box with its hold, or with a port around it.
+struct AtServoRate<'a, V: Signal> {
+    scene: &'a Scene,
+    around: Option<&'a AnyWrapper<V>>,
+    seen: Option<&'a Seen<V>>,
+}
 
-impl<V: Space> Render<V> for AtServoRate<'_> {
+impl<V: Space> Render<V> for AtServoRate<'_, V> {
     type Made = Port<V>;
 
     fn render(
@@ -115,16 +131,31 @@ impl<V: Space> Render<V> for AtServoRate<'_> {
         environment: impl ForceLaw<V> + 'static,
         _credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Port<V>, ParameterError> {
-        match self.0.effects.dropout {
-            None => held(self.0, environment),
-            Some(dropout) => {
-                let fallback = match dropout.policy {
-                    Policy::Hold => Fallback::Hold,
-                    Policy::Zero => Fallback::Zero,
-                };
-                let (probability, seed) = (of(dropout.probability), |_| dropout.seed.get());
-                held(self.0, Port::new(environment.dropped(probability, fallback, seed)?))
+        let Self { scene, around, seen } = self;
+        match around {
+            None => received(scene, environment),
+            Some(wrapper) => {
+                let period = V::Scalar::of(scene.environment_ratio() as f64 * scene.period());
+                received(scene, wrapper.around(Port::new(environment), period, seen)?)
             }
+        }
+    }
+}
+
+/// The environment's port as far as its answers arrive.
+fn received<V: Space>(
+    scene: &Scene,
+    port: impl OnePort<V> + 'static,
+) -> Result<Port<V>, ParameterError> {
+    match scene.effects.dropout {
+        None => held(scene, port),
+        Some(dropout) => {
+            let fallback = match dropout.policy {
+                Policy::Hold => Fallback::Hold,
+                Policy::Zero => Fallback::Zero,
+            };
+            let (probability, seed) = (of(dropout.probability), |_| dropout.seed.get());
+            held(scene, Port::new(port.dropped(probability, fallback, seed)?))
         }
     }
 }

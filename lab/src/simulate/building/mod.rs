@@ -2,17 +2,21 @@
 
 mod assembly;
 mod body;
+mod fitted;
 mod integrator;
 mod plant;
 mod port;
 mod seen;
 mod space;
 mod stabilizer;
+mod wrapper;
 
 pub use assembly::Assembly;
+pub use fitted::Fitted;
 pub use plant::AnyPlant;
 pub use port::Port;
 pub(crate) use seen::Seen;
 pub use space::Space;
 pub(crate) use space::in_space;
 pub use stabilizer::AnyStabilizer;
+pub use wrapper::AnyWrapper;

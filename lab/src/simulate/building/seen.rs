@@ -11,6 +11,8 @@ use crate::simulate::tick::{OperatorMotion, Tick};
 #[derive(Debug)]
 pub(crate) struct Seen<V: Signal> {
     stabilizer: Rc<Cell<Sight<V>>>,
+    /// The environment's own effort, where a port around it changes that.
+    environment: Rc<Cell<Option<V>>>,
     command: Rc<Cell<V>>,
     pub(super) operator: Operator<V>,
 }
@@ -33,6 +35,7 @@ impl<V: Signal> Default for Seen<V> {
         let sight = Sight { measured, environment: zero, correction: Correction::none(zero) };
         Self {
             stabilizer: Rc::new(Cell::new(sight)),
+            environment: Rc::new(Cell::new(None)),
             command: Rc::new(Cell::new(zero)),
             operator: Operator::default(),
         }
@@ -43,6 +46,7 @@ impl<V: Signal> Seen<V> {
     /// The tick whose sample the port just answered, before the plant moves on.
     pub(crate) fn tick(&self, time: f64, truth: PortSample<V>, applied: V) -> Tick<V> {
         let Sight { measured, environment, correction } = self.stabilizer.get();
+        let environment = self.environment.get().unwrap_or(environment);
         let (command, operator) = (self.command.get(), self.operator.get());
         Tick { time, truth, measured, environment, correction, command, applied, operator }
     }
@@ -50,6 +54,11 @@ impl<V: Signal> Seen<V> {
     /// `stabilizer`, recording its sample and its correction.
     pub(super) fn stabilizer<S>(&self, stabilizer: S) -> Recorded<S, V> {
         Recorded { stabilizer, seen: Rc::clone(&self.stabilizer) }
+    }
+
+    /// `port`, an environment inside a port that changes its efforts, recording them.
+    pub(super) fn environment<P>(&self, port: P) -> Asked<P, V> {
+        Asked { port, seen: Rc::clone(&self.environment) }
     }
 
     /// `port`, recording its efforts.
@@ -93,6 +102,24 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Commanding<P, V> {
     }
 }
 
+/// Environment whose efforts are recorded.
+pub(super) struct Asked<P, V> {
+    port: P,
+    seen: Rc<Cell<Option<V>>>,
+}
+
+impl<V: Signal, P: OnePort<V>> OnePort<V> for Asked<P, V> {
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let effort = self.port.respond(sample);
+        self.seen.set(Some(effort));
+        effort
+    }
+
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use lyapunov::laws::{self, Samples};
@@ -105,5 +132,6 @@ mod tests {
         let samples = Samples::<f64>::new(1e-3);
         laws::adaptor(Port::new, samples).unwrap();
         laws::adaptor(|port| Seen::default().command(port), samples).unwrap();
+        laws::adaptor(|port| Seen::default().environment(port), samples).unwrap();
     }
 }

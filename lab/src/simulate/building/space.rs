@@ -7,9 +7,10 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
+use super::Fitted;
 use super::plant::{self, AnyPlant};
 use super::seen::Operator;
-use crate::files::scene::{Coordinates, Rates, Render, Scene};
+use crate::files::scene::{Basis, Coordinates, Rates, Render, Scene, Stabilizer};
 
 /// Signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an
 /// `SVector` of two or three.
@@ -31,6 +32,12 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// # Errors
     /// A parameter out of the range of the scalar, an environment of another space, and any error of the making.
     fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError>;
+
+    /// The member of the family that `table` asks for, on the loop of `scene`.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar, a stabilizer of another space, and a loop without what it is set by.
+    fn fitted(table: &Stabilizer, scene: &Scene) -> Result<Fitted<Self>, ParameterError>;
 
     /// The plant of `scene`; where a link sets the operator apart from the device, `operator` records its motion.
     ///
@@ -56,6 +63,13 @@ macro_rules! line {
 
             fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
                 scene.environment.on_a_line(Rates::of(scene), of)
+            }
+
+            fn fitted(
+                table: &Stabilizer,
+                scene: &Scene,
+            ) -> Result<Fitted<Self>, ParameterError> {
+                Fitted::on_a_line(&Basis::of(scene), table)
             }
 
             fn plant(
@@ -92,6 +106,10 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
 
     fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
         scene.environment.in_space(of)
+    }
+
+    fn fitted(table: &Stabilizer, scene: &Scene) -> Result<Fitted<Self>, ParameterError> {
+        Fitted::in_space(&Basis::of(scene), table)
     }
 
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {

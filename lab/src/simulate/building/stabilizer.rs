@@ -7,15 +7,14 @@ use lyapunov::{
     PortSample, Signal, Stabilizer,
     accumulators::{Accumulator, Compensated},
     environments::ForceLaw,
-    stabilizers::NoStabilizer,
 };
 
 use super::Port;
 use super::assembly::measured;
-use crate::files::scene::{self, Candidate, Ledger, Popc, Render, Scene, Work, of};
+use crate::files::scene::{self, Candidate, Cap, Ledger, Popc, Render, Scene, Work, of};
 use crate::simulate::building::Space;
 
-/// Any stabilizer, boxed: one that a scene file names, or your own.
+/// Any stabilizer of efforts, boxed: one that a scene file names, or your own.
 pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
 
 impl<V: Signal> AnyStabilizer<V> {
@@ -51,29 +50,22 @@ impl<V: Space> AnyStabilizer<V> {
         Self(Box::new(Called(stabilizer)))
     }
 
-    /// The stabilizer that `scene` names; [`NoStabilizer`] if it names none.
+    /// POPC on the loop of `scene`.
     ///
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
-    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        match scene.stabilizer {
-            None => Ok(Self::new(NoStabilizer)),
-            Some(named) => Self::named(scene, named),
-        }
+    pub(super) fn popc(scene: &Scene, popc: Popc) -> Result<Self, ParameterError> {
+        let Popc { work, ledger, damping_cap } = popc;
+        Self::watching(scene, PortEnergy, Booking { work, ledger, cap: cap(scene, damping_cap) })
     }
 
-    /// The stabilizer `named` on the loop of `scene`, whatever `scene` names.
+    /// LOLC on the loop of `scene`.
     ///
     /// # Errors
-    /// As [`AnyStabilizer::of`].
-    pub fn named(scene: &Scene, named: scene::Stabilizer) -> Result<Self, ParameterError> {
-        let lolc = match named {
-            scene::Stabilizer::Popc(popc) => {
-                return Self::watching(scene, PortEnergy, popc.into());
-            }
-            scene::Stabilizer::Lolc(lolc) => lolc,
-        };
-        let booking = lolc.into();
+    /// As [`AnyStabilizer::popc`].
+    pub(super) fn lolc(scene: &Scene, lolc: scene::Lolc) -> Result<Self, ParameterError> {
+        let scene::Lolc { work, ledger, damping_cap, .. } = lolc;
+        let booking = Booking { work, ledger, cap: cap(scene, damping_cap) };
         match lolc.candidate {
             Candidate::Spring => Self::watching(scene, PortEnergy, booking),
             Candidate::DeviceDamping => {
@@ -121,16 +113,9 @@ struct Booking {
     cap: f64,
 }
 
-impl From<Popc> for Booking {
-    fn from(Popc { work, ledger, damping_cap }: Popc) -> Self {
-        Self { work, ledger, cap: damping_cap.get() }
-    }
-}
-
-impl From<scene::Lolc> for Booking {
-    fn from(lolc: scene::Lolc) -> Self {
-        Self { work: lolc.work, ledger: lolc.ledger, cap: lolc.damping_cap.get() }
-    }
+/// The cap that is written, else the default of `scene`.
+fn cap(scene: &Scene, written: Option<Cap>) -> f64 {
+    written.map_or_else(|| scene.default_cap(), Cap::get)
 }
 
 /// Any candidate, boxed.

@@ -1,14 +1,10 @@
-//! Stabilizer names that a scene file can use.
+//! Names of the stabilizers that maps run on lanes.
 
-use lyapunov::{ParameterError, stabilizers::NoStabilizer};
+use crate::files::scene::{Candidate, Cap, Draft, Lolc, Popc, Stabilizer};
 
 use super::Settings;
-use crate::files::scene::{Candidate, Draft, Lolc, Popc, Scene, Stabilizer};
-use crate::simulate::building::{AnyStabilizer, Space};
 
-/// Stabilizer that a scene file can name, or none; the scene sets work, ledger and damping cap.
-///
-/// Maps run these on lanes.
+/// Stabilizer that maps run on lanes: none, POPC, or LOLC with any candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BasicName {
     /// No stabilizer: `none`.
@@ -48,9 +44,10 @@ impl BasicName {
         }
     }
 
-    /// The stabilizer setting under this name in `scene`.
-    pub(crate) fn on(self, scene: &Draft) -> Option<Stabilizer> {
-        let Settings { work, ledger, damping_cap, .. } = Settings::of(scene);
+    /// The table of the stabilizer under this name in `scene`, whose own table sets work, ledger and cap.
+    pub(crate) fn table(self, scene: &Draft) -> Option<Stabilizer> {
+        let Settings { work, ledger, .. } = Settings::of(scene);
+        let damping_cap = scene.written_cap().and_then(|cap| Cap::new(cap).ok());
         let lolc =
             |candidate| Some(Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap }));
         match self {
@@ -63,14 +60,6 @@ impl BasicName {
             Self::LolcSpring => lolc(Candidate::Spring),
             Self::LolcDeviceDamping => lolc(Candidate::DeviceDamping),
             Self::LolcMassSpringDamper => lolc(Candidate::MassSpringDamper),
-        }
-    }
-
-    /// The stabilizer itself on `scene`.
-    pub(super) fn made<V: Space>(self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
-        match self.on(scene) {
-            None => Ok(AnyStabilizer::new(NoStabilizer)),
-            Some(named) => AnyStabilizer::named(scene, named),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{BasicName, StabilizerName};
+use super::StabilizerName;
 
 /// Numbers by which a stabilizer is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -28,31 +28,17 @@ impl Judgement {
 impl StabilizerName {
     /// The judgement of this stabilizer.
     pub fn judgement(self) -> Judgement {
+        match self.adds_damping() {
+            true => Judgement::Settling,
+            false => Judgement::EnergyAndForce,
+        }
+    }
+
+    /// Whether it takes energy out of a motion by a damper, and not only by smaller forces.
+    pub fn adds_damping(self) -> bool {
         match self {
-            Self::ForceBound
-            | Self::Tank
-            | Self::EnergyBounding
-            | Self::ForceBounding
-            | Self::MemoryBased => Judgement::EnergyAndForce,
-            Self::Basic(
-                BasicName::NoStabilizer
-                | BasicName::Popc
-                | BasicName::Lolc
-                | BasicName::LolcSpring
-                | BasicName::LolcDeviceDamping
-                | BasicName::LolcMassSpringDamper,
-            )
-            | Self::Budgeted
-            | Self::Bounded
-            | Self::Windowed
-            | Self::ContactReset
-            | Self::Threshold
-            | Self::Spread
-            | Self::RateLimited
-            | Self::Rising
-            | Self::Reference
-            | Self::ReferenceFollowing
-            | Self::LeastNorm => Judgement::Settling,
+            Self::Basic(_) => true,
+            Self::Member(member) => member.table().kind().adds_damping(),
         }
     }
 }

@@ -8,27 +8,20 @@
 //!
 //! let scene = paper::Case::Plain8k.scene()?;
 //! let member: StabilizerName = "popc-bounded".parse()?;
-//! let summary = Summary::of(&scene, Rollout::stabilized_by(&scene, member.on::<f64>(&scene)?)?);
+//! let summary = Summary::of(&scene, Rollout::<f64>::under(&scene, member)?);
 //! assert!(summary.settled.is_some() || summary.rows == 1001);
 //! assert!("popc-bound".parse::<StabilizerName>().unwrap_err().to_string().contains("`popc-bounded`"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod basic_name;
-mod basis;
 mod judgement;
-mod make;
-mod reference;
-mod rivals;
 mod settings;
 mod stabilizer_name;
 mod stabilizer_names;
 
 pub use basic_name::BasicName;
-pub(crate) use basis::Basis;
 pub use judgement::Judgement;
-pub(crate) use reference::Reference;
-pub(crate) use rivals::lacks_damping;
 pub use settings::Settings;
 pub use stabilizer_name::{StabilizerName, UnknownStabilizer};
 pub use stabilizer_names::{StabilizerNames, StabilizerNamesError};

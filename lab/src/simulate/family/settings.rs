@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::files::scene::{self, Cap, Draft, Ledger, Work};
+use crate::files::scene::{Draft, Ledger, Stabilizer, Work};
+use crate::text::given;
 
 /// The settings of POPC and LOLC on a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,20 +13,30 @@ pub struct Settings {
     /// The ledger that they sum energies in.
     pub ledger: Ledger,
     /// The limit of their damping, as a multiple of m / T.
-    pub damping_cap: Cap,
+    pub damping_cap: f64,
+    /// The delay that sets that limit, in servo ticks; none where the scene writes it, or has no delay.
+    pub delayed: Option<u32>,
     /// Whether the scene sets them; else they are the defaults.
     pub from_scene: bool,
 }
 
 impl Settings {
-    /// The settings of the stabilizer that `scene` names, whichever it is, or the defaults.
+    /// The settings of the stabilizer that `scene` names, as far as it has them, and the defaults.
     pub fn of(scene: &Draft) -> Self {
-        let (work, ledger, damping_cap) = match scene.stabilizer {
-            None => (Work::default(), Ledger::default(), Cap::default()),
-            Some(scene::Stabilizer::Popc(popc)) => (popc.work, popc.ledger, popc.damping_cap),
-            Some(scene::Stabilizer::Lolc(lolc)) => (lolc.work, lolc.ledger, lolc.damping_cap),
+        let (work, ledger) = match scene.stabilizer {
+            Some(Stabilizer::Popc(popc)) => (popc.work, popc.ledger),
+            Some(Stabilizer::Lolc(lolc)) => (lolc.work, lolc.ledger),
+            _ => (Work::default(), Ledger::default()),
         };
-        Self { work, ledger, damping_cap, from_scene: scene.stabilizer.is_some() }
+        let observes = matches!(scene.stabilizer, Some(Stabilizer::Popc(_) | Stabilizer::Lolc(_)));
+        let cap = scene.written_cap();
+        Self {
+            work,
+            ledger,
+            damping_cap: scene.damping_cap(),
+            delayed: Some(scene.delay_ticks()).filter(|ticks| cap.is_none() && *ticks > 0),
+            from_scene: observes || cap.is_some(),
+        }
     }
 
     /// The kind of work in one word.
@@ -39,8 +50,14 @@ impl Settings {
 
 impl fmt::Display for Settings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (work, cap) = (self.work_name(), self.damping_cap.get());
+        let (work, cap) = (self.work_name(), self.damping_cap);
         let source = if self.from_scene { "as the scene says" } else { "the defaults" };
-        write!(f, "{work} work, cap {cap} ({source})")
+        match self.delayed {
+            None => write!(f, "{work} work, cap {cap} ({source})"),
+            Some(ticks) => {
+                let ticks = if ticks == 1 { "1 tick".to_owned() } else { format!("{ticks} ticks") };
+                write!(f, "{work} work, cap {} ({source}, with {ticks} of delay)", given(cap))
+            }
+        }
     }
 }

@@ -3,113 +3,119 @@
 use std::fmt;
 use std::str::FromStr;
 
+use lyapunov::ParameterError;
+
 use super::BasicName;
-use crate::files::scene::Scene;
+use crate::files::scene::{Basis, Conflict, Draft, Member, Parameter, Scene, Stabilizer};
+use crate::simulate::building::{Fitted, Space};
 use crate::text::{nearest, shorten};
 
 /// Name of a stabilizer.
-///
-/// All except those of [`BasicName`] book held work in a plain ledger, under the damping cap of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StabilizerName {
-    /// A stabilizer that a scene file can name, or none.
+    /// One that maps run on lanes, or none.
     Basic(BasicName),
-    /// POPC credited with the energy that the environment stores at the start: `popc-budgeted`.
-    Budgeted,
-    /// POPC whose credit is bounded: `popc-bounded`.
-    Bounded,
-    /// POPC whose credit expires: `popc-windowed`.
-    Windowed,
-    /// POPC that enters each contact without credit: `popc-contact-reset`.
-    ContactReset,
-    /// POPC that corrects above a velocity threshold: `popc-threshold`.
-    Threshold,
-    /// POPC that spreads a debt over several ticks: `popc-spread`.
-    Spread,
-    /// POPC whose correction grows slowly: `popc-rate-limited`.
-    RateLimited,
-    /// POPC whose correction rises when it engages: `popc-rising`.
-    Rising,
-    /// POPC whose observed energy follows the energy that the environment stores: `popc-reference`.
-    Reference,
-    /// Bound on forces to what the device's damping can dissipate: `force-bound`.
-    ForceBound,
-    /// Energy tank: `tank`.
-    Tank,
-    /// Forces that hand back no more than the device's damping dissipates: `energy-bounding`.
-    EnergyBounding,
-    /// Forces that the device's damping has paid for in this contact: `force-bounding`.
-    ForceBounding,
-    /// Forces on the way out no larger than on the way in: `memory-based`.
-    MemoryBased,
-    /// POPC whose energy follows what the environment stores and dissipates: `reference-following`.
-    ReferenceFollowing,
-    /// The least correction that keeps the next observed energy at or above 0: `least-norm`.
-    LeastNorm,
+    /// One with a table of its own in scene files.
+    Member(Member),
 }
 
 impl StabilizerName {
     /// All names.
-    pub const ALL: [Self; 22] = [
-        Self::Basic(BasicName::NoStabilizer),
-        Self::Basic(BasicName::Popc),
-        Self::Basic(BasicName::Lolc),
-        Self::Basic(BasicName::LolcSpring),
-        Self::Basic(BasicName::LolcDeviceDamping),
-        Self::Basic(BasicName::LolcMassSpringDamper),
-        Self::Budgeted,
-        Self::Bounded,
-        Self::Windowed,
-        Self::ContactReset,
-        Self::Threshold,
-        Self::Spread,
-        Self::RateLimited,
-        Self::Rising,
-        Self::Reference,
-        Self::ForceBound,
-        Self::Tank,
-        Self::EnergyBounding,
-        Self::ForceBounding,
-        Self::MemoryBased,
-        Self::ReferenceFollowing,
-        Self::LeastNorm,
-    ];
+    pub const ALL: [Self; COUNT] = all();
 
     /// The name on the command line and in every table and file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Basic(basic_name) => basic_name.name(),
-            Self::Budgeted => "popc-budgeted",
-            Self::Bounded => "popc-bounded",
-            Self::Windowed => "popc-windowed",
-            Self::ContactReset => "popc-contact-reset",
-            Self::Threshold => "popc-threshold",
-            Self::Spread => "popc-spread",
-            Self::RateLimited => "popc-rate-limited",
-            Self::Rising => "popc-rising",
-            Self::Reference => "popc-reference",
-            Self::ForceBound => "force-bound",
-            Self::Tank => "tank",
-            Self::EnergyBounding => "energy-bounding",
-            Self::ForceBounding => "force-bounding",
-            Self::MemoryBased => "memory-based",
-            Self::ReferenceFollowing => "reference-following",
-            Self::LeastNorm => "least-norm",
+            Self::Member(member) => member.name(),
         }
     }
 
-    /// Whether `scene` has the parameters of this stabilizer: energy bounding needs a damping of the device.
-    pub fn fits(self, scene: &Scene) -> bool {
-        self != Self::EnergyBounding || scene.device.damping.get() > 0.0
-    }
-
-    /// The basic name, if a scene file can name this stabilizer.
+    /// The basic name, if it is one.
     pub fn basic_name(self) -> Option<BasicName> {
         match self {
             Self::Basic(basic_name) => Some(basic_name),
-            _ => None,
+            Self::Member(_) => None,
         }
     }
+
+    /// The table under this name in `scene`: its own where it names this stabilizer, else one with the cap of whichever
+    /// it names. None without a stabilizer.
+    pub fn table(self, scene: &Draft) -> Option<Stabilizer> {
+        match (self, scene.stabilizer) {
+            (Self::Basic(basic_name), _) => basic_name.table(scene),
+            (Self::Member(member), Some(own)) if own.member() == Some(member) => Some(own),
+            (Self::Member(member), _) => {
+                let mut table = member.table();
+                if let Some(cap) = scene.written_cap() {
+                    // Every cap is right, and a table without the key stays as it is.
+                    let _ = table.write("damping_cap", cap);
+                }
+                Some(table)
+            }
+        }
+    }
+
+    /// Whether `scene` has the numbers that this stabilizer is set by; some rely on a damping of the device.
+    pub fn fits(self, scene: &Scene) -> bool {
+        self.table(scene).is_none_or(|table| table.kind().lacks(&Basis::of(scene)).is_none())
+    }
+
+    /// The stabilizer on the loop of `scene`, whatever `scene` names.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others; a scene without
+    /// what the stabilizer [needs](Self::fits).
+    pub fn on<V: Space>(self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
+        Fitted::named(scene, self.table(scene))
+    }
+
+    /// The numbers of its table on `scene`: what it writes, what else they are, and where to look for better ones.
+    pub fn parameters(self, scene: &Scene) -> Vec<Parameter> {
+        let basis = Basis::of(scene);
+        self.table(scene).map_or_else(Vec::new, |table| table.kind().parameters(&basis))
+    }
+
+    /// `scene` with this stabilizer, and `numbers` written in its table under keys without their table path.
+    ///
+    /// # Errors
+    /// A number that its key does not allow, alone or with the others; a key that the table does not have.
+    pub fn written_in(self, scene: &Scene, numbers: &[(&str, f64)]) -> Result<Scene, Conflict> {
+        let mut stabilizer = self.table(scene);
+        for (key, number) in numbers {
+            let path = format!("stabilizer.{self}.{key}");
+            let told = stabilizer.as_mut().map_or(Ok(false), |table| table.write(key, *number));
+            match told {
+                Ok(true) => {}
+                Ok(false) => {
+                    let problem = format!("there is no key `{path}`");
+                    return Err(Conflict::new(path, problem, "docs/family.md lists the keys"));
+                }
+                Err(rule) => {
+                    let problem = format!("`{path}` {rule}");
+                    return Err(Conflict::new(path, problem, "give a value that the key allows"));
+                }
+            }
+        }
+        Draft { stabilizer, ..scene.to_draft() }.check()
+    }
+}
+
+/// The number of names.
+const COUNT: usize = BasicName::ALL.len() + Member::ALL.len();
+
+const fn all() -> [StabilizerName; COUNT] {
+    let mut all = [StabilizerName::Basic(BasicName::NoStabilizer); COUNT];
+    let (mut next, mut member) = (0, 0);
+    while next < BasicName::ALL.len() {
+        all[next] = StabilizerName::Basic(BasicName::ALL[next]);
+        next += 1;
+    }
+    while member < Member::ALL.len() {
+        all[next] = StabilizerName::Member(Member::ALL[member]);
+        (next, member) = (next + 1, member + 1);
+    }
+    all
 }
 
 impl From<BasicName> for StabilizerName {

@@ -1,5 +1,7 @@
 //! Entrants of a model's comparison.
 
+use crate::text::names::Named;
+
 /// Stabilizer at the port of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entrant {
@@ -13,12 +15,12 @@ pub enum Entrant {
     Decay,
 }
 
-impl Entrant {
-    /// All entrants, in the order of the rows.
-    pub const ALL: [Self; 4] = [Self::None, Self::Popc, Self::Decrease, Self::Decay];
+impl Named for Entrant {
+    const KIND: &'static str = "a model";
 
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
+    const ALL: &'static [Self] = &[Self::None, Self::Popc, Self::Decrease, Self::Decay];
+
+    fn name(self) -> &'static str {
         match self {
             Self::None => "none",
             Self::Popc => "popc",

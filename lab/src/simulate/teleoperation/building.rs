@@ -5,11 +5,14 @@ use lyapunov::{
     bodies::{Body, Impedance, IntegratedPlant},
     channels::{ConstantDelay, LossyChannel, VaryingDelay},
     integrators::{EventLocating, Exact, WalledOscillator},
-    stabilizers::{DriftCompensated, NoStabilizer, TwoPortSide, WaveTransform},
+    stabilizers::{
+        DriftCompensated, NoStabilizer, Sharing, TwoLayer, TwoPortSide, WaveFilter, WaveFollower,
+        WaveTransform,
+    },
 };
 
 use super::entrant::Entrant;
-use super::link::{Link, Message, Velocities, Waves};
+use super::link::{Layers, Link, Message, Velocities, Waves};
 use crate::files::scene::Seed;
 use crate::files::teleoperation::{Channel, Teleoperator, Wall};
 use crate::simulate::building::AnyPlant;
@@ -107,22 +110,44 @@ pub(super) fn link<T: Scalar>(
             slave: Box::new(TwoPortSide::new(mobility)),
         }),
         Entrant::Compensated => {
-            let speed = T::of(file.stabilizer.compensation_speed.get());
+            let speed = T::of(file.stabilizer.drift_compensated.speed.get());
             let slave = DriftCompensated::new(TwoPortSide::new(mobility), speed)
                 .and_then(|slave| slave.meeting(stiffness * period))
-                .map_err(in_table("stabilizer.compensation_speed"))?;
+                .map_err(in_table("stabilizer.drift-compensated.speed"))?;
             Box::new(Velocities {
                 master: Box::new(TwoPortSide::new(damper)),
                 slave: Box::new(slave),
             })
         }
-        Entrant::Waves => {
-            let impedance = T::of(file.wave_impedance());
-            let transform =
-                WaveTransform::new(impedance).map_err(in_table("stabilizer.wave_impedance"))?;
-            Box::new(Waves { transform, impedance })
+        Entrant::TwoLayer => Box::new(layers(file).map_err(in_table("stabilizer.two-layer"))?),
+        Entrant::Waves => Box::new(waves(file, file.coordination.damping.get(), 0.0)?),
+        Entrant::MatchedWaves => Box::new(waves(file, file.wave_impedance(), 0.0)?),
+        Entrant::FilteredWaves => {
+            Box::new(waves(file, file.wave_impedance(), file.wave_filter_time())?)
         }
     })
+}
+
+/// Tanks that are empty at the start, so that the hand pays for everything.
+fn layers<T: Scalar>(file: &Teleoperator) -> Result<Layers<T>, ParameterError> {
+    let it = file.layers();
+    let sharing = Sharing { start: T::of(0.0), share: T::of(it.share) };
+    Ok(Layers {
+        master: TwoLayer::master(sharing, T::of(it.level), T::of(it.gain))?,
+        slave: TwoLayer::slave(sharing)?,
+    })
+}
+
+/// Waves before a slave with a damper of `damping` N·s/m, past filters with a time constant of `time` s.
+fn waves<T: Scalar>(file: &Teleoperator, damping: f64, time: f64) -> Result<Waves<T>, Refused> {
+    let refused = in_table("stabilizer.wave-variables.impedance");
+    let transform = WaveTransform::new(T::of(file.wave_impedance())).map_err(&refused)?;
+    let stiffness = T::of(file.coordination.stiffness.get());
+    let follower = WaveFollower::new(transform, stiffness, T::of(damping)).map_err(refused)?;
+    let period = period::<T>(file);
+    let filter = WaveFilter::new(period / (period + T::of(time)))
+        .map_err(in_table("stabilizer.wave-variables.filter_time"))?;
+    Ok(Waves { transform, follower, there: filter, back: filter })
 }
 
 /// The servo period, s.

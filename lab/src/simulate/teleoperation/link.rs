@@ -2,7 +2,10 @@
 
 use lyapunov::{
     Correction, Popc, PortSample, Scalar, Stabilizer,
-    stabilizers::{DriftCompensated, NoStabilizer, TwoPortSide, WaveTransform},
+    stabilizers::{
+        DriftCompensated, NoStabilizer, TwoLayer, TwoPortSide, WaveFilter, WaveFollower,
+        WaveTransform,
+    },
 };
 
 /// A signal, and the energy that its sender reports as absorbed, J.
@@ -17,13 +20,11 @@ pub(super) trait Link<T: Scalar> {
         arrived: Message<T>,
     ) -> (Correction<T>, Message<T>);
 
-    /// Returns the velocity commanded to the slave, the force on the slave, and the message to the master; `load` is
-    /// the sample of the slave's port as an admittance.
+    /// Returns the velocity commanded to the slave, the force on the slave, and the message to the master.
     fn at_slave(
         &mut self,
-        load: &PortSample<T>,
+        slave: &Slave<'_, T>,
         arrived: Message<T>,
-        coordination: &Coordination<T>,
     ) -> (Correction<T>, T, Message<T>);
 }
 
@@ -46,22 +47,52 @@ impl<T: Scalar> Link<T> for Velocities<T> {
 
     fn at_slave(
         &mut self,
-        load: &PortSample<T>,
+        slave: &Slave<'_, T>,
         (velocity, energy): Message<T>,
-        coordination: &Coordination<T>,
     ) -> (Correction<T>, T, Message<T>) {
         self.slave.receive(energy);
-        let correction = self.slave.stabilize(load, velocity);
-        let pull = coordination.pull(correction.effort);
+        let correction = self.slave.stabilize(slave.load, velocity);
+        let pull = slave.coordination.pull(correction.effort);
         (correction, pull, (pull, self.slave.absorbed()))
     }
 }
 
-/// Link that sends waves both ways. They report no energies: they carry them.
-pub(super) struct Waves<T> {
+/// Link that sends the master's velocity there and the force on the slave back, and at each end gives only forces that
+/// the tank there can pay. The port at the slave is the slave's own motion.
+pub(super) struct Layers<T> {
+    pub(super) master: TwoLayer<T>,
+    pub(super) slave: TwoLayer<T>,
+}
+
+impl<T: Scalar> Link<T> for Layers<T> {
+    fn at_master(
+        &mut self,
+        sample: &PortSample<T>,
+        (force, energy): Message<T>,
+    ) -> (Correction<T>, Message<T>) {
+        self.master.receive(energy);
+        let correction = self.master.stabilize(sample, force);
+        (correction, (sample.velocity, self.master.sent()))
+    }
+
+    fn at_slave(
+        &mut self,
+        slave: &Slave<'_, T>,
+        (velocity, energy): Message<T>,
+    ) -> (Correction<T>, T, Message<T>) {
+        self.slave.receive(energy);
+        let given = self.slave.stabilize(slave.motion, -slave.coordination.pull(velocity));
+        let pull = -given.effort;
+        (Correction { effort: velocity, ..given }, pull, (pull, self.slave.sent()))
+    }
+}
+
+/// Link that sends waves both ways, each past a filter. They report no energies: they carry them.
+pub(super) struct Waves<T: Scalar> {
     pub(super) transform: WaveTransform<T>,
-    /// The impedance `b` of the transform, N·s/m.
-    pub(super) impedance: T,
+    pub(super) follower: WaveFollower<T>,
+    pub(super) there: WaveFilter<T>,
+    pub(super) back: WaveFilter<T>,
 }
 
 impl<T: Scalar> Link<T> for Waves<T> {
@@ -71,21 +102,18 @@ impl<T: Scalar> Link<T> for Waves<T> {
         (back, _): Message<T>,
     ) -> (Correction<T>, Message<T>) {
         let (force, there) = self.transform.effort(sample.velocity, back);
-        (Correction::none(force), (there, T::of(0.0)))
+        (Correction::none(force), (self.there.pass(there), T::of(0.0)))
     }
 
     fn at_slave(
         &mut self,
-        _load: &PortSample<T>,
+        slave: &Slave<'_, T>,
         (there, _): Message<T>,
-        coordination: &Coordination<T>,
     ) -> (Correction<T>, T, Message<T>) {
-        // The flow is v = v₀ − F / b with v₀ the flow at zero force, and F contains B v: solved for F.
-        let (free, _) = self.transform.flow(T::of(0.0), there);
-        let share = self.impedance / (self.impedance + coordination.damping());
-        let pull = coordination.pull(free) * share;
-        let (flow, back) = self.transform.flow(pull, there);
-        (Correction::none(flow), pull, (back, T::of(0.0)))
+        let following =
+            self.follower.follow(there, slave.coordination.error, slave.motion.velocity);
+        let back = self.back.pass(following.back);
+        (Correction::none(following.flow), following.effort, (back, T::of(0.0)))
     }
 }
 
@@ -124,31 +152,32 @@ impl<T: Scalar> End<T> for DriftCompensated<TwoPortSide<T>, T> {
     }
 }
 
+/// The slave on one tick.
+pub(super) struct Slave<'a, T: Scalar> {
+    /// The commanded port as an admittance: the force comes in, the commanded velocity goes out.
+    pub(super) load: &'a PortSample<T>,
+    /// The slave's own motion, under the force against it.
+    pub(super) motion: &'a PortSample<T>,
+    pub(super) coordination: Coordination<T>,
+}
+
 /// Coordinating controller on one tick: a spring from the commanded position, and a damper from the velocity commanded
 /// for the tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coordination<T> {
-    /// The pull of the spring, N.
-    spring: T,
-    damping: T,
+    /// The stiffness, N/m.
+    pub(super) stiffness: T,
+    /// The damping, N·s/m.
+    pub(super) damping: T,
+    /// The commanded position less the slave's, m.
+    pub(super) error: T,
     /// The slave's velocity, m/s.
-    velocity: T,
+    pub(super) velocity: T,
 }
 
 impl<T: Scalar> Coordination<T> {
-    /// A spring of `stiffness` N/m and a damper of `damping` N·s/m that pull the slave at `sample` to `command` m.
-    pub(super) fn new(stiffness: T, damping: T, command: T, sample: &PortSample<T>) -> Self {
-        let spring = stiffness * (command - sample.position);
-        Self { spring, damping, velocity: sample.velocity }
-    }
-
     /// The force on the slave under the commanded velocity `flow`, N.
     pub(super) fn pull(&self, flow: T) -> T {
-        self.spring + self.damping * (flow - self.velocity)
-    }
-
-    /// The damping, N·s/m.
-    pub(super) fn damping(&self) -> T {
-        self.damping
+        self.stiffness * self.error + self.damping * (flow - self.velocity)
     }
 }

@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov::{AdmittanceSample, Correction, ParameterError, Plant, PortSample, Scalar};
+use lyapunov::{AdmittanceSample, Correction, HeldFlow, ParameterError, Plant, PortSample, Scalar};
 
 use super::building::{self, AnyChannel, Refused};
 use super::entrant::Entrant;
-use super::link::{Coordination, Link, Message};
+use super::link::{Coordination, Link, Message, Slave};
 use crate::files::scene;
 use crate::files::teleoperation::Teleoperator;
 use crate::simulate::building::AnyPlant;
@@ -31,7 +31,9 @@ pub(crate) struct Tick {
     /// The position commanded to the slave.
     pub(crate) command: f64,
     pub(crate) felt: f64,
-    /// The energy that has crossed both ports, J.
+    /// The energy that the link has taken from the motion of both devices, J.
+    pub(crate) taken: f64,
+    /// The energy that has crossed the master's port and the commanded one, J.
     pub(crate) crossed: f64,
     /// The energies that the corrections at master and slave are about to dissipate, J.
     pub(crate) burnt: [f64; 2],
@@ -40,7 +42,7 @@ pub(crate) struct Tick {
 }
 
 impl Tick {
-    /// The energy that both ports have absorbed once the corrections are made, J.
+    /// The energy that the master's port and the commanded one have absorbed once the corrections are made, J.
     pub(crate) fn kept(&self) -> f64 {
         self.crossed + self.burnt[0] + self.burnt[1]
     }
@@ -48,7 +50,7 @@ impl Tick {
     pub(crate) fn is_finite(&self) -> bool {
         let moved = self.master.iter().chain(&self.slave).all(|it| it.is_finite());
         moved
-            && [self.command, self.felt, self.kept(), self.shortfall]
+            && [self.command, self.felt, self.taken, self.kept(), self.shortfall]
                 .iter()
                 .all(|it| it.is_finite())
     }
@@ -62,7 +64,9 @@ struct State<T: Scalar> {
     /// The position commanded to the slave, m.
     command: T,
     arrived: Message<T>,
-    /// The energy that has crossed both ports, J.
+    /// The energy that the link has taken from the motion of both devices, J.
+    taken: f64,
+    /// The energy that has crossed the master's port and the commanded one, J.
     crossed: f64,
 }
 
@@ -125,22 +129,30 @@ impl<T: Scalar> Rig<T> {
         let zero = T::of(0.0);
         let load = AdmittanceSample::starting(self.period, zero).into();
         let command = slave.position;
-        State { master, slave, load, command, arrived: (zero, zero), crossed: 0.0 }
+        let arrived = (zero, zero);
+        State { master, slave, load, command, arrived, taken: 0.0, crossed: 0.0 }
     }
 
     /// One tick, and the motion to the next.
     fn step(&mut self, state: &mut State<T>) -> Tick {
-        let State { master, slave, load, command, arrived, crossed } = state;
+        let State { master, slave, load, command, arrived, taken, crossed } = state;
         let (felt, sent) = self.link.at_master(master, *arrived);
         let message = self.there.carry(sent);
-        let coordination = Coordination::new(self.stiffness, self.damping, *command, slave);
-        let (moves, pull, answer) = self.link.at_slave(load, message, &coordination);
+        let coordination = Coordination {
+            stiffness: self.stiffness,
+            damping: self.damping,
+            error: *command - slave.position,
+            velocity: slave.velocity,
+        };
+        let end = Slave { load, motion: slave, coordination };
+        let (moves, pull, answer) = self.link.at_slave(&end, message);
         *arrived = self.back.carry(answer);
         let tick = Tick {
             master: [master.position, master.velocity].map(|it| it.lane(0)),
             slave: [slave.position, slave.velocity].map(|it| it.lane(0)),
             command: command.lane(0),
             felt: felt.effort.lane(0),
+            taken: *taken,
             crossed: *crossed,
             burnt: [burnt(master, &felt), burnt(load, &moves)],
             shortfall: (felt.shortfall + moves.shortfall).lane(0),
@@ -149,8 +161,16 @@ impl<T: Scalar> Rig<T> {
         *master = self.master.advance(felt.effort);
         *slave = self.slave.advance(-pull);
         *command += flow * self.period;
-        *load =
-            AdmittanceSample::new(self.period, T::of(0.0), -pull, -pull * self.period, flow).into();
+        *load = HeldFlow {
+            period: self.period,
+            momentum: T::of(0.0),
+            effort: -pull,
+            impulse: -pull * self.period,
+            flow,
+        }
+        .sample()
+        .into();
+        *taken += (master.work + slave.work).lane(0);
         *crossed += (master.work + load.work).lane(0);
         tick
     }

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use lyapunov::{
-    DampingLimit, Lolc, ParameterError, PortEnergy, PortSample, Scalar, Stabilizer,
+    DampingLimit, HeldTick, Lolc, ParameterError, PortEnergy, PortSample, Scalar, Stabilizer,
     accumulators::{Accumulator, Compensated, DoubleDouble, Plain, Wide},
 };
 
@@ -71,7 +71,14 @@ impl Motion {
     fn samples<T: Scalar>(&self) -> Vec<PortSample<T>> {
         let sample = |&(force, displacement): &(f64, f64)| {
             let (period, velocity) = (T::of(1e-3), T::of(1e3 * displacement));
-            PortSample::new(period, T::of(0.0), velocity, T::of(displacement), T::of(force))
+            HeldTick {
+                period,
+                position: T::of(0.0),
+                velocity,
+                displacement: T::of(displacement),
+                applied: T::of(force),
+            }
+            .sample()
         };
         self.samples.iter().map(sample).collect()
     }

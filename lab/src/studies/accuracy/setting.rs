@@ -63,7 +63,7 @@ impl Setting {
     /// stabilizer.
     pub(super) fn all(scene: &Scene) -> Vec<(Self, Scene)> {
         let numbers = [Number::F64, Number::F32, Number::F32WithWideLedger];
-        let numbers = &numbers[..if scene.stabilizer.is_some() { 3 } else { 2 }];
+        let numbers = &numbers[..if has_ledger(scene) { 3 } else { 2 }];
         let of = |&number: &Number| {
             integrators(number).into_iter().map(move |integrator| Self { integrator, number })
         };
@@ -80,6 +80,7 @@ impl Setting {
             Stabilizer::Lolc(lolc) => {
                 Stabilizer::Lolc(scene::Lolc { ledger: self.number.ledger(), ..lolc })
             }
+            other => other,
         });
         let (scalar, integrator) = (self.number.scalar(), self.integrator);
         Draft { scalar, integrator, stabilizer, ..scene.to_draft() }
@@ -110,11 +111,16 @@ impl Setting {
         let table = match scene.stabilizer {
             Some(Stabilizer::Popc(_)) => "popc",
             Some(Stabilizer::Lolc(_)) => "lolc",
-            None => return keys,
+            _ => return keys,
         };
         let ledger = if number.ledger() == Ledger::Wide { "wide" } else { "plain" };
         keys + &format!("# and in [stabilizer.{table}]:\nledger = \"{ledger}\"\n")
     }
+}
+
+/// Whether the stabilizer of `scene` has a ledger to choose.
+fn has_ledger(scene: &Scene) -> bool {
+    matches!(scene.stabilizer, Some(Stabilizer::Popc(_) | Stabilizer::Lolc(_)))
 }
 
 fn integrators(number: Number) -> Vec<Integrator> {

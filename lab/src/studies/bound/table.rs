@@ -50,10 +50,10 @@ impl Limits {
 
 fn word(radius: f64) -> &'static str {
     if radius < 1.0 {
-        ": every motion decays"
+        ": the linear loop is stable"
     } else if radius > 1.0 {
-        ": the loop grows"
+        ": the linear loop is not stable"
     } else {
-        ": a motion stays"
+        ": the linear loop is just not stable"
     }
 }

@@ -1,4 +1,4 @@
-//! Loops that are stable alone and not under a stabilizer.
+//! Loops that are bounded alone and grow under a stabilizer.
 
 use std::fmt;
 
@@ -20,23 +20,26 @@ pub struct Broken {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Row {
     stabilizer: String,
-    /// Scenes with a verdict that are stable without a stabilizer.
-    stable_alone: usize,
-    /// Those among them that are not stable under this one.
+    /// Judged scenes that are bounded without a stabilizer.
+    bounded_alone: usize,
+    /// Those among them that grow under this one.
     broke: usize,
 }
 
-/// Whether the loop is stable without a stabilizer; none where `none` takes no part, or without a verdict.
+/// Whether the loop is bounded without a stabilizer; none where `none` takes no part, or the run is too short.
 fn alone<'a>(scores: impl IntoIterator<Item = &'a Score>) -> Option<bool> {
     let name = BasicName::NoStabilizer.name();
-    scores.into_iter().find(|score| score.stabilizer == name).and_then(|score| score.stable)
+    scores
+        .into_iter()
+        .find(|score| score.stabilizer == name)
+        .and_then(|score| score.verdict.judged())
 }
 
-/// Marks those `scores` of one scene that are not stable although the loop is so alone.
+/// Marks those `scores` of one scene whose run grows although that of the loop alone does not.
 pub(super) fn mark(scores: &mut [Score]) {
     let Some(alone) = alone(&*scores) else { return };
     for score in scores {
-        score.broke_it = score.stable.map(|stable| alone && !stable);
+        score.broke_it = score.verdict.judged().map(|bounded| alone && !bounded);
     }
 }
 
@@ -52,9 +55,9 @@ impl Broken {
                 let at = rows.iter().position(named).unwrap_or(rows.len());
                 if at == rows.len() {
                     let stabilizer = score.stabilizer.clone();
-                    rows.push(Row { stabilizer, stable_alone: 0, broke: 0 });
+                    rows.push(Row { stabilizer, bounded_alone: 0, broke: 0 });
                 }
-                rows[at].stable_alone += usize::from(alone);
+                rows[at].bounded_alone += usize::from(alone);
                 rows[at].broke += usize::from(broke);
             }
         }
@@ -71,11 +74,11 @@ impl fmt::Display for Broken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let headings = [
             Heading::word("all scenes"),
-            Heading::number("stable\nalone"),
+            Heading::number("bounded\nalone"),
             Heading::number("broken\nof these"),
         ];
-        let rows = self.rows.iter().map(|Row { stabilizer, stable_alone, broke }| {
-            [stabilizer.as_str().into(), stable_alone.to_string().into(), broke.to_string().into()]
+        let rows = self.rows.iter().map(|Row { stabilizer, bounded_alone, broke }| {
+            [stabilizer.as_str().into(), bounded_alone.to_string().into(), broke.to_string().into()]
         });
         write!(f, "{}", Table::new(headings).with_rows(rows))
     }

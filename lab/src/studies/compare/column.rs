@@ -14,8 +14,8 @@ use crate::text::nearest;
 pub enum Column {
     /// The entrant's name.
     Stabilizer,
-    /// Whether the run was bounded and did not grow.
-    Stable,
+    /// The verdict on the run.
+    Verdict,
     /// Settling time.
     SettlingTime,
     /// Peak force in short contacts.
@@ -48,7 +48,7 @@ pub enum Column {
     EnergyBeyondDamper,
     /// Force felt, as a share of the environment's own.
     ForceFelt,
-    /// Whether it broke a loop that is stable alone.
+    /// Whether it broke a loop that is bounded alone.
     BrokeIt,
     /// Numbers that judge the entrant.
     JudgedBy,
@@ -58,7 +58,7 @@ impl Column {
     /// All columns, in the order of the table.
     pub const ALL: [Self; 20] = [
         Self::Stabilizer,
-        Self::Stable,
+        Self::Verdict,
         Self::SettlingTime,
         Self::ShortPeak,
         Self::LongPeak,
@@ -83,7 +83,7 @@ impl Column {
     pub fn key(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
-            Self::Stable => "stable",
+            Self::Verdict => "verdict",
             Self::SettlingTime => "settling_time_s",
             Self::ShortPeak => "peak_force_short_contact_n",
             Self::LongPeak => "peak_force_long_contact_n",
@@ -109,7 +109,7 @@ impl Column {
     pub(super) fn heading(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
-            Self::Stable => "stable",
+            Self::Verdict => "verdict",
             Self::SettlingTime => "settled\ns",
             Self::ShortPeak => "peak force\n< 0.5 s\nN",
             Self::LongPeak => "peak force\n>= 0.5 s\nN",
@@ -139,7 +139,7 @@ impl Column {
     pub(super) fn cell(self, score: &Score) -> Cell {
         match self {
             Self::Stabilizer => score.stabilizer.as_str().into(),
-            Self::Stable => score.stable.into(),
+            Self::Verdict => score.verdict.into(),
             Self::StepTime => {
                 let told = score.step_time.map(|time| {
                     let decimals = if time.median < 100.0 { 2 } else { 0 };
@@ -163,6 +163,9 @@ impl Column {
         if self == Self::Stabilizer {
             return one.stabilizer.cmp(&other.stabilizer);
         }
+        if self == Self::Verdict {
+            return one.verdict.cmp(&other.verdict);
+        }
         match (self.value(one), self.value(other)) {
             (Some(one), Some(other)) => one.total_cmp(&other),
             (one, other) => other.is_some().cmp(&one.is_some()),
@@ -172,8 +175,7 @@ impl Column {
     /// The number that sorts the column.
     fn value(self, score: &Score) -> Option<f64> {
         match self {
-            Self::Stabilizer | Self::JudgedBy => None,
-            Self::Stable => score.stable.map(|stable| if stable { 0.0 } else { 1.0 }),
+            Self::Stabilizer | Self::Verdict | Self::JudgedBy => None,
             Self::SettlingTime => score.settling_time,
             Self::ShortPeak => score.short_peak,
             Self::LongPeak => score.long_peak,

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use lyapunov::ParameterError;
 
 use super::sheet::Sheet;
+use crate::text::names::{Named, Names};
 
 /// Ticks between two reports of progress.
 pub(super) const BREATH: u64 = 1 << 14;
@@ -18,23 +19,31 @@ pub trait Compared: Sized {
     /// The file.
     type File;
 
+    /// An entrant.
+    type Entrant: Named;
+
     /// The kind of file, in one word.
     const NOUN: &'static str;
 
     /// The heading of a report.
     const TITLE: &'static str;
 
-    /// The entrants, in a paragraph of a report.
+    /// All entrants, in a paragraph of a report.
     const ABOUT: &'static str;
 
-    /// The ticks of all entrants together.
+    /// The ticks of each entrant.
     fn ticks(file: &Self::File) -> u64;
 
-    /// Runs all entrants on `file`, whose name is `name`.
+    /// Runs `entrants` on `file`, whose name is `name`.
     ///
     /// # Errors
     /// [`RunError::Stopped`] if `watch` stops the runs; a file that was never checked.
-    fn of(name: &str, file: &Self::File, watch: &Watch<'_>) -> Result<Self, RunError>;
+    fn of(
+        name: &str,
+        file: &Self::File,
+        entrants: &Names<Self::Entrant>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, RunError>;
 
     /// The comparison as it is shown.
     fn sheet(&self) -> Sheet;

@@ -140,7 +140,7 @@ impl Comparison {
         self.outcomes.iter().map(|outcome| &outcome.score)
     }
 
-    /// Sorts the entrants by a column, smallest first (stable before unstable, names alphabetically), entrants without
+    /// Sorts the entrants by a column, smallest first (names alphabetically, verdicts from best to worst), entrants without
     /// a value last, ties in the order of registration.
     pub fn sort_by(&mut self, column: Column) {
         self.outcomes.sort_by(|one, other| {

@@ -59,12 +59,12 @@ fn replay<V: Space>(
     samples: &Samples<V>,
     passes: usize,
 ) -> Result<Duration, ParameterError> {
-    let fresh = (0..passes).map(|_| entrant.stabilizer(scene));
+    let fresh = (0..passes).map(|_| entrant.fitted(scene));
     let mut stabilizers = fresh.collect::<Result<Vec<_>, _>>()?;
     let mut corrections = vec![Correction::none(V::zero()); samples.len()];
     let start = Instant::now();
     for stabilizer in &mut stabilizers {
-        stabilizer.replay(black_box(samples), black_box(&mut corrections));
+        stabilizer.replay(black_box(samples), black_box(&mut corrections))?;
     }
     Ok(start.elapsed())
 }

@@ -5,6 +5,8 @@ use serde::Serialize;
 use super::contacts::wall;
 use super::score::Score;
 use super::{Broken, Comparison};
+use crate::measure::Yardstick;
+use crate::simulate::Criterion;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -19,11 +21,15 @@ struct Document<'a> {
 #[derive(Serialize)]
 struct Circumstances<'a> {
     scene: &'a str,
+    verdict_by: Yardstick,
     stiffness_asked_n_per_m: Option<f64>,
     work: &'static str,
     /// None: no limit.
     damping_cap: Option<f64>,
     settings_from_scene: bool,
+    /// The limit of the cap for the delay, m / T, where the cap lies above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_cap_limit: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -39,17 +45,19 @@ struct Line<'a> {
 /// None: every part can be written as JSON.
 pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
-        let cap = comparison.settings.damping_cap.get();
+        let cap = comparison.settings.damping_cap;
         (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {
         let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);
         Circumstances {
             scene: &comparison.name,
+            verdict_by: Yardstick::of(&Criterion::of(&comparison.scene)),
             stiffness_asked_n_per_m,
             work: comparison.settings.work_name(),
             damping_cap,
             settings_from_scene: comparison.settings.from_scene,
+            damping_cap_limit: comparison.scene.exceeded_cap(),
         }
     });
     let rows = comparisons.iter().flat_map(|comparison| {

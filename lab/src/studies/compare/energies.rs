@@ -9,7 +9,7 @@ use super::comparison::{CompareError, Comparison};
 use super::entrant_run::Watch;
 use super::entrants::Entrants;
 use super::table::Setting;
-use crate::measure::Balance;
+use crate::measure::{Balance, Verdict};
 use crate::show::csv::{self, Field};
 use crate::simulate::{Rollout, Space};
 use lyapunov_figures::{Figure, Panel, Series};
@@ -30,7 +30,7 @@ type Bars = Vec<(f64, f64, f64)>;
 #[derive(Clone, Debug)]
 pub struct Energies {
     title: String,
-    /// The balance of each entrant, in the order of the table; none for a run that is not stable.
+    /// The balance of each entrant, in the order of the table; none for a run that grows.
     rows: Vec<(String, Option<Balance>)>,
 }
 
@@ -48,13 +48,13 @@ impl Energies {
         // During the run `watch` is asked only whether to go on.
         let quiet = |_| watch(0);
         let balance = |number: usize| -> Result<Balance, ParameterError> {
-            let stabilizer = entrants.entries()[number].stabilizer(scene)?;
-            Balance::along(scene, Rollout::assemble(scene, stabilizer)?, &quiet)
+            let fitted = entrants.entries()[number].fitted(scene)?;
+            Balance::along(scene, Rollout::assemble(scene, fitted)?, &quiet)
         };
         let rows = comparison.outcomes.par_iter().map(|outcome| {
             let name = &outcome.score.stabilizer;
-            if outcome.score.stable == Some(false) {
-                return Ok((format!("{name} (unstable)"), None));
+            if outcome.score.verdict == Verdict::Grows {
+                return Ok((format!("{name} (grows)"), None));
             }
             let told = balance(outcome.number).map_err(|error| CompareError::Parameter {
                 stabilizer: name.clone(),

@@ -9,9 +9,10 @@ use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
-use crate::files::Scene;
-use crate::measure::{Boundedness, Chatter, Energies, Physical, Share, Summary, Trace};
-use crate::simulate::{Criterion, Rollout, Space, Tick};
+use crate::files::scene::{Scalar as Width, Scene};
+use crate::measure::{Chatter, Energies, Physical, Share, Summary, Trace, Verdict};
+use crate::simulate::family::Judgement;
+use crate::simulate::{Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
 pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
@@ -38,11 +39,11 @@ impl<V: Space> EntrantRun<V> {
         entrant: &Entrant<V>,
         watch: &Watch<'_>,
     ) -> Result<Self, RunError> {
-        let stabilizer = entrant.stabilizer(scene)?;
-        let state_bytes = stabilizer.state_bytes();
+        let fitted = entrant.fitted(scene)?;
+        let state_bytes = fitted.state_bytes();
         let mut meters = Meters::new::<V>(scene);
         let mut samples = Vec::new();
-        let rollout = Rollout::assemble(scene, stabilizer)?;
+        let rollout = Rollout::assemble(scene, fitted)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
             // The caller who asked for an early end knows of it.
             let _ = { rollout }.try_for_each(each);
@@ -55,9 +56,27 @@ impl<V: Space> EntrantRun<V> {
             }
         })?;
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
-        let score = Score { judged_by: entrant.judgement, ..score };
+        let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
+        let active = score.active.filter(|_| damps);
+        let score = Score { active, judged_by: entrant.judgement, ..score };
         Ok(Self { score, curves, samples })
     }
+}
+
+/// The score of `scene` under its own stabilizer, in its own scalar.
+///
+/// # Errors
+/// [`RunError::Stopped`] if `watch` stops the run; a scene that was never checked.
+pub(crate) fn own_score(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    match scene.scalar {
+        Width::F64 => of_own::<f64>(scene, watch),
+        Width::F32 => of_own::<f32>(scene, watch),
+    }
+}
+
+fn of_own<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    let own = Entrant::<V>::own(scene);
+    EntrantRun::of(scene, &own, watch).map(|run| run.score)
 }
 
 /// All measures along a run.
@@ -65,8 +84,6 @@ impl<V: Space> EntrantRun<V> {
 struct Meters {
     share: Share,
     summary: Summary,
-    criterion: Criterion,
-    boundedness: Boundedness<f64>,
     contacts: Contacts,
     energies: Energies<f64>,
     physical: Physical,
@@ -81,8 +98,6 @@ impl Meters {
         Self {
             share: Share::new::<V>(scene),
             summary: Summary::new(scene),
-            criterion: Criterion::of(scene),
-            boundedness: Boundedness::new(scene.ticks()),
             contacts: Contacts::new(scene),
             energies: Energies::new(),
             physical: Physical::new(scene),
@@ -102,7 +117,6 @@ impl Meters {
             environment: split.environment,
         };
         self.summary.add(tick);
-        self.boundedness.add(touch.position);
         self.contacts.add(&touch);
         self.energies.add(touch.position, split.environment, split.controller);
         self.physical.add(tick, &split);
@@ -117,16 +131,16 @@ impl Meters {
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
         self.contacts.end();
         let Self { summary, contacts, energies, physical, .. } = &self;
-        let stable = self.boundedness.verdict(0, &self.criterion);
+        let verdict = summary.verdict();
         let told = |value: Option<f64>| value.filter(|value| value.is_finite());
         let millijoules = |energy: f64| told(Some(1e3 * energy));
         let (stiffness, percent) = physical.stiffness_felt().unzip();
         let [given, beyond_damper] = physical.millijoules_given().map(|energy| told(Some(energy)));
-        let of_stable = |value: Option<f64>| told(value.filter(|_| stable == Some(true)));
+        let of_bounded = |value: Option<f64>| told(value.filter(|_| verdict != Verdict::Grows));
         let active = 100.0 * summary.active as f64 / summary.rows as f64;
         let score = Score {
             stabilizer,
-            stable,
+            verdict,
             settling_time: summary.settled.filter(|_| summary.left_range().is_none()),
             short_peak: contacts.short_peak(),
             long_peak: contacts.long_peak(),
@@ -135,14 +149,14 @@ impl Meters {
             shortfall: millijoules(summary.shortfall),
             stiffness_felt: told(stiffness),
             stiffness_percent: told(percent),
-            force_error: of_stable(contacts.force_error()),
+            force_error: of_bounded(contacts.force_error()),
             chatter: told(self.chatter.as_ref().and_then(Chatter::root_mean_square)),
             active: told(Some(active)),
             step_time: None,
             state_bytes,
             energy_given: given,
             energy_given_beyond_damper: beyond_damper,
-            force_felt: of_stable(physical.force_felt()),
+            force_felt: of_bounded(physical.force_felt()),
             broke_it: None,
             judged_by: None,
         };

@@ -6,7 +6,7 @@ use lyapunov::{ParameterError, Scalar, Stabilizer};
 
 use crate::files::Scene;
 use crate::simulate::family::{Judgement, StabilizerName, StabilizerNames};
-use crate::simulate::{AnyStabilizer, Space};
+use crate::simulate::{AnyStabilizer, Fitted, Space};
 
 /// The entrants of a comparison: names, and the way to make each stabilizer for a scene.
 ///
@@ -34,7 +34,7 @@ pub struct Entrants<V: Space = f64> {
 }
 
 /// Constructor of an entrant's stabilizer.
-type Make<V> = dyn Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync;
+type Make<V> = dyn Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync;
 
 /// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
@@ -56,7 +56,20 @@ impl<V: Space> Entrants<V> {
         name: impl Into<String>,
         make: impl Fn(&Scene) -> Result<S, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entered(name.into(), None, move |scene| make(scene).map(AnyStabilizer::new))
+        self.entered(name.into(), None, move |scene| {
+            make(scene).map(|made| Fitted::Behind(AnyStabilizer::new(made)))
+        })
+    }
+
+    /// Adds an entrant that `make` fits to each scene, behind the environment or around it; `like` says how to judge it.
+    #[must_use]
+    pub fn with_fitted(
+        self,
+        name: impl Into<String>,
+        like: StabilizerName,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
+    ) -> Self {
+        self.entered(name.into(), Some(like.judgement()), make)
     }
 
     /// The names, in the order of registration.
@@ -72,7 +85,7 @@ impl<V: Space> Entrants<V> {
         mut self,
         name: String,
         judgement: Option<Judgement>,
-        make: impl Fn(&Scene) -> Result<AnyStabilizer<V>, ParameterError> + Send + Sync + 'static,
+        make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
         self.entries.push(Entrant { name, judgement, make: Box::new(make) });
         self
@@ -95,7 +108,13 @@ impl<T: Scalar + Space> Entrants<T> {
 }
 
 impl<V: Space> Entrant<V> {
-    pub(super) fn stabilizer(&self, scene: &Scene) -> Result<AnyStabilizer<V>, ParameterError> {
+    /// The stabilizer that `scene` itself names.
+    pub(super) fn own(scene: &Scene) -> Self {
+        let name = scene.stabilizer.map_or("none", |table| table.name()).to_owned();
+        Self { name, judgement: None, make: Box::new(Fitted::of) }
+    }
+
+    pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
         (self.make)(scene)
     }
 }

@@ -25,12 +25,14 @@ mod trade_off;
 
 pub use crate::simulate::Subject;
 pub use crate::simulate::family::{Judgement, Settings};
+pub use crate::text::names::{Named, Names, NamesError};
 pub use broken::Broken;
 pub use column::{Column, UnknownColumn};
 pub use compared::{Compared, RunError, Watch};
 pub use comparison::{CompareError, Comparison};
 pub use document::document;
 pub use energies::Energies;
+pub(crate) use entrant_run::own_score;
 pub use entrants::Entrants;
 pub use score::{Score, StepTime};
 pub use sheet::{Sheet, page};

@@ -3,14 +3,14 @@
 use super::comparison::{Comparison, Outcome};
 use super::contacts::wall;
 use super::table::Setting;
+use crate::measure::Verdict;
 use crate::simulate::Criterion;
-use crate::simulate::equilibrium::equilibrium;
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
 /// Height of a panel with a single curve, in pixels of the drawing.
 const ALONE: f64 = 130.0;
 
-/// The shown range as a multiple of the starting swing, if no entrant is stable.
+/// The shown range as a multiple of the starting swing, if every entrant grows.
 const SHOWN: f64 = 3.0;
 
 type Points = Vec<(f64, f64)>;
@@ -101,7 +101,7 @@ impl Drawing {
         }))
     }
 
-    /// The curves of `outcomes`; an unstable curve ends where it leaves `range`.
+    /// The curves of `outcomes`; one of a run that grows ends where it leaves `range`.
     fn panel(
         &self,
         comparison: &Comparison,
@@ -113,13 +113,13 @@ impl Drawing {
             .with_x_range(0.0, comparison.scene.duration.get());
         for (index, outcome) in outcomes.iter().enumerate() {
             let points = (self.curve)(outcome);
-            // An unstable curve ends where it first leaves the frame: its returns would only be upright lines.
-            let end = range.filter(|_| is_unstable(outcome)).and_then(|(low, high)| {
+            // A curve that grows ends where it first leaves the frame: its returns would only be upright lines.
+            let end = range.filter(|_| grows(outcome)).and_then(|(low, high)| {
                 points.iter().position(|point| !(low..=high).contains(&point.1))
             });
             let kept = &points[..end.map_or(points.len(), |end| end + 1)];
             let name = if outcomes.len() > 1 { &outcome.score.stabilizer[..] } else { "" };
-            let cut = if is_unstable(outcome) { "(unstable, cut off)" } else { "" };
+            let cut = if grows(outcome) { "(grows, cut off)" } else { "" };
             let gap = if name.is_empty() || cut.is_empty() { "" } else { " " };
             // Alone in its panel, a curve needs no dashes.
             let colour =
@@ -136,29 +136,30 @@ impl Drawing {
         }
     }
 
-    /// All curves in one frame, that of the stable curves if some are unstable.
+    /// All curves in one frame, that of the runs that do not grow if some do.
     fn overlaid(&self, comparison: &Comparison, title: &str, outcomes: &[&Outcome]) -> Panel {
-        let unstable = outcomes.iter().any(|outcome| is_unstable(outcome));
-        let range = self.range(comparison, outcomes).filter(|_| unstable);
+        let some_grow = outcomes.iter().any(|outcome| grows(outcome));
+        let range = self.range(comparison, outcomes).filter(|_| some_grow);
         self.panel(comparison, title, outcomes, range)
     }
 }
 
-fn is_unstable(outcome: &Outcome) -> bool {
-    outcome.score.stable == Some(false)
+fn grows(outcome: &Outcome) -> bool {
+    outcome.score.verdict == Verdict::Grows
 }
 
-/// The time up to which a curve counts for the shown range: to its end if it is stable, else not at all, or if all are
-/// unstable, until it leaves [`SHOWN`] starting swings.
+/// The time up to which a curve counts for the shown range: to its end unless it grows, else not at all, or if all grow,
+/// until it leaves [`SHOWN`] starting swings, where the scene has any.
 fn shown_until(comparison: &Comparison, outcome: &Outcome, outcomes: &[&Outcome]) -> f64 {
-    if !is_unstable(outcome) {
+    if !grows(outcome) {
         return f64::INFINITY;
     }
-    if !outcomes.iter().all(|outcome| is_unstable(outcome)) {
+    if !outcomes.iter().all(|outcome| grows(outcome)) {
         return f64::NEG_INFINITY;
     }
-    let reach = SHOWN * Criterion::of(&comparison.scene).start;
-    let rest = equilibrium(&comparison.scene).unwrap_or(0.0);
+    let criterion = Criterion::of(&comparison.scene);
+    let Some(rest) = criterion.place() else { return f64::INFINITY };
+    let reach = SHOWN * criterion.start;
     let points = &outcome.curves.position;
     let left = points.iter().find(|point| (point.1 - rest).abs() > reach);
     left.map_or(f64::INFINITY, |point| point.0)

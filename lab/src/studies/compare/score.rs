@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::measure::Verdict;
 use crate::simulate::family::Judgement;
 
 /// The score of one entrant on one scene; docs/compare.md defines every number.
@@ -11,8 +12,8 @@ use crate::simulate::family::Judgement;
 pub struct Score {
     /// The entrant.
     pub stabilizer: String,
-    /// Whether the run was bounded and did not grow.
-    pub stable: Option<bool>,
+    /// The verdict on the run.
+    pub verdict: Verdict,
     /// The time since when the plant has stayed in the band about its equilibrium, s.
     #[serde(rename = "settling_time_s")]
     pub settling_time: Option<f64>,
@@ -37,13 +38,13 @@ pub struct Score {
     /// The stiffness felt in percent of the wall's.
     #[serde(rename = "stiffness_felt_percent")]
     pub stiffness_percent: Option<f64>,
-    /// Root mean square of the force on the plant minus the ideal wall's in contact, of stable runs, N.
+    /// Root mean square of the force on the plant minus the ideal wall's in contact, of runs that do not grow, N.
     #[serde(rename = "force_error_rms_n")]
     pub force_error: Option<f64>,
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.
     #[serde(rename = "chatter_rms_n")]
     pub chatter: Option<f64>,
-    /// Share of the ticks on which damping was injected, percent.
+    /// Share of the ticks on which damping was injected, percent; `None` for a law that adds no damping.
     #[serde(rename = "active_percent")]
     pub active: Option<f64>,
     /// Time of one step.
@@ -57,10 +58,10 @@ pub struct Score {
     /// The most that the port had given beyond what it and the device's damper had taken, mJ; none with jitter.
     #[serde(rename = "energy_given_beyond_damper_mj")]
     pub energy_given_beyond_damper: Option<f64>,
-    /// Force on the plant, of stable runs, in percent of the environment's own law on the true motion.
+    /// Force on the plant, of runs that do not grow, in percent of the environment's own law on the true motion.
     #[serde(rename = "force_felt_percent")]
     pub force_felt: Option<f64>,
-    /// Whether the loop was stable without a stabilizer and is not under this one; none where `none` takes no part.
+    /// Whether the loop is bounded without a stabilizer and grows under this one; none where `none` takes no part.
     pub broke_it: Option<bool>,
     /// The numbers to judge the entrant by; none for an entrant of your own.
     pub judged_by: Option<Judgement>,

@@ -16,7 +16,7 @@ pub struct Sheet {
     pub name: String,
     /// The file in one line.
     pub setting: String,
-    /// The values at the start that the columns are compared with, in one line.
+    /// The values at the start that the columns are compared with, in clauses that `; ` separates: one line each.
     pub start: String,
     /// A row for each entrant.
     pub(crate) tables: Vec<Table>,
@@ -30,7 +30,7 @@ pub struct Sheet {
 
 impl fmt::Display for Sheet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}: {}\n{}", self.name, self.setting, self.start)?;
+        writeln!(f, "{}: {}\n{}", self.name, self.setting, self.start.replace("; ", "\n"))?;
         self.tables.iter().try_for_each(|table| write!(f, "\n{table}"))
     }
 }

@@ -7,12 +7,13 @@ use super::column::Column;
 use crate::files::Scene;
 use crate::show::described;
 use crate::show::table::{Heading, Table};
+use crate::show::verdict::by_speed;
 use crate::text::given;
 
 /// Columns of the loop's behaviour.
 const BEHAVIOUR: [Column; 8] = [
     Column::Stabilizer,
-    Column::Stable,
+    Column::Verdict,
     Column::SettlingTime,
     Column::ShortPeak,
     Column::LongPeak,
@@ -46,9 +47,15 @@ const PHYSICAL: [Column; 6] = [
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
+    if let Some(sentence) = described::exceeded_cap(&comparison.scene) {
+        writeln!(f, "{sentence}")?;
+    }
+    if let Some(by) = by_speed(&comparison.scene) {
+        writeln!(f, "judged {by}")?;
+    }
     for columns in [&BEHAVIOUR[..], &FEEL, &PHYSICAL] {
         let headings = columns.iter().map(|column| match column {
-            Column::Stabilizer | Column::Stable | Column::BrokeIt | Column::JudgedBy => {
+            Column::Stabilizer | Column::Verdict | Column::BrokeIt | Column::JudgedBy => {
                 Heading::word(column.heading())
             }
             _ => Heading::number(column.heading()),

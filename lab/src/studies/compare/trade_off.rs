@@ -1,4 +1,4 @@
-//! Trade-off of a stabilizer: how many walls it renders stably, against how well.
+//! Trade-off of a stabilizer: on how many walls its run stays bounded, against how well it renders them.
 
 use std::ops::ControlFlow;
 
@@ -11,8 +11,8 @@ use super::entrants::Entrants;
 use crate::files::scene::{Environment, NonNegative, Positive, Scene};
 use crate::measure::timing::quartiles;
 use crate::show::csv::{self, Field};
-use crate::simulate::Space;
 use crate::simulate::family::BasicName;
+use crate::simulate::{Criterion, Space};
 use crate::text::{found, given};
 use lyapunov_figures::{Figure, Panel, Series};
 
@@ -28,30 +28,30 @@ const MOST: u64 = 20_000;
 /// Height of an entrant's bars, in pixels of the drawing.
 const ROW: f64 = 30.0;
 
-/// The number of walls that each entrant renders stably, and how close it comes to the ideal wall on the common ones. A
-/// wall is common if every stabilizer that renders any wall stably renders it stably, and `none`, where it takes part,
-/// does not.
+/// The number of walls on which each entrant's run stays bounded, that is settles or swings, and how close it comes to the
+/// ideal wall on the common ones. A wall is common if it is bounded under every stabilizer that is bounded on any wall, and
+/// not under `none`, where that takes part.
 ///
 /// The walls stand at the scene's position: 12 stiffnesses from a sixteenth to 16 times its own, in equal ratios, by 12
 /// dampings from 0 to `m / (r T)`, which stops the mass `m` within one period `r T` of the environment.
 #[derive(Clone, Debug)]
 pub struct TradeOff {
     title: String,
-    /// The name, the number of stable walls, and the median force error on the common walls.
+    /// The name, the number of bounded walls, and the median force error on the common walls.
     rows: Vec<(String, usize, Option<f64>)>,
     walls: usize,
     common: usize,
 }
 
 impl TradeOff {
-    /// The number of runs for each entrant, and the ticks of each; none if the scene has no wall.
+    /// The number of runs for each entrant, and the ticks of each; none if the scene has no wall, or is too short to judge.
     pub fn runs(scene: &Scene) -> Option<(u64, u64)> {
         let walls = walls(scene);
         walls.first().map(|one| (walls.len() as u64, one.ticks() + 1))
     }
 
     /// The trade-off of `comparison` with its `entrants`; `watch` receives how many more ticks are done. None for a
-    /// scene without a wall, or without a verdict.
+    /// scene without a wall, or whose runs are too short to judge.
     ///
     /// # Errors
     /// Those of [`Comparison::watched`].
@@ -61,7 +61,7 @@ impl TradeOff {
         watch: &Watch<'_>,
     ) -> Result<Option<Self>, CompareError> {
         let walls = walls(&comparison.scene);
-        if walls.is_empty() || comparison.scores().all(|score| score.stable.is_none()) {
+        if walls.is_empty() {
             return Ok(None);
         }
         let error = |number: usize, scene: &Scene| {
@@ -77,8 +77,8 @@ impl TradeOff {
             })?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Break(()) => Err(CompareError::Stopped),
-                // A wall that is never touched counts as stable, and has no error to compare.
-                ControlFlow::Continue(()) if run.score.stable == Some(true) => {
+                // A wall that is never touched counts as bounded, and has no error to compare.
+                ControlFlow::Continue(()) if run.score.verdict.is_bounded() => {
                     Ok(Some(run.score.force_error.unwrap_or(f64::NAN)))
                 }
                 ControlFlow::Continue(()) => Ok(None),
@@ -93,13 +93,13 @@ impl TradeOff {
         Ok(Some(Self::told(title, names, &errors?)))
     }
 
-    /// The trade-off from the force errors of all entrants, wall by wall; an error is none where the run is not stable.
+    /// The trade-off from the force errors of all entrants, wall by wall; an error is none where the run is not bounded.
     fn told(title: String, names: Vec<String>, errors: &[Vec<Option<f64>>]) -> Self {
-        let stable = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
-        let held: Vec<usize> = (0..names.len()).map(stable).collect();
+        let bounded = |index: usize| errors.iter().filter(|wall| wall[index].is_some()).count();
+        let held: Vec<usize> = (0..names.len()).map(bounded).collect();
         let is_nobody = |index: usize| names[index] == BasicName::NoStabilizer.name();
         let counts = |index: usize| held[index] > 0 && !is_nobody(index);
-        // Where `none` is stable too, no stabilizer shows its cost.
+        // Where `none` is bounded too, no stabilizer shows its cost.
         let agrees = |wall: &[Option<f64>], index: usize| match wall[index] {
             Some(error) => !is_nobody(index) && error.is_finite(),
             None => !counts(index),
@@ -117,7 +117,7 @@ impl TradeOff {
         Self { title, rows: rows.collect(), walls: errors.len(), common: common.len() }
     }
 
-    /// A bar for the stable walls and one for the force error, side by side.
+    /// A bar for the bounded walls and one for the force error, side by side.
     pub fn figure(&self) -> Figure {
         let names: Vec<String> = self.rows.iter().map(|(name, ..)| name.clone()).collect();
         let panel = |title: &str, label: &str, colour: usize, of: &dyn Fn(usize) -> f64| {
@@ -128,7 +128,8 @@ impl TradeOff {
         };
         let share = |row: usize| 100.0 * self.rows[row].1 as f64 / self.walls as f64;
         let error = |row: usize| self.rows[row].2.unwrap_or(f64::NAN);
-        let shares = panel(&format!("stable, of {} walls", self.walls), "share, %", 0, &share);
+        let shares =
+            panel(&format!("settles or swings, of {} walls", self.walls), "share, %", 0, &share);
         let title = format!("force error, common walls: {}", self.common);
         let errors = panel(&title, "force error, N rms, median", 1, &error);
         let height = (ROW * names.len() as f64).max(3.0 * ROW);
@@ -142,12 +143,12 @@ impl TradeOff {
 
     /// The trade-off as comma-separated values.
     pub fn csv(&self) -> String {
-        let records = self.rows.iter().map(|(name, stable, error)| {
-            let [stable, walls, common] = [*stable, self.walls, self.common].map(Field::Count);
-            [Field::Text(name), stable, walls, common, (*error).into()]
+        let records = self.rows.iter().map(|(name, bounded, error)| {
+            let [bounded, walls, common] = [*bounded, self.walls, self.common].map(Field::Count);
+            [Field::Text(name), bounded, walls, common, (*error).into()]
         });
         csv::text(
-            ["stabilizer", "stable_walls", "walls", "common_walls", "force_error_rms_n"],
+            ["stabilizer", "bounded_walls", "walls", "common_walls", "force_error_rms_n"],
             records,
         )
     }
@@ -170,7 +171,7 @@ fn range(walls: &[Scene]) -> String {
     )
 }
 
-/// The scene with each of the walls, its run cut to [`MOST`] ticks; empty if it has none.
+/// The scene with each of the walls, its run cut to [`MOST`] ticks; empty if it has none, or if that is too short to judge.
 fn walls(scene: &Scene) -> Vec<Scene> {
     let Some(&own) = scene.environment.wall() else { return Vec::new() };
     let period = scene.period() * scene.environment_ratio() as f64;
@@ -187,7 +188,7 @@ fn walls(scene: &Scene) -> Vec<Scene> {
         let mut with = scene.to_draft();
         with.environment = Environment::Wall(wall);
         with.duration = duration.ok()?;
-        with.check().ok()
+        with.check().ok().filter(|scene| Criterion::of(scene).shortage.is_none())
     };
     if stiffness > 0.0 { (0..VALUES * VALUES).filter_map(with).collect() } else { Vec::new() }
 }

@@ -5,15 +5,19 @@ use serde_json::{Map, Value};
 
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::Balance;
+use crate::measure::{Balance, Verdict, Yardstick};
 
 #[derive(Serialize)]
 struct Document<'a> {
     scene: &'a str,
-    bounded: bool,
+    verdict: Verdict,
+    verdict_by: Yardstick,
     spectral_radius: Option<f64>,
     groups: DimensionlessGroups,
     broken: Vec<Broken>,
+    /// The limit of the damping cap for the delay, m / T, where the cap lies above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_cap_limit: Option<f64>,
     first_contact: Option<Balance>,
     whole_run: Balance,
     remedies: Vec<Tried>,
@@ -29,7 +33,7 @@ struct Broken {
 #[derive(Serialize)]
 struct Tried {
     set: Map<String, Value>,
-    bounded: bool,
+    verdict: Verdict,
     peak_force_n: f64,
     force_error_rms_n: f64,
 }
@@ -43,10 +47,12 @@ impl Explanation {
         let broken = broken(&self.limits).into_iter();
         let document = Document {
             scene,
-            bounded: self.is_bounded,
+            verdict: self.verdict,
+            verdict_by: self.verdict_by,
             spectral_radius: self.limits.spectral_radius,
             groups: self.groups,
             broken: broken.map(|(limit, _, most, times)| Broken { limit, most, times }).collect(),
+            damping_cap_limit: self.scene.exceeded_cap(),
             first_contact: self.first_contact,
             whole_run: self.whole_run,
             remedies: self.remedies.iter().map(tried).collect(),
@@ -63,7 +69,7 @@ fn tried(remedy: &Remedy) -> Tried {
     let set = remedy.changes.iter().map(|(key, change)| (key.clone(), value(change)));
     Tried {
         set: set.collect(),
-        bounded: true,
+        verdict: remedy.verdict,
         peak_force_n: remedy.peak_force,
         force_error_rms_n: remedy.force_error,
     }

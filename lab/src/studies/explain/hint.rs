@@ -1,65 +1,53 @@
-//! Hint of two lines under a run that diverges.
+//! Hint of two lines under a run that grows.
 
 use std::fmt;
 
-use crate::files::Scene;
-use crate::measure::balance::Fate;
-use crate::measure::{Limits, LinearPart};
-use crate::simulate::{Space, Tick};
+use crate::measure::{Limits, LinearPart, Summary, Verdict};
 use crate::text::found;
 
-/// Watches a run; its `Display` gives the reason in two lines after a run that diverges, else nothing.
+/// The reason why a run grows: its `Display` gives it in two lines, and nothing for another run.
 #[derive(Clone, Debug)]
-pub struct Hint {
-    scene: Scene,
-    fate: Fate,
-}
+pub struct Hint<'a>(&'a Summary);
 
-impl Hint {
-    /// The hint before the first tick.
-    pub fn new(scene: &Scene) -> Self {
-        Self { scene: scene.clone(), fate: Fate::new(scene) }
-    }
-
-    /// Adds one more tick.
-    pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
-        self.fate.add(tick);
-    }
-
-    /// Whether the run diverged.
-    pub fn diverged(&self) -> bool {
-        !self.fate.is_bounded()
+impl<'a> Hint<'a> {
+    /// The hint to a run.
+    pub fn of(summary: &'a Summary) -> Self {
+        Self(summary)
     }
 
     /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
     fn reason(&self) -> String {
-        let Ok(part) = LinearPart::of(&self.scene) else {
-            return "the run grows; no formula applies to this loop".to_owned();
+        let Ok(part) = LinearPart::of(&self.0.scene) else {
+            return "no formula applies to this loop".to_owned();
         };
         let own = part.environment.stiffness;
         match part.stable_stiffness() {
-            None => "no stiffness of this loop is stable".to_owned(),
+            None => "no stiffness of the linear loop is stable".to_owned(),
             Some([_, most]) if own > most => {
                 let (own, most, times) = (found(own), found(most), found(own / most));
-                format!("{own} N/m is {times} times what the loop bears by itself, {most} N/m")
+                format!(
+                    "{own} N/m is {times} times what the linear loop bears by itself, {most} N/m"
+                )
             }
             Some([least, _]) if own < least => {
                 let (own, least) = (found(own), found(least));
-                format!("{own} N/m is less than the {least} N/m from which on the loop decays")
+                format!(
+                    "{own} N/m is less than the {least} N/m from which on the linear loop is stable"
+                )
             }
             Some(_) => {
-                "in contact the loop decays; what drives it is not in its linear part".to_owned()
+                "in contact the linear loop is stable; what drives the run is not in it".to_owned()
             }
         }
     }
 }
 
-impl fmt::Display for Hint {
+impl fmt::Display for Hint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if !self.diverged() {
+        if self.0.verdict() != Verdict::Grows {
             return Ok(());
         }
-        writeln!(f, "  diverges     {}", self.reason())?;
+        writeln!(f, "  why          {}", self.reason())?;
         writeln!(
             f,
             "               `lyapunov explain` says where the energy came from and what helps"

@@ -1,4 +1,4 @@
-//! Reasons why a loop is or is not stable, in words and in joules: `lyapunov explain`.
+//! Reasons why a run settles, swings or grows, in words and in joules: `lyapunov explain`.
 
 mod document;
 mod groups;
@@ -11,7 +11,7 @@ use std::fmt;
 use lyapunov::ParameterError;
 
 use crate::files::Scene;
-use crate::measure::Limits;
+use crate::measure::{Limits, Verdict, Yardstick};
 use crate::simulate::Space;
 
 pub use crate::measure::Balance;
@@ -20,13 +20,15 @@ pub use groups::DimensionlessGroups;
 pub use hint::Hint;
 pub use remedy::{Change, Remedy};
 
-/// Reasons why the loop of a scene is or is not stable; its `Display` is the output of `lyapunov explain`.
+/// Reasons why the run of a scene settles, swings or grows; its `Display` is the output of `lyapunov explain`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The scene.
     pub scene: Scene,
-    /// Whether its run is bounded, as `lyapunov compare` judges it.
-    pub is_bounded: bool,
+    /// The verdict on its run.
+    pub verdict: Verdict,
+    /// The quantity that its run is judged by.
+    pub verdict_by: Yardstick,
     /// The limits of its stiffness, by formula.
     pub limits: Limits,
     /// The dimensionless groups that it depends on.
@@ -73,12 +75,14 @@ impl Explanation {
         }
         let trial = Trial::of::<V>(scene).map_err(ExplainError::Parameter)?;
         let limits = Limits::of(scene);
-        let grows = scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
-        let remedies =
-            if trial.is_bounded && !grows { vec![] } else { remedy::remedies::<V>(scene) };
+        let is_unstable =
+            scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
+        let needs_one = trial.verdict == Verdict::Grows || is_unstable;
+        let remedies = if needs_one { remedy::remedies::<V>(scene) } else { vec![] };
         Ok(Self {
             scene: scene.clone(),
-            is_bounded: trial.is_bounded,
+            verdict: trial.verdict,
+            verdict_by: trial.verdict_by,
             limits,
             groups: DimensionlessGroups::of(scene),
             first_contact: trial.first,

@@ -1,10 +1,12 @@
 //! Remedies, each tried before it is reported.
 
+use std::iter;
+
 use crate::files::scene::{
     Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
 };
-use crate::measure::LinearPart;
 use crate::measure::balance::{Feel, Trial};
+use crate::measure::{LinearPart, Verdict};
 use crate::simulate::Space;
 
 /// Safety factor that keeps a remedy inside a limit.
@@ -23,16 +25,18 @@ const HALVINGS: u32 = 40;
 const FASTER: f64 = 64.0;
 const FASTER_TRIALS: i32 = 5;
 
-/// The damping caps that a stabilizer is tried with, as multiples of m / T, the default first.
-const CAPS: [f64; 5] = [0.5, 0.25, 0.1, 0.05, 0.02];
+/// The damping caps that a stabilizer is tried with where they are below the default, as multiples of m / T.
+const CAPS: [f64; 4] = [0.25, 0.1, 0.05, 0.02];
 
-/// Change of a scene after which its run is bounded.
+/// Change of a scene after which its run does not grow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remedy {
     /// The keys of the scene that change, with their new values.
     pub changes: Vec<(String, Change)>,
     /// The scene with the change, as it was run.
     pub scene: Scene,
+    /// The verdict on that run.
+    pub verdict: Verdict,
     /// Largest force on the plant in that run, N.
     pub peak_force: f64,
     /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
@@ -58,8 +62,8 @@ pub(super) fn remedies<V: Space>(scene: &Scene) -> Vec<Remedy> {
 }
 
 fn remedy<V: Space>(scene: Scene, changes: Vec<(String, Change)>) -> Option<Remedy> {
-    let Feel { peak, error } = Trial::that_holds::<V>(&scene)?.feel;
-    Some(Remedy { changes, scene, peak_force: peak, force_error: error })
+    let Trial { verdict, feel: Feel { peak, error }, .. } = Trial::that_holds::<V>(&scene)?;
+    Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
 }
 
 /// The largest stiffness whose loop holds.
@@ -135,15 +139,17 @@ fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
 /// Each stabilizer with which the loop holds, with the largest of some damping limits.
 fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
     let ledger = Ledger::default();
-    let popc = |damping_cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap });
-    let lolc = |damping_cap| {
-        let candidate = Candidate::DeviceDamping;
-        Stabilizer::Lolc(Lolc { work: Work::Held, candidate, ledger, damping_cap })
+    let popc = |cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap: Some(cap) });
+    let lolc = |cap| {
+        let (work, candidate, damping_cap) = (Work::Held, Candidate::DeviceDamping, Some(cap));
+        Stabilizer::Lolc(Lolc { work, candidate, ledger, damping_cap })
     };
     let named =
         |key: &str, cap: f64| (format!("stabilizer.{key}.damping_cap"), Change::Number(cap));
     let with = |key: &'static str, make: &dyn Fn(Cap) -> Stabilizer| {
-        CAPS.into_iter().find_map(|cap| {
+        let default = rounded_down(scene.default_cap());
+        let below = CAPS.into_iter().filter(|cap| *cap < default);
+        iter::once(default).chain(below).find_map(|cap| {
             let stabilizer = Some(make(Cap::new(cap).ok()?));
             let mut changes = vec![named(key, cap)];
             if key == "lolc" {

@@ -4,8 +4,10 @@ use std::fmt;
 
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::Balance;
+use crate::measure::{Balance, Verdict};
+use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
+use crate::show::verdict::by_speed;
 use crate::text::{found, given};
 
 /// Energies are reported in thousandths of a joule.
@@ -18,12 +20,19 @@ impl fmt::Display for Explanation {
         writeln!(f)?;
         self.write_balances(f)?;
         if self.remedies.is_empty() {
-            let needed = !self.is_bounded;
-            return if needed { writeln!(f, "\n  nothing that was tried helps") } else { Ok(()) };
+            let grows = self.verdict == Verdict::Grows;
+            return if grows { writeln!(f, "\n  nothing that was tried helps") } else { Ok(()) };
         }
-        writeln!(f, "\n  what helps, each by itself; all were run")?;
+        writeln!(f, "\n  what helps, each by itself; all were run, and none grows")?;
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
+        }
+        let is_cap = |(key, _): &(String, Change)| key.ends_with(".damping_cap");
+        if self.remedies.iter().any(|remedy| remedy.changes.iter().any(is_cap)) {
+            writeln!(
+                f,
+                "  a damping_cap here is the first that holds, not the best: see `lyapunov tune`"
+            )?;
         }
         Ok(())
     }
@@ -31,13 +40,13 @@ impl fmt::Display for Explanation {
 
 impl Explanation {
     fn write_verdict(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let word = if self.is_bounded { "bounded" } else { "the run grows" };
-        writeln!(f, "  verdict      {word}")?;
+        let by = by_speed(&self.scene).map_or_else(String::new, |by| format!(", {by}"));
+        writeln!(f, "  verdict      {}{by}", self.verdict)?;
         if let Some(radius) = self.limits.spectral_radius {
-            let what = if radius < 1.0 { "decays" } else { "does not decay" };
+            let what = if radius < 1.0 { "stable" } else { "not stable" };
             let alone =
                 if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
-            writeln!(f, "  contact      a swing {what}{alone}: spectral radius {radius:.8}")?;
+            writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius:.8}")?;
         }
         let over = broken(&self.limits);
         for (_, name, most, times) in &over {
@@ -54,18 +63,21 @@ impl Explanation {
         if over.is_empty() {
             writeln!(f, "  broken       no limit that applies")?;
         }
+        if let Some(sentence) = described::exceeded_cap(&self.scene) {
+            writeln!(f, "  cap          {sentence}")?;
+        }
         Ok(())
     }
 
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let DimensionlessGroups { kt_over_b, kt2_over_m, bt_over_m, delay_ticks } = self.groups;
+        let DimensionlessGroups { krt_over_b, kr2t2_over_m, brt_over_m, delay_ticks } = self.groups;
         let told = |value: Option<f64>| value.map_or("-".to_owned(), |it| found(it).to_string());
         writeln!(
             f,
-            "  groups       K T / b = {}, K T^2 / m = {}, B T / m = {}, delay {delay_ticks} ticks",
-            told(kt_over_b),
-            told(kt2_over_m),
-            told(bt_over_m)
+            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {delay_ticks} ticks",
+            told(krt_over_b),
+            told(kr2t2_over_m),
+            told(brt_over_m)
         )
     }
 
@@ -124,12 +136,12 @@ struct Told<'a>(&'a Remedy);
 
 impl fmt::Display for Told<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Remedy { changes, peak_force, force_error, .. } = self.0;
+        let Remedy { changes, verdict, peak_force, force_error, .. } = self.0;
         let told = changes.iter().map(|(key, change)| match change {
             Change::Number(number) => format!("{key} = {}", given(*number)),
             Change::Word(word) => format!("{key} = \"{word}\""),
         });
-        write!(f, "{}\n    ", told.collect::<Vec<_>>().join(", "))?;
+        write!(f, "{}\n    {verdict}: ", told.collect::<Vec<_>>().join(", "))?;
         if *peak_force == 0.0 {
             return write!(f, "no force acts: the environment is not touched any more");
         }

@@ -9,7 +9,7 @@ use super::naive::Naive;
 use super::tally::{Tally, larger};
 use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use crate::simulate::AnyStabilizer;
-use crate::simulate::family::{StabilizerName, lacks_damping};
+use crate::simulate::family::StabilizerName;
 
 /// One hard case: the difficulty, the measured quantity and the promised bound.
 pub struct Case {
@@ -163,8 +163,7 @@ impl Case {
     /// A case that is not well-formed.
     pub fn row_of(&self, member: StabilizerName) -> Result<Option<Row>, HardError> {
         let runs = match self.trial.under(member) {
-            // In a loop that lacks what it is set by it takes no part.
-            Err(HardError::Parameter(error)) if lacks_damping(&error) => return Ok(None),
+            Err(HardError::NoPart) => return Ok(None),
             runs => runs?,
         };
         let Some(runs) = runs else { return Ok(None) };

@@ -3,14 +3,14 @@
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{ParameterError, Scalar};
 
+use super::member;
 use super::naive::Naive;
-use super::pledge::{Pledge, promises};
 use super::tally::Tally;
 use super::trial::{HardError, OwnStabilizer, Runs, Trial};
 use super::watched::{Meters, Terms};
-use crate::files::scene::{Candidate, Finite, Lolc, Scene, Stabilizer};
-use crate::simulate::family::{Settings, StabilizerName};
-use crate::simulate::{AnyStabilizer, Rollout, Space, Tick};
+use crate::files::scene::{Candidate, Finite, Lolc, Pledge, Scene, Stabilizer};
+use crate::simulate::family::StabilizerName;
+use crate::simulate::{AnyStabilizer, Fitted, Rollout, Space, Tick};
 
 /// The loop of a scene.
 pub(super) struct Looped {
@@ -42,7 +42,7 @@ impl Looped {
 
     fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
         let scene = self.scene(share)?;
-        Ok(looped::<V>(&scene, self.rest, named_in::<V>(&scene), AnyStabilizer::of(&scene)?)?)
+        Ok(looped::<V>(&scene, self.rest, named_in::<V>(&scene), Fitted::of(&scene)?)?)
     }
 
     fn of_family<T: Scalar + Space>(
@@ -51,7 +51,10 @@ impl Looped {
         share: f64,
     ) -> Result<Vec<Tally>, HardError> {
         let scene = self.scene(share)?;
-        let pledge = Pledge::on::<T>(member, &scene);
+        if !member.fits(&scene) {
+            return Err(HardError::NoPart);
+        }
+        let pledge = member::pledge_on::<T>(member, &scene);
         Ok(looped::<T>(&scene, self.rest, pledge, member.on(&scene)?)?)
     }
 }
@@ -61,10 +64,10 @@ fn looped<V: Space>(
     scene: &Scene,
     rest: f64,
     pledge: Pledge,
-    stabilizer: AnyStabilizer<V>,
+    fitted: Fitted<V>,
 ) -> Result<Vec<Tally>, ParameterError> {
     let mut meters = Meters::new::<V::Scalar>(terms(scene, rest, pledge));
-    let mut rollout = Rollout::assemble(scene, stabilizer)?;
+    let mut rollout = Rollout::assemble(scene, fitted)?;
     // The run goes to its end even if the motion leaves the range of the scalar.
     for _ in 0..=scene.ticks() {
         let Tick { measured, environment, correction, .. } = rollout.tick();
@@ -79,17 +82,16 @@ fn looped<V: Space>(
 /// # Errors
 /// A parameter that is valid by itself but out of the range of the scalar, alone or together with others.
 pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
-    looped::<V>(scene, 0.0, named_in::<V>(scene), AnyStabilizer::of(scene)?)
+    looped::<V>(scene, 0.0, named_in::<V>(scene), Fitted::of(scene)?)
 }
 
 /// The pledge of the stabilizer that a scene names.
 fn named_in<V: Space>(scene: &Scene) -> Pledge {
-    let named = scene.stabilizer.map(|named| Pledge::named::<V::Scalar>(named, scene));
-    named.unwrap_or(Pledge::POPC)
+    member::pledge_in::<V::Scalar>(scene)
 }
 
 fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
-    let cap = Settings::of(scene).damping_cap.get();
+    let cap = scene.damping_cap();
     let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
     // The numbers of a scene are rounded once more on their way to f32.
     let most = scene.damping(cap).limit().map_or(f64::MAX, |limit| limit.most());
@@ -106,8 +108,8 @@ impl Trial for Looped {
                 if candidate == Candidate::MassSpringDamper)
         };
         // Only the paper's candidate promises the bound of a case with the paper's credit.
-        let alike = || member.basic_name().and_then(|it| it.on(&scene)) == scene.stabilizer;
-        Ok(if credits(scene.stabilizer) { alike() } else { promises(member) })
+        let alike = || member.table(&scene) == scene.stabilizer;
+        Ok(if credits(scene.stabilizer) { alike() } else { member::promises(member) })
     }
 
     fn ours(&self) -> Result<Runs, HardError> {
@@ -132,7 +134,7 @@ impl Trial for Looped {
 
     fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         let scene = self.scene(SHARES[0])?;
-        Ok(looped(&scene, self.rest, named_in::<f64>(&scene), own())?.pop())
+        Ok(looped(&scene, self.rest, named_in::<f64>(&scene), Fitted::Behind(own()))?.pop())
     }
 
     fn naive(&self) -> Result<Option<Tally>, HardError> {

@@ -1,4 +1,4 @@
-//! Hard cases that stay stable: `lyapunov hard`.
+//! Hard cases, each with a bound to keep: `lyapunov hard`.
 //!
 //! A [`Catalogue`] of [`Case`]s, each with its difficulty, a bound, a run of the paper's steps as printed ([`Naive`])
 //! and runs of the shipped stabilizer in `f64`, `f32` and lanes. All measurements are made outside of the library.
@@ -8,8 +8,8 @@ mod balance;
 mod case;
 mod cases;
 mod looped;
+mod member;
 mod naive;
-mod pledge;
 mod report;
 mod table;
 mod tally;

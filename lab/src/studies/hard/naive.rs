@@ -69,13 +69,22 @@ naive!(f64, f32);
 
 #[cfg(test)]
 mod tests {
+    use lyapunov::HeldTick;
+
     use super::*;
 
     /// −1 N at 0.5 m/s gives L = −0.5 W, α = 2 N·s/m, f₁ = 0; then f₂ = 0, L = −0.5 + 0.5 = 0.
     #[test]
     fn two_ticks_by_hand() {
         let mut naive = Naive::<f64>::default();
-        let sample = PortSample::new(1e-3, 0.0, 0.5, 5e-4, 0.0);
+        let sample = HeldTick {
+            period: 1e-3,
+            position: 0.0,
+            velocity: 0.5,
+            displacement: 5e-4,
+            applied: 0.0,
+        }
+        .sample();
         let correction = naive.stabilize(&sample, -1.0);
         assert_eq!(
             (correction.effort, correction.alpha, correction.observed_energy),
@@ -92,7 +101,17 @@ mod tests {
     #[test]
     fn a_debt_at_rest_is_divided_by_zero() {
         let mut naive = Naive::<f64>::default();
-        naive.stabilize(&PortSample::new(1e-3, 0.0, 1e-3, 1e-6, 0.0), -1.0);
+        naive.stabilize(
+            &HeldTick {
+                period: 1e-3,
+                position: 0.0,
+                velocity: 1e-3,
+                displacement: 1e-6,
+                applied: 0.0,
+            }
+            .sample(),
+            -1.0,
+        );
         naive.square = 0.0;
         assert!(naive.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), -1.0).effort.is_nan());
     }

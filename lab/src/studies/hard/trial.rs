@@ -5,12 +5,12 @@ use std::fmt;
 use lyapunov::lanes::{AutoF32x8, AutoF64x8};
 use lyapunov::{DampingLimit, Dissipation, ParameterError, PortEnergy, Scalar};
 
+use super::member;
 use super::naive::Naive;
-use super::pledge::{Pledge, promises};
 use super::tally::{Tally, larger};
 use super::watched::{Terms, Watched};
-use crate::files::scene::Diagnostic;
-use crate::simulate::family::{Basis, StabilizerName};
+use crate::files::scene::{Basis, Diagnostic, Pledge};
+use crate::simulate::family::StabilizerName;
 use crate::simulate::{AnyStabilizer, Space};
 
 /// Reason why a case did not run.
@@ -20,6 +20,8 @@ pub enum HardError {
     Scene(Box<Diagnostic>),
     /// A part of it cannot be built.
     Parameter(ParameterError),
+    /// The stabilizer cannot take part: the case lacks what it is set by, or an environment that it can ask.
+    NoPart,
     /// The caller stopped it.
     Stopped,
 }
@@ -29,6 +31,7 @@ impl fmt::Display for HardError {
         match self {
             Self::Scene(error) => error.fmt(f),
             Self::Parameter(error) => error.fmt(f),
+            Self::NoPart => f.write_str("the stabilizer takes no part"),
             Self::Stopped => f.write_str("stopped"),
         }
     }
@@ -140,7 +143,7 @@ pub(super) trait Trial: Send + Sync {
 
     /// Whether the bound is a promise of `member`.
     fn promised_by(&self, member: StabilizerName) -> Result<bool, HardError> {
-        Ok(promises(member))
+        Ok(member::promises(member))
     }
 
     /// A run with the caller's own stabilizer, in `f64`; none where the case is about something else.
@@ -198,7 +201,7 @@ impl<P: Play> Played<P> {
         &self,
         first: usize,
         pledge: Pledge,
-        stabilizer: impl Fn() -> Result<S, ParameterError>,
+        stabilizer: impl Fn() -> Result<S, HardError>,
     ) -> Result<Vec<Tally>, HardError> {
         // In f32 the limit is rounded once more.
         let limit = self.0.limit::<T>()?.most().lane(0);
@@ -225,8 +228,8 @@ impl<P: Play> Played<P> {
         first: usize,
     ) -> Result<Vec<Tally>, HardError> {
         let basis = self.0.basis();
-        let pledge = Pledge::of::<T>(member, &basis);
-        self.run::<T, _>(first, pledge, || member.set_by::<T>(&basis))
+        let pledge = member::pledge_of::<T>(member, &basis);
+        self.run::<T, _>(first, pledge, || member::set_by::<T>(member, &basis))
     }
 }
 

@@ -7,8 +7,8 @@ use lyapunov::laws::Law;
 use lyapunov::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};
 
 use super::balance::{Balance, Double, Told};
-use super::pledge::{Credit, LedgerKind, Manner, Pledge};
 use super::tally::{Tally, larger};
+use crate::files::scene::{Credit, LedgerKind, Manner, Pledge};
 
 /// The numbers and promises that a run is judged by.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+pub use crate::files::scene::Spacing;
 use crate::files::scene::unit;
 
 /// The most values along an axis.
@@ -24,15 +25,6 @@ pub struct Axis {
     pub count: u64,
     /// The spacing of the values.
     pub spacing: Spacing,
-}
-
-/// Spacing of the values of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spacing {
-    /// By equal differences.
-    Linear,
-    /// By equal ratios.
-    Logarithmic,
 }
 
 impl Axis {

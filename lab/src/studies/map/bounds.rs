@@ -1,4 +1,4 @@
-//! Stability bounds of the formulas over a map.
+//! Stiffness limits of the linear loop over a map.
 
 use std::fmt;
 
@@ -23,12 +23,13 @@ pub struct Bounds {
     samples: Vec<(u64, f64, Limits)>,
 }
 
-/// Ratio of the stiffness that a stabilizer renders stably to the exact bound of the loop without one.
+/// Ratio of the stiffness up to which the runs under a stabilizer stay bounded to the exact limit of the linear loop without
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverExact {
     /// The ratio.
     pub ratio: f64,
-    /// Whether the true ratio may be larger: the stabilizer holds up to the edge of the map.
+    /// Whether the true ratio may be larger: the runs stay bounded up to the edge of the map.
     pub is_least: bool,
 }
 
@@ -72,8 +73,8 @@ impl Bounds {
     /// A curve for each bound that applies.
     pub(super) fn curves(&self) -> Vec<Curve> {
         let Some((.., first)) = self.samples.first() else { return Vec::new() };
-        let names = first.named().map(|(_, words, _)| words);
-        let curve = |(number, label): (usize, &'static str)| {
+        let names = first.named().map(|(key, words, _)| (key, words));
+        let curve = |(number, (key, label)): (usize, (&'static str, &'static str))| {
             let points: Vec<(f64, f64)> = self
                 .samples
                 .iter()
@@ -87,19 +88,19 @@ impl Bounds {
             applies.then_some(Curve {
                 label,
                 colour,
-                is_dashed: label != "exact, this operator",
+                is_dashed: key != "exact_max_stiffness",
                 points,
             })
         };
         names.into_iter().enumerate().filter_map(curve).collect()
     }
 
-    /// Ratio of the stiffness below the first unstable one under stabilizer `index` to the exact bound of the loop
-    /// without one: the middle ratio over the values of the other axis.
+    /// Ratio of the last bounded stiffness before the first one that grows under stabilizer `index` to the exact limit of
+    /// the linear loop without one: the middle ratio over the values of the other axis.
     ///
-    /// Where no judged cell is unstable the last stable stiffness counts, and where the first one is unstable 0. Values
-    /// of the other axis that decide nothing are left out: those without a bound, with both stiffnesses beyond the same
-    /// edge, or with no cell judged. None if no value is left.
+    /// Where no judged cell grows the last bounded stiffness counts as the least that is possible, and where the first one
+    /// grows 0. Values of the other axis that decide nothing are left out: those without a limit, those at which the first
+    /// stiffness grows and the limit is no larger, and those with no cell judged. None if no value is left.
     pub fn over_exact(&self, survey: &Survey, index: usize) -> Option<OverExact> {
         let grid = survey.grid();
         let (axis, reaches): (&Axis, &[Reach]) = if self.upwards {
@@ -111,7 +112,7 @@ impl Bounds {
             let (Reach { end, is_broken }, exact) = (reaches[*other as usize], limits.exact?);
             let is_least = !is_broken;
             let reached = if end == 0 { 0.0 } else { axis.value(end - 1) };
-            let unknown = if is_least { exact >= reached } else { end == 0 && exact <= axis.from };
+            let unknown = end == 0 && (is_least || exact <= axis.from);
             (!unknown && exact > 0.0).then(|| OverExact { ratio: reached / exact, is_least })
         };
         let mut ratios: Vec<OverExact> = self.samples.iter().filter_map(ratio).collect();

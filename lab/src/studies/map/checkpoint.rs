@@ -56,11 +56,13 @@ impl fmt::Display for CheckpointError {
                  resume with the scene and the arguments that it was begun with, or choose another folder",
                 path.display()
             ),
-            Self::Table(path, error) => write!(
-                f,
-                "{}: {error}\n  = give a table that lyapunov map wrote, as it wrote it",
-                path.display()
-            ),
+            Self::Table(path, error) => {
+                let remedy = match error {
+                    TableError::Columns(_) => "compute the map anew, in another folder",
+                    _ => "give a table that lyapunov map wrote, as it wrote it",
+                };
+                write!(f, "{}: {error}\n  = {remedy}", path.display())
+            }
             Self::Output(error) => error.fmt(f),
         }
     }

@@ -6,6 +6,7 @@ use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
 use super::run::{Method, Run, Workload};
 use super::survey::Survey;
+use crate::measure::Verdict;
 use crate::simulate::family::{Judgement, StabilizerName};
 
 /// Method and cost of a map's computation.
@@ -17,7 +18,7 @@ pub struct Computation {
     pub rollout_steps: u64,
     /// Time spent on their verdicts, s.
     pub kernel_seconds: f64,
-    /// Time spent on measuring their bounded runs, s.
+    /// Time spent on measuring the runs that do not grow, s.
     pub measures_seconds: f64,
     /// The number of threads.
     pub threads: usize,
@@ -57,6 +58,8 @@ struct Document<'a> {
     not_deterministic: [&'static str; 5],
     x: Along<'a>,
     y: Along<'a>,
+    /// Cells that are judged by speed, for want of an equilibrium.
+    cells_by_speed: u64,
     #[serde(flatten)]
     computation: Option<&'a Computation>,
     areas: Vec<Line>,
@@ -74,15 +77,21 @@ struct Along<'a> {
 #[derive(Serialize)]
 struct Line {
     stabilizer: &'static str,
-    stable_cells: u64,
+    settles_cells: u64,
+    swinging_cells: u64,
+    grows_cells: u64,
+    too_short_cells: u64,
     judged_cells: u64,
     /// None where no cell was judged.
-    stable_share: Option<f64>,
-    area: Option<f64>,
+    settles_share: Option<f64>,
+    settles_area: Option<f64>,
+    /// Of the cells that settle or swing.
+    bounded_share: Option<f64>,
+    bounded_area: Option<f64>,
     /// None where the stiffness is no axis, or no value of the other axis decides it.
-    stiffness_over_exact: Option<f64>,
+    bounded_stiffness_over_exact: Option<f64>,
     /// Whether that is only a lower bound.
-    stiffness_over_exact_is_least: bool,
+    bounded_stiffness_over_exact_is_least: bool,
     /// Place in the table, from 1.
     rank: usize,
     rendered_percent: Option<f64>,
@@ -113,18 +122,23 @@ pub fn document(
 ) -> serde_json::Result<String> {
     let (grid, ranking) = (survey.grid(), survey.ranking());
     let line = |(index, member): (usize, &StabilizerName)| {
-        let area = survey.area(index);
+        let (settling, bounded) = (survey.settling(index), survey.bounded(index));
         let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         let rendered = survey.rendered(index);
         let above = ranking.iter().take_while(|ranked| **ranked != index);
         Line {
             stabilizer: member.name(),
-            stable_cells: area.stable,
-            judged_cells: area.judged,
-            stable_share: area.share,
-            area: area.area,
-            stiffness_over_exact: over.map(|over| over.ratio),
-            stiffness_over_exact_is_least: over.is_some_and(|over| over.is_least),
+            settles_cells: settling.cells,
+            swinging_cells: survey.cells(index, Verdict::Swinging),
+            grows_cells: survey.cells(index, Verdict::Grows),
+            too_short_cells: survey.cells(index, Verdict::TooShort),
+            judged_cells: survey.judged(index),
+            settles_share: settling.share,
+            settles_area: settling.area,
+            bounded_share: bounded.share,
+            bounded_area: bounded.area,
+            bounded_stiffness_over_exact: over.map(|over| over.ratio),
+            bounded_stiffness_over_exact_is_least: over.is_some_and(|over| over.is_least),
             rank: above.count() + 1,
             rendered_percent: rendered.percent,
             force_felt_percent: rendered.force_felt,
@@ -145,6 +159,7 @@ pub fn document(
         ],
         x: along(&grid.x),
         y: along(&grid.y),
+        cells_by_speed: survey.by_speed(),
         computation,
         areas: grid.stabilizers.iter().enumerate().map(line).collect(),
     };

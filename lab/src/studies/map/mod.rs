@@ -1,4 +1,4 @@
-//! Stability maps over any two numbers of a scene, under several stabilizers.
+//! Maps of the verdicts over any two numbers of a scene, under several stabilizers.
 
 mod axis;
 mod bounds;

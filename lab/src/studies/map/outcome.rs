@@ -1,11 +1,15 @@
 //! Outcome of a cell under one stabilizer.
 
+use crate::measure::{Verdict, Yardstick};
+
 /// Outcome of a cell under one stabilizer; docs/compare.md defines every number.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Whether the run was bounded and did not grow; none where no spring pulls the plant.
-    pub stable: Option<bool>,
-    /// The measures; of an unstable run none, because they would only show how long it ran.
+    /// The verdict on the run.
+    pub verdict: Verdict,
+    /// The quantity that the run is judged by.
+    pub verdict_by: Yardstick,
+    /// The measures; of a run that grows none, because they would only show how long it ran.
     pub measures: Measures,
 }
 
@@ -20,7 +24,7 @@ pub struct Measures {
     pub energy_injected: Option<f64>,
     /// The energy that the controller's force took out of the motion, mJ.
     pub energy_taken: Option<f64>,
-    /// Share of the ticks on which damping was injected, percent.
+    /// Share of the ticks on which damping was injected, percent; none under a law that adds no damping.
     pub active: Option<f64>,
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.
     pub chatter: Option<f64>,

@@ -5,6 +5,7 @@ use super::bounds::{Bounds, Curve};
 use super::outcome::Measure;
 use super::survey::Survey;
 use crate::files::scene::unit;
+use crate::measure::Verdict;
 use lyapunov_figures::{Figure, HeatMap, Numbering, Panel, Series};
 
 /// Width of a panel, in pixels of the drawing.
@@ -26,14 +27,18 @@ pub struct NamedFigure {
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
 pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
     let curves = bounds.map_or_else(Vec::new, Bounds::curves);
-    let stable =
-        figure(survey, "stable: dark, unstable: light, not judged: empty", &curves, |index| {
-            Some((survey.stable(index), Some((0.0, 1.0))))
-        });
-    let mut drawn = vec![NamedFigure { name: "stable", words: STABLE, figure: stable }];
+    let words = Verdict::ALL.map(Verdict::word);
+    let judged = &words[..Verdict::TooShort as usize];
+    let verdicts = figure(survey, "verdicts on the runs", &curves, |index| {
+        HeatMap::of_classes(survey.size().0, survey.verdicts(index), judged)
+    });
+    let mut drawn = vec![NamedFigure { name: "verdict", words: VERDICTS, figure: verdicts }];
     for (number, measure) in Measure::ALL.iter().enumerate() {
         let range = range(survey, number);
-        let of = |index| Some((survey.mean(index, number), range));
+        let of = |index| {
+            let heat = HeatMap::new(survey.size().0, survey.mean(index, number));
+            range.map_or(heat.clone(), |(low, high)| heat.with_range(low, high))
+        };
         let name = measure.key.rsplit_once('_').map_or(measure.key, |(name, _unit)| name);
         let figure = figure(survey, measure.words, &curves, of);
         drawn.push(NamedFigure { name, words: measure.words, figure });
@@ -41,8 +46,7 @@ pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
     drawn
 }
 
-const STABLE: &str =
-    "Dark where the loop is stable, light where it is not, empty where nothing was judged";
+const VERDICTS: &str = "The verdict on each run, empty where it is too short to judge";
 
 /// Range of a measure over all stabilizers, so that one colour means the same in every panel.
 fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
@@ -54,14 +58,7 @@ fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
     })
 }
 
-type Field = (Vec<f64>, Option<(f64, f64)>);
-
-fn figure(
-    survey: &Survey,
-    words: &str,
-    curves: &[Curve],
-    of: impl Fn(usize) -> Option<Field>,
-) -> Figure {
+fn figure(survey: &Survey, words: &str, curves: &[Curve], of: impl Fn(usize) -> HeatMap) -> Figure {
     let grid = survey.grid();
     let columns = if grid.stabilizers.len() > 1 { 2 } else { 1 };
     let mut figure = Figure::new(words)
@@ -69,12 +66,11 @@ fn figure(
         .with_columns(columns)
         .with_panel_height(HEIGHT);
     for (index, member) in grid.stabilizers.iter().enumerate() {
-        let Some((values, colours)) = of(index) else { continue };
         let (x, y) = (Shown::of(&grid.x), Shown::of(&grid.y));
-        let heat = HeatMap { range: colours, ..HeatMap::new(survey.size().0, values) };
         let mut panel = Panel::new(member.name(), label(&grid.x), label(&grid.y))
-            .with_heat(heat)
+            .with_heat(of(index))
             .with_numbers(x.numbering, y.numbering)
+            .with_numbers_within(x.numbered, y.numbered)
             .with_x_range(x.range.0, x.range.1)
             .with_y_range(y.range.0, y.range.1);
         for curve in curves {
@@ -99,6 +95,8 @@ fn label(axis: &Axis) -> String {
 struct Shown {
     numbering: Numbering,
     range: (f64, f64),
+    /// From the first cell's value to the last one's: no number stands for a cell that is not there.
+    numbered: (f64, f64),
 }
 
 impl Shown {
@@ -107,10 +105,10 @@ impl Shown {
             Spacing::Linear => Numbering::Plain,
             Spacing::Logarithmic => Numbering::PowersOfTen,
         };
-        let shown = Self { numbering, range: (0.0, 1.0) };
+        let shown = Self { numbering, range: (0.0, 1.0), numbered: (0.0, 1.0) };
         let (from, to) = (shown.place(axis.from), shown.place(axis.to));
         let half = 0.5 * (to - from) / (axis.count - 1) as f64;
-        Self { range: (from - half, to + half), ..shown }
+        Self { range: (from - half, to + half), numbered: (from, to), ..shown }
     }
 
     fn place(&self, value: f64) -> f64 {

@@ -1,11 +1,12 @@
 //! What a stabilizer renders over a map, and what it breaks.
 
 use super::outcome::Outcome;
+use crate::measure::Verdict;
 
 /// What a stabilizer renders over a map, and what that takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rendered {
-    /// Force felt over all judged cells, percent: at most 100 in each, and 0 where a cell is not stable or the
+    /// Force felt over all judged cells, percent: at most 100 in each, and 0 where a cell grows or the
     /// environment gave no force. None where no cell was judged, or no stabilizer felt any force.
     pub percent: Option<f64>,
     /// Mean force felt over the measured cells, percent, at most 100 in each.
@@ -16,7 +17,7 @@ pub struct Rendered {
     pub energy_given: Option<f64>,
     /// The most that the port had given beyond its device's damper in a measured cell, mJ.
     pub energy_given_beyond_damper: Option<f64>,
-    /// Cells that are stable without a stabilizer and not under this one; none where `none` takes no part.
+    /// Cells that are bounded without a stabilizer and grow under this one; none where `none` takes no part.
     pub broke: Option<u64>,
 }
 
@@ -24,7 +25,7 @@ pub struct Rendered {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Tally {
     judged: u64,
-    /// Of stable cells.
+    /// Of bounded cells.
     rendered: f64,
     force: Mean,
     stiffness: Mean,
@@ -51,15 +52,16 @@ impl Mean {
 }
 
 impl Tally {
-    /// Adds the outcome of a cell, and whether that is stable `alone`, without a stabilizer.
-    pub(super) fn add(&mut self, outcome: &Outcome, alone: Option<bool>) {
+    /// Adds the outcome of a cell, and the verdict on it `alone`, without a stabilizer.
+    pub(super) fn add(&mut self, outcome: &Outcome, alone: Option<Verdict>) {
         let measures = &outcome.measures;
         let force = measures.force_felt.map(|percent| percent.clamp(0.0, 100.0));
-        if outcome.stable == Some(true) {
+        let bounded = outcome.verdict.judged();
+        if bounded == Some(true) {
             self.rendered += force.unwrap_or_default();
         }
-        self.judged += u64::from(outcome.stable.is_some());
-        self.broke += u64::from(alone == Some(true) && outcome.stable == Some(false));
+        self.judged += u64::from(bounded.is_some());
+        self.broke += u64::from(alone.is_some_and(Verdict::is_bounded) && bounded == Some(false));
         self.force.add(force);
         self.stiffness.add(measures.stiffness_felt);
         largest(&mut self.given, measures.energy_given);

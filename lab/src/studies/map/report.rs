@@ -1,12 +1,14 @@
-//! The table of stable areas, and the self-contained report page of a map.
+//! The table of areas by verdict, and the self-contained report page of a map.
 
 use maud::html;
 
 use super::bounds::Bounds;
 use super::picture::NamedFigure;
 use super::survey::Survey;
+use crate::measure::Verdict;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
+use crate::show::verdict::by_speed;
 
 /// The page of a map with its `figures`, as HTML; `command` made the map.
 pub fn page(
@@ -20,26 +22,27 @@ pub fn page(
     let body = html! {
         p {
             (grid.x.count) " by " (grid.y.count) " cells, computed by " (html::maker(command)) "."
+            @for note in notes(survey) { " " (note) "." }
         }
-        h2 { "What is rendered stably" }
+        h2 { "Which runs settle, and which stay bounded" }
         p { "Rows: " (ORDER) "." }
         (table(survey, bounds).to_html("short"))
         p {
-            "The area, in " (survey.unit()) ", is the share of the rectangle of both axes; a logarithmic axis counts in \
-             decades. Of the exact bound: the stiffness below the first that is unstable, over the exact bound of the loop \
-             without a stabilizer, the middle one over the values of the other axis; >= where it holds up to the edge of \
-             the map."
+            "Bounded are the cells whose run settles or is swinging; their area, in " (survey.unit()) ", is their share \
+             of the rectangle of both axes, where a logarithmic axis counts in decades. Of the exact limit: the last \
+             bounded stiffness before the first that grows, over the exact limit of the linear loop without a stabilizer, \
+             the middle one over the values of the other axis; >= where it stays bounded up to the edge of the map."
         }
         (rendered(survey).to_html("short"))
         p {
             "Means of force and stiffness felt, and the largest energies given, over the measured cells. Broken cells are \
-             stable without a stabilizer and not under this one. A law that adds no damping is judged by energy and force: \
+             bounded without a stabilizer and grow under this one. A law that adds no damping is judged by energy and force: \
              it may bound a swing without ending it."
         }
         h2 { "Heat maps" }
         @for NamedFigure { name, words, figure } in figures {
             @let caption = html! {
-                (words) ". Of cells that are not bounded only the first map tells."
+                (words) ". Of runs that grow only the first map tells."
             };
             (html::figure(Some(name), figure.to_svg(), &caption))
         }
@@ -56,35 +59,57 @@ pub fn page(
 /// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.
 pub fn areas(survey: &Survey, bounds: Option<&Bounds>) -> String {
     let grid = survey.grid();
+    let notes: String = notes(survey).iter().map(|note| format!("{note}\n")).collect();
     let (area, rendered) = (table(survey, bounds), rendered(survey));
-    format!("{}\n{}\narea in {}\n{ORDER}\n\n{area}\n{rendered}", grid.x, grid.y, survey.unit())
+    format!(
+        "{}\n{}\narea in {}\n{notes}{ORDER}\n\n{area}\n{rendered}",
+        grid.x,
+        grid.y,
+        survey.unit()
+    )
 }
 
 /// The order of the rows, in words.
 const ORDER: &str =
-    "the most rendered first: a stable cell counts by the share of the force that is felt";
+    "the most rendered first: a bounded cell counts by the share of the force that is felt";
 
-/// Table of the stable cells, the judged cells, their share, their area, the stiffness over the exact bound, and what is
-/// rendered; `-` for an unknown number.
+/// Remarks that the verdicts need.
+fn notes(survey: &Survey) -> Vec<String> {
+    let all = survey.grid().cells();
+    let stabilizers = 0..survey.grid().stabilizers.len();
+    let short = stabilizers.map(|index| survey.cells(index, Verdict::TooShort)).max().unwrap_or(0);
+    let told =
+        |cells: u64, what: &str| (cells > 0).then(|| format!("{cells} of {all} cells {what}"));
+    let by_speed = match by_speed(&survey.grid().scene) {
+        Some(by) if survey.by_speed() == all => Some(format!("judged {by}")),
+        _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
+    };
+    by_speed.into_iter().chain(told(short, "are too short to judge")).collect()
+}
+
+/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, the stiffness over the exact
+/// limit, and what is rendered; `-` for an unknown number.
 fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
     let headings = [
         Heading::word("stabilizer"),
-        Heading::number("stable\ncells"),
+        Heading::number("settles"),
+        Heading::number("bounded"),
+        Heading::number("bounded\ncells"),
         Heading::number("of"),
-        Heading::number("share"),
-        Heading::number("area"),
-        Heading::number("of the\nexact bound"),
+        Heading::number("bounded\narea"),
+        Heading::number("of the\nexact limit"),
         Heading::number("rendered"),
     ];
     Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
-        let area = survey.area(index);
+        let (settling, bounded) = (survey.settling(index), survey.bounded(index));
         let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         [
             survey.grid().stabilizers[index].name().into(),
-            area.stable.to_string().into(),
-            area.judged.to_string().into(),
-            area.share.map(|share| percent(100.0 * share)).into(),
-            area.area.into(),
+            settling.share.map(|share| percent(100.0 * share)).into(),
+            bounded.share.map(|share| percent(100.0 * share)).into(),
+            bounded.cells.to_string().into(),
+            survey.judged(index).to_string().into(),
+            bounded.area.into(),
             over.map(|over| over.to_string()).into(),
             survey.rendered(index).percent.map(percent).into(),
         ]

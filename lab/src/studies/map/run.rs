@@ -8,8 +8,9 @@ use rayon::prelude::*;
 
 use super::grid::{Grid, GridError};
 use super::kernel::{Instructions, Kernel, Lanes};
-use super::outcome::Outcome;
+use super::outcome::{Measures, Outcome};
 use super::single;
+use crate::measure::Verdict;
 use crate::show::OutputError;
 use crate::simulate::family::{BasicName, StabilizerName};
 
@@ -41,7 +42,7 @@ pub struct Workload {
     pub rollout_steps: u64,
     /// Time spent on the verdicts, s.
     pub kernel_seconds: f64,
-    /// Time spent on measuring the bounded runs, s; 0 where that happens along with the verdict.
+    /// Time spent on measuring the runs that do not grow, s; 0 where that happens along with the verdict.
     pub measures_seconds: f64,
 }
 
@@ -189,14 +190,15 @@ impl<'a> Run<'a> {
         effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let members = &self.grid.stabilizers;
-        let mut outcomes = vec![vec![Outcome::default(); members.len()]; band.len()];
-        for (index, member) in members.iter().enumerate() {
+        let mut outcomes: Vec<Vec<Outcome>> =
+            band.iter().map(|_| Vec::with_capacity(members.len())).collect();
+        for member in members.iter() {
             let found = match member.basic_name() {
                 Some(basic_name) => self.on_lanes(kernel, basic_name, band, go_on, effort)?,
                 None => self.alone(*member, band, go_on, effort)?,
             };
             for (outcomes, outcome) in outcomes.iter_mut().zip(found) {
-                outcomes[index] = outcome;
+                outcomes.push(outcome);
             }
         }
         Ok(outcomes)
@@ -214,13 +216,14 @@ impl<'a> Run<'a> {
         let verdicts = self.shared(band, |cells| kernel.verdicts(basic_name, cells, go_on))?;
         effort.kernel_seconds += began.elapsed().as_secs_f64();
         let began = Instant::now();
-        let bounded: Vec<usize> =
-            (0..band.len()).filter(|at| verdicts[*at] != Some(false)).collect();
-        let cells: Vec<u64> = bounded.iter().map(|at| band[*at]).collect();
+        let measured: Vec<usize> =
+            (0..band.len()).filter(|at| verdicts[*at].0 != Verdict::Grows).collect();
+        let cells: Vec<u64> = measured.iter().map(|at| band[*at]).collect();
         let measures = self.shared(&cells, |cells| kernel.measures(basic_name, cells, go_on))?;
-        let unmeasured = |stable| Outcome { stable, ..Outcome::default() };
+        let unmeasured =
+            |(verdict, verdict_by)| Outcome { verdict, verdict_by, measures: Measures::default() };
         let mut outcomes: Vec<Outcome> = verdicts.into_iter().map(unmeasured).collect();
-        for (at, measures) in bounded.into_iter().zip(measures) {
+        for (at, measures) in measured.into_iter().zip(measures) {
             outcomes[at].measures = measures;
         }
         effort.measures_seconds += began.elapsed().as_secs_f64();

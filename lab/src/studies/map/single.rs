@@ -4,7 +4,7 @@ use lyapunov::{ParameterError, Scalar};
 
 use super::outcome::{Measures, Outcome};
 use crate::files::scene::{Scalar as Width, Scene};
-use crate::measure::{Boundedness, Chatter, Energies, Physical, Settling, Share};
+use crate::measure::{Chatter, Energies, Fate, Physical, Settling, Share, Verdict};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Criterion, Rollout, Space, Tick};
 
@@ -28,16 +28,15 @@ fn run<T: Scalar + Space>(
     member: StabilizerName,
     go_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<Outcome>, ParameterError> {
-    let criterion = Criterion::of(scene);
-    let mut boundedness = Boundedness::<f64>::new(scene.ticks());
-    let mut meters = Meters::new::<T>(scene, &criterion);
+    let mut fate = Fate::<f64>::of(scene);
+    let mut meters = Meters::new::<T>(scene, fate.criterion(0));
     let mut ticks = 0;
     for tick in Rollout::<T>::under(scene, member)? {
-        boundedness.add(tick.truth.position.axis(0));
+        fate.add_tick(&tick);
         meters.add(&tick);
         ticks += 1;
         if ticks % STRETCH == 0 {
-            if boundedness.is_lost(0, &criterion) {
+            if fate.is_lost(0) {
                 break;
             }
             if !go_on() {
@@ -45,9 +44,15 @@ fn run<T: Scalar + Space>(
             }
         }
     }
-    let stable = boundedness.verdict(0, &criterion);
-    let measures = if stable == Some(false) { Measures::default() } else { meters.finish(scene) };
-    Ok(Some(Outcome { stable, measures }))
+    let verdict = fate.verdict(0);
+    let measures = match verdict {
+        Verdict::Grows => Measures::default(),
+        _ => {
+            let measures = meters.finish(scene);
+            Measures { active: measures.active.filter(|_| member.adds_damping()), ..measures }
+        }
+    };
+    Ok(Some(Outcome { verdict, verdict_by: fate.verdict_by(0), measures }))
 }
 
 struct Meters {

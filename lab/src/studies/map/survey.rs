@@ -3,6 +3,7 @@
 use super::grid::Grid;
 use super::outcome::{Measure, Outcome};
 use super::rendered::{Rendered, Tally};
+use crate::measure::{Verdict, Yardstick};
 use crate::simulate::family::{BasicName, StabilizerName};
 
 /// The most picture elements along an axis; a larger map is drawn by the means of its cells.
@@ -16,55 +17,57 @@ pub struct Survey {
     rows: usize,
     /// The index of the loop without a stabilizer.
     alone: Option<usize>,
+    /// Cells that are judged by speed.
+    by_speed: u64,
     layers: Vec<Layer>,
 }
+
+/// The number of cells of each verdict, in the order of [`Verdict::ALL`].
+type Counts = [u32; Verdict::ALL.len()];
 
 /// The part of a survey for one stabilizer.
 #[derive(Clone, Debug)]
 struct Layer {
-    stable: u64,
-    judged: u64,
     tally: Tally,
+    /// Cells of each verdict.
+    cells: [u64; Verdict::ALL.len()],
     /// Reach of each row, and of each column.
     along_x: Vec<Reach>,
     along_y: Vec<Reach>,
-    /// The judged cells of each picture element, and the stable ones among them.
-    cells: Vec<u32>,
-    held: Vec<u32>,
+    /// Cells of each verdict in each picture element.
+    elements: Vec<Counts>,
     /// For each measure and picture element, the sum and the number of the values.
     sums: Vec<Vec<(f64, u32)>>,
 }
 
-/// Length over which a row or a column of a map is stable, from its beginning.
+/// Length over which a row or a column of a map stays bounded, from its beginning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// The index of the cell after the last stable one before any unstable one; 0 without a stable one.
+    /// The index of the cell after the last bounded one before any that grows; 0 without a bounded one.
     pub end: u64,
-    /// Whether an unstable cell follows.
+    /// Whether a cell that grows follows.
     pub is_broken: bool,
 }
 
 impl Reach {
     /// Adds the next cell, at `index`.
-    fn pass(&mut self, index: u64, stable: Option<bool>) {
-        self.is_broken |= stable == Some(false);
-        if stable == Some(true) && !self.is_broken {
+    fn pass(&mut self, index: u64, verdict: Verdict) {
+        self.is_broken |= verdict == Verdict::Grows;
+        if verdict.is_bounded() && !self.is_broken {
             self.end = index + 1;
         }
     }
 }
 
-/// The share of a map that a stabilizer renders stably: its Z-width.
+/// The part of a map over which the runs under a stabilizer have one of some verdicts. Where the axes are those of a
+/// wall, the bounded one is the stabilizer's Z-width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Area {
-    /// Stable cells.
-    pub stable: u64,
-    /// Judged cells: all but those where no spring pulls the plant.
-    pub judged: u64,
-    /// Stable cells over judged cells; none if no cell was judged.
+    /// The cells.
+    pub cells: u64,
+    /// The cells over the judged cells; none if no cell was judged.
     pub share: Option<f64>,
-    /// The stable share of all cells, times the rectangle in the units of both axes; a logarithmic axis counts in
-    /// decades.
+    /// The cells over all cells, times the rectangle in the units of both axes; a logarithmic axis counts in decades.
     pub area: Option<f64>,
 }
 
@@ -73,19 +76,17 @@ impl Survey {
     pub fn of(grid: &Grid) -> Self {
         let [columns, rows] = [grid.x.count, grid.y.count].map(|count| count.min(FINEST) as usize);
         let layer = Layer {
-            stable: 0,
-            judged: 0,
             tally: Tally::default(),
+            cells: Default::default(),
             along_x: vec![Reach::default(); grid.y.count as usize],
             along_y: vec![Reach::default(); grid.x.count as usize],
-            cells: vec![0; columns * rows],
-            held: vec![0; columns * rows],
+            elements: vec![Counts::default(); columns * rows],
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
         let layers = vec![layer; grid.stabilizers.len()];
         let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
         let alone = grid.stabilizers.iter().position(|member| *member == nobody);
-        Self { grid: grid.clone(), columns, rows, alone, layers }
+        Self { grid: grid.clone(), columns, rows, alone, by_speed: 0, layers }
     }
 
     /// Adds the next cell; cells come in their order.
@@ -94,15 +95,16 @@ impl Survey {
         let at = |index: u64, count: u64, finest: usize| (index * finest as u64 / count) as usize;
         let column = at(x, self.grid.x.count, self.columns);
         let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
-        let alone = self.alone.and_then(|index| outcomes[index].stable);
+        let is_by_speed = outcomes.iter().any(|outcome| outcome.verdict_by == Yardstick::Speed);
+        self.by_speed += u64::from(is_by_speed);
+        let alone = self.alone.map(|index| outcomes[index].verdict);
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
+            let verdict = outcome.verdict;
             layer.tally.add(outcome, alone);
-            layer.judged += u64::from(outcome.stable.is_some());
-            layer.stable += u64::from(outcome.stable == Some(true));
-            layer.along_x[y as usize].pass(x, outcome.stable);
-            layer.along_y[x as usize].pass(y, outcome.stable);
-            layer.cells[element] += u32::from(outcome.stable.is_some());
-            layer.held[element] += u32::from(outcome.stable == Some(true));
+            layer.cells[verdict as usize] += 1;
+            layer.along_x[y as usize].pass(x, verdict);
+            layer.along_y[x as usize].pass(y, verdict);
+            layer.elements[element][verdict as usize] += 1;
             for (measure, sums) in Measure::ALL.iter().zip(&mut layer.sums) {
                 if let Some(value) = measure.of(&outcome.measures) {
                     sums[element].0 += value;
@@ -117,13 +119,38 @@ impl Survey {
         &self.grid
     }
 
-    /// The area that stabilizer `index` renders stably.
-    pub fn area(&self, index: usize) -> Area {
-        let Layer { stable, judged, .. } = self.layers[index];
-        let share = (judged > 0).then(|| stable as f64 / judged as f64);
+    /// The cells under stabilizer `index` with this verdict.
+    pub fn cells(&self, index: usize, verdict: Verdict) -> u64 {
+        self.layers[index].cells[verdict as usize]
+    }
+
+    /// The judged cells under stabilizer `index`: all but those whose run is too short.
+    pub fn judged(&self, index: usize) -> u64 {
+        self.layers[index].cells.iter().sum::<u64>() - self.cells(index, Verdict::TooShort)
+    }
+
+    /// The area over which the runs under stabilizer `index` settle.
+    pub fn settling(&self, index: usize) -> Area {
+        self.area(index, self.cells(index, Verdict::Settles))
+    }
+
+    /// The area over which the runs under stabilizer `index` settle or swing.
+    pub fn bounded(&self, index: usize) -> Area {
+        let bounded = [Verdict::Settles, Verdict::Swinging].map(|it| self.cells(index, it));
+        self.area(index, bounded.iter().sum())
+    }
+
+    fn area(&self, index: usize, cells: u64) -> Area {
+        let judged = self.judged(index);
+        let share = (judged > 0).then(|| cells as f64 / judged as f64);
         let whole = self.grid.x.width() * self.grid.y.width();
-        let area = share.map(|_| stable as f64 / self.grid.cells() as f64 * whole);
-        Area { stable, judged, share, area }
+        let area = share.map(|_| cells as f64 / self.grid.cells() as f64 * whole);
+        Area { cells, share, area }
+    }
+
+    /// The cells that are judged by speed.
+    pub fn by_speed(&self) -> u64 {
+        self.by_speed
     }
 
     /// What stabilizer `index` renders.
@@ -132,9 +159,9 @@ impl Survey {
         self.layers[index].tally.rendered(has_force, self.alone.is_some())
     }
 
-    /// The stabilizers by what they render, the most first: by the stable share where no force is known.
+    /// The stabilizers by what they render, the most first: by the bounded share where no force is known.
     pub fn ranking(&self) -> Vec<usize> {
-        let merit = |index: usize| self.rendered(index).percent.or(self.area(index).share);
+        let merit = |index: usize| self.rendered(index).percent.or(self.bounded(index).share);
         let mut ranked: Vec<(usize, f64)> =
             (0..self.layers.len()).map(|index| (index, merit(index).unwrap_or(0.0))).collect();
         ranked.sort_by(|one, other| other.1.total_cmp(&one.1));
@@ -165,12 +192,16 @@ impl Survey {
         (self.columns, self.rows)
     }
 
-    /// Share of the judged cells of each element that are stable under stabilizer `index`, row by row from the bottom;
-    /// NaN where none was judged.
-    pub(super) fn stable(&self, index: usize) -> Vec<f64> {
-        let layer = &self.layers[index];
-        let share = |(cells, held): (&u32, &u32)| f64::from(*held) / f64::from(*cells);
-        layer.cells.iter().zip(&layer.held).map(share).collect()
+    /// The verdict on most cells of each element under stabilizer `index`, as its place in [`Verdict::ALL`], row by row
+    /// from the bottom; of equally many the worse one, and NaN where no cell was judged.
+    pub(super) fn verdicts(&self, index: usize) -> Vec<f64> {
+        let most = |counts: &Counts| {
+            let judged = Verdict::ALL.into_iter().filter(|it| *it != Verdict::TooShort);
+            let found = judged.filter(|it| counts[*it as usize] > 0);
+            let found = found.max_by_key(|it| counts[*it as usize]);
+            found.map_or(f64::NAN, |verdict| verdict as usize as f64)
+        };
+        self.layers[index].elements.iter().map(most).collect()
     }
 
     /// Mean of a measure over the cells of each element; NaN where there is no value.

@@ -11,8 +11,15 @@ use super::grid::Grid;
 use super::outcome::{Measure, Measures, Outcome};
 use super::shard::Shard;
 use crate::files::Scene;
+use crate::measure::{Verdict, Yardstick};
 use crate::show::csv::{self, Field, Records};
 use crate::simulate::family::StabilizerNames;
+
+/// The columns after those of the axes.
+fn columns<'a>() -> impl Iterator<Item = &'a str> {
+    let names = ["stabilizer", "verdict", "verdict_by"];
+    names.into_iter().chain(Measure::ALL.map(|measure| measure.key))
+}
 
 const TITLE: &str = concat!("# lyapunov map ", env!("CARGO_PKG_VERSION"));
 
@@ -31,16 +38,15 @@ impl TableHeader {
         // Every scene that was read can be written.
         let scene = toml::to_string(&grid.scene).unwrap_or_default();
         scene.lines().for_each(|line| text += &format!("#| {line}\n"));
-        let names = [&grid.x.key, &grid.y.key, "stabilizer", "stable"];
-        let measures = Measure::ALL.map(|measure| measure.key);
-        text += &csv::text(names.into_iter().chain(measures), None::<[Field<'_>; 0]>);
+        let axes = [&grid.x.key[..], &grid.y.key];
+        text += &csv::text(axes.into_iter().chain(columns()), None::<[Field<'_>; 0]>);
         Self { text }
     }
 
     /// The head at the beginning of `lines`.
     ///
     /// # Errors
-    /// A reader that fails, and text that is not the head of a map.
+    /// A reader that fails, and text that is not the head of a map with the columns of this version.
     pub fn read(lines: &mut impl BufRead) -> Result<Self, TableError> {
         let mut text = String::new();
         loop {
@@ -56,7 +62,11 @@ impl TableHeader {
                 return Err(TableError::TableHeader("its head is cut off".into()));
             }
             if !line.starts_with('#') {
-                return Ok(Self { text });
+                let expected: Vec<&str> = columns().collect();
+                let is_known = line.trim_end().ends_with(&format!(",{}", expected.join(",")));
+                let (_, found) = line.trim_end().split_once(",stabilizer,").unwrap_or(("", line));
+                let found = found.trim_end().to_owned();
+                return if is_known { Ok(Self { text }) } else { Err(TableError::Columns(found)) };
             }
         }
     }
@@ -109,6 +119,8 @@ impl TableHeader {
 pub enum TableError {
     /// The head is not that of a map of this version.
     TableHeader(String),
+    /// The columns after the stabilizer's are not those of this version.
+    Columns(String),
     /// A row that no map has.
     Row {
         /// The number of the row, from 1.
@@ -130,6 +142,10 @@ impl fmt::Display for TableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TableHeader(problem) => write!(f, "this is not the table of a map: {problem}"),
+            Self::Columns(found) => {
+                let found = crate::text::excerpt::shorten(found);
+                write!(f, "its columns are `{found}`, and this version has others")
+            }
             Self::Row { row, text } => {
                 write!(
                     f,
@@ -156,10 +172,10 @@ pub(super) fn write(
 ) -> io::Result<()> {
     let [x, y] = grid.values(cell);
     for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
-        let stable = outcome.stable.map_or(Field::Nothing, |it| Field::Count(it.into()));
-        let names = [Field::Number(x), Field::Number(y), Field::Text(member.name()), stable];
+        let words = [member.name(), outcome.verdict.word(), outcome.verdict_by.word()];
+        let names = [x, y].map(Field::Number).into_iter().chain(words.map(Field::Text));
         let measures = Measure::ALL.map(|measure| measure.of(&outcome.measures).into());
-        out.put(names.into_iter().chain(measures))?;
+        out.put(names.chain(measures))?;
     }
     Ok(())
 }
@@ -213,12 +229,8 @@ impl<R: BufRead> Rows<R> {
 /// The outcome in the part of a row after the stabilizer's name.
 fn outcome(text: &str) -> Option<Outcome> {
     let mut fields = text.split(',');
-    let stable = match fields.next()? {
-        "" => None,
-        "0" => Some(false),
-        "1" => Some(true),
-        _ => return None,
-    };
+    let verdict = Verdict::of_word(fields.next()?)?;
+    let verdict_by = Yardstick::of_word(fields.next()?)?;
     let mut numbers = [None; Measure::ALL.len()];
     for number in &mut numbers {
         let field = fields.next()?;
@@ -227,5 +239,5 @@ fn outcome(text: &str) -> Option<Outcome> {
         }
     }
     let measures = Measures::from_numbers(numbers);
-    fields.next().is_none().then_some(Outcome { stable, measures })
+    fields.next().is_none().then_some(Outcome { verdict, verdict_by, measures })
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use toml::Value;
 
 use super::axis::Axis;
-use crate::files::scene::{Draft, Motion, Scene, number_keys};
+use crate::files::scene::{Draft, Motion, Scene, is_number, is_whole};
 use crate::text::nearest;
 
 /// A number of a scene, found by its dotted key.
@@ -48,9 +48,7 @@ impl Vary {
                 return Err(VaryError::new(problem, known(tree, key)));
             }
             // A scene may leave out a number with a default.
-            None if number_keys().any(|known| known == key) && find(tree, table(key)).is_some() => {
-                false
-            }
+            None if find(tree, table(key)).is_some() && is_number(key) => is_whole(key),
             None => {
                 let problem = format!("the scene has no number `{key}`");
                 return Err(VaryError::new(problem, known(tree, key)));

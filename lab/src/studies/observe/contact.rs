@@ -28,7 +28,7 @@ pub struct Contact {
     pub generated: f64,
     /// Largest magnitude of the force, N.
     pub peak_force: f64,
-    /// The constant damper that dissipates over the contact what the contact generated, N·s/m: `generated / Σ v² T`,
+    /// The constant damper that dissipates over the recorded contact what that generated, N·s/m: `generated / Σ v² T`,
     /// 0 where it generated nothing, none where nothing moved.
     pub damping: Option<f64>,
 }

@@ -37,8 +37,8 @@ pub struct Report {
     pub energy: Energy,
     /// The observed energy by held work.
     pub observed_energy: ObservedEnergy,
-    /// The damper that would have repaired the log.
-    pub repair: ConstantDamper,
+    /// The constant damper that the debts ask for over the recorded motion.
+    pub damper: ConstantDamper,
     /// The observed energy by sampled work, as the paper prints it.
     pub printed: ObservedEnergy,
     /// The contacts.
@@ -58,8 +58,9 @@ pub struct Energy {
     pub credited: f64,
 }
 
-/// The smallest constant damper that, acting from the first row on, would have dissipated every debt by the time it
-/// arose: the largest of `−L(n) / Σ v² T` up to row `n`.
+/// The smallest constant damper that dissipates, over the recorded motion from the first row on, every debt by the time it
+/// arises: the largest of `−L(n) / Σ v² T` up to row `n`. With a damper the motion would have been another, so this says
+/// nothing about a damped loop.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ConstantDamper {
     /// The damping, N·s/m; none if a debt came before any motion.

@@ -1,6 +1,6 @@
 //! Step from one good row to the next.
 
-use lyapunov::PortSample;
+use lyapunov::{HeldTick, PortSample};
 
 use super::log::Sample;
 
@@ -46,7 +46,10 @@ impl Step {
             None => mean,
         };
         let work = (forces.0 * displacement).min(forces.1 * displacement);
-        PortSample { work, ..PortSample::new(period, to.x, velocity, displacement, from.f) }
+        PortSample {
+            work,
+            ..HeldTick { period, position: to.x, velocity, displacement, applied: from.f }.sample()
+        }
     }
 }
 

@@ -132,11 +132,14 @@ impl Report {
     }
 
     fn damping(&self, units: &Units) -> String {
-        match (self.repair.damping, self.repair.at.map(|time| units.time(time))) {
-            (_, None) => "no debt to repair".to_owned(),
-            (None, Some(time)) => format!("none repairs the debt at {time} s: nothing had moved"),
+        match (self.damper.damping, self.damper.at.map(|time| units.time(time))) {
+            (_, None) => "no debt asks for any".to_owned(),
+            (None, Some(time)) => {
+                format!("none makes up for the debt at {time} s: nothing had moved")
+            }
             (Some(damping), Some(time)) => format!(
-                "{} N.s/m from the start on would have repaired the log; it takes most at {time} s",
+                "over this motion the debts ask for a constant {} N.s/m, at {time} s; damped, the motion would have been \
+                 another",
                 found(damping)
             ),
         }
@@ -166,7 +169,7 @@ impl Report {
             format!("out\n{joules}"),
             format!("generated\n{joules}"),
             "peak\nN".to_owned(),
-            "repair\nN.s/m".to_owned(),
+            "damper\nN.s/m".to_owned(),
         ];
         let rows = contacts.worst.iter().map(|contact| cells(contact, units));
         let table = Table::new(headings.map(Heading::number)).with_rows(rows).to_string();

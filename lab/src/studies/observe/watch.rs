@@ -134,7 +134,7 @@ impl Watch {
                 credited: account.credited.absorbed(),
             },
             observed_energy: account.held_course.finish(),
-            repair: account.repair,
+            damper: account.damper,
             printed: account.sampled_course.finish(),
             contacts,
             ..Report::default()
@@ -152,7 +152,7 @@ struct Books {
     sampled_course: ObservedEnergy,
     port: Tally,
     credited: Tally,
-    repair: ConstantDamper,
+    damper: ConstantDamper,
     gaps: Gaps,
     contacts: Finder,
     traces: Traces,
@@ -173,7 +173,7 @@ impl Books {
             sampled_course: ObservedEnergy::default(),
             port: Tally::new(),
             credited: Tally::new(),
-            repair: ConstantDamper::default(),
+            damper: ConstantDamper::default(),
             gaps: Gaps::default(),
             contacts: Finder::new(contact),
             traces: Traces::new(),
@@ -199,7 +199,7 @@ impl Books {
         let sampled = self.sampled.observe(&sample, step.to.f);
         self.held_course.add(step.to.t, held);
         self.sampled_course.add(step.to.t, sampled);
-        self.repair.add(step.to.t, self.port.damper(-held));
+        self.damper.add(step.to.t, self.port.damper(-held));
         self.contacts.add(&Push {
             from: step.from.t,
             to: step.to.t,

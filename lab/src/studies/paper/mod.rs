@@ -10,11 +10,11 @@ mod report;
 mod study;
 
 pub use figures::{NamedFigure, figures};
-pub use study::{Stage, Study};
+pub use study::{Draws, Study};
 
 use lyapunov::ParameterError;
 
-use crate::files::scene::{Diagnostic, Scene};
+use crate::files::scene::{Conflict, Diagnostic, Scene};
 use crate::simulate::{Rollout, Row};
 
 /// A scene of the paper's section IV.
@@ -90,6 +90,8 @@ pub enum PaperError {
     Scene(Diagnostic),
     /// A shipped scene has a parameter that a block rejects.
     Parameter(ParameterError),
+    /// A member of the ensemble is no scene.
+    Draw(Conflict),
     /// The claims could not be written as JSON.
     Json(serde_json::Error),
 }
@@ -113,6 +115,6 @@ macro_rules! causes {
     };
 }
 
-causes!(Scene(Diagnostic), Parameter(ParameterError), Json(serde_json::Error));
+causes!(Scene(Diagnostic), Parameter(ParameterError), Draw(Conflict), Json(serde_json::Error));
 
 impl std::error::Error for PaperError {}

@@ -3,11 +3,12 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::Case;
-use super::claims::{Verdict, number};
+use super::claims::{Claim, Judged, RATES, Verdict};
 use super::figures::NamedFigure;
 use super::study::Study;
 use crate::show::html;
 use crate::show::table::{Cell, Heading, Table};
+use crate::text::found;
 
 /// The parts of the page.
 pub(super) struct Report<'a> {
@@ -20,52 +21,128 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     /// The page, as HTML.
     pub(super) fn to_html(&self) -> String {
+        let count = self.study.draws.count;
         let body = html! {
             p {
+                "Judged is this repository's reading of the controller (held work, a limited damping); the controller as \
+                 the paper prints it (sampled work, any damping) stands beside it."
+            }
+            p {
                 "Section IV of " cite { "Lyapunov Observer/Controller for Stable Haptic Interaction" }
-                " (Jafari, Etoundi, Chong), computed by " (html::maker(self.command)) "."
+                " (Jafari, Etoundi, Chong), computed by " (html::maker(self.command)) " over " (count)
+                " draws of what the paper does not state."
             }
             h2 { "Claims" }
-            (self.claims().to_html(""))
+            (self.verdicts().to_html("counts"))
+            h2 { "Numbers" }
+            p {
+                "Of our controller: the median over the draws that have the number, and the range without the lowest and the \
+                 highest 5 %. The last column is a single run, at the paper's numbers and in one phase of the clock."
+            }
+            (self.numbers().to_html(""))
+            h2 { "What moves the claims" }
+            p {
+                "Main effects on our controller: the share of the variance between draws that a constant explains by itself, \
+                 in percent. Those of 5 % and more are named; all others are smaller."
+            }
+            (self.influences().to_html("counts"))
+            h2 { "Runs that settle and runs that grow" }
+            p {
+                "In percent of the runs, by the observer's rate. The rest is still swinging after 30 s. The last columns are the \
+                 median settling times of those that settle, in seconds."
+            }
+            (self.outcomes().to_html("short"))
             h2 { "Figures" }
+            p { "Each curve is a single run, at the paper's numbers and in one phase of the clock." }
             @for drawn in self.figures { (self.figure(drawn)) }
             h2 { "Where the energy went" }
             p {
-                "Millijoules over 30 s from the paper's start. A negative wall is energy that the sampled loop generated; \
-                 the last column is what the causes leave unexplained."
+                "Millijoules of single runs, from the paper's start until the run has settled. A negative wall is energy that \
+                 the sampled loop generated; the last column is what the causes leave unexplained."
             }
             (self.balances().to_html("short"))
-            h2 { "How the verdicts move with what the paper leaves open" }
-            p {
-                "Starts for which a claim holds, of 101, in the colour of the verdict. A cap of 0.5, everything at \
-                 100 Hz, is the reading above; one thing is changed at a time. The wall stays at 100 Hz."
-            }
-            (self.verdicts().to_html("counts"))
-            h2 { "How the ensembles move with it" }
-            (self.readings().to_html("short"))
             (PreEscaped(DEFINITIONS))
             (self.scenes())
         };
         html::page("The paper, claim by claim", &body)
     }
 
-    fn claims(&self) -> Table {
+    fn verdicts(&self) -> Table {
+        let headings = [
+            Heading::word("the paper says"),
+            Heading::word("as printed"),
+            Heading::number("holds in %\n(95 % interval)"),
+            Heading::word("ours"),
+            Heading::number("holds in %\n(95 % interval)"),
+        ];
+        Table::new(headings).with_rows(self.study.claims.iter().map(|claim| {
+            [
+                html! { span id=(claim.id) { (claim.paper) } }.into(),
+                verdict(&claim.printed),
+                claim.printed.share().into(),
+                verdict(&claim.ours),
+                claim.ours.share().into(),
+            ]
+        }))
+    }
+
+    fn numbers(&self) -> Table {
         let headings = [
             Heading::word("the paper says"),
             Heading::word("what was looked at"),
             Heading::number("median"),
-            Heading::number("held"),
-            Heading::word("verdict"),
+            Heading::number("5 % to 95 %"),
+            Heading::number("single run"),
         ];
         Table::new(headings).with_rows(self.study.claims.iter().map(|claim| {
-            let (class, verdict) = told(claim.verdict);
+            let judged = &claim.ours;
+            let range =
+                judged.range.map(|[low, high]| format!("{} to {}", found(low), found(high)));
             [
-                html! { span id=(claim.id) { (claim.paper) } }.into(),
+                claim.paper.into(),
                 claim.reading.into(),
-                claim.measured().into(),
-                format!("{} of {}", claim.held, claim.of).into(),
-                html::verdict(class, verdict).into(),
+                with_unit(claim, judged.median).into(),
+                range.unwrap_or_else(dash).into(),
+                with_unit(claim, judged.single).into(),
             ]
+        }))
+    }
+
+    fn influences(&self) -> Table {
+        let headings = [
+            Heading::word("the paper says"),
+            Heading::word("moved by"),
+            Heading::number("main effect, %"),
+            Heading::word("value: holds in %"),
+        ];
+        let rows = self.study.claims.iter().flat_map(|claim| {
+            claim.ours.influences.iter().map(|influence| {
+                let groups = influence
+                    .groups
+                    .iter()
+                    .map(|group| format!("{}: {}", group.values, group.percent()));
+                let groups = groups.collect::<Vec<_>>().join("; ");
+                let effect = format!("{:.0}", 100.0 * influence.effect);
+                [claim.paper.into(), influence.constant.into(), effect.into(), groups.into()]
+            })
+        });
+        Table::new(headings).with_rows(rows)
+    }
+
+    fn outcomes(&self) -> Table {
+        let words = ["wall", "stabilizer"].map(Heading::word);
+        let at = |what: &str| RATES.map(|rate| Heading::number(format!("{what}\n{rate} Hz")));
+        let headings = words.into_iter().chain(at("settles")).chain(at("grows"));
+        let headings = headings.chain(at("median s,"));
+        Table::new(headings).with_rows(self.study.outcomes.iter().map(|outcomes| {
+            let percent = |count: usize, of: usize| {
+                Cell::from(format!("{:.0}", 100.0 * count as f64 / of.max(1) as f64))
+            };
+            let words = [outcomes.wall.into(), outcomes.stabilizer.into()];
+            let settle = outcomes.rates.map(|share| percent(share.settle, share.of));
+            let grow = outcomes.rates.map(|share| percent(share.grow, share.of));
+            let times = outcomes.rates.map(|share| Cell::from(share.settling_time));
+            words.into_iter().chain(settle).chain(grow).chain(times)
         }))
     }
 
@@ -102,20 +179,6 @@ impl Report<'_> {
         }
     }
 
-    fn verdicts(&self) -> Table {
-        let readings = self.study.moved.iter().map(|moved| Heading::number(moved.name.as_str()));
-        let headings = std::iter::once(Heading::word("the paper says")).chain(readings);
-        let claims = self.study.moved.iter().take(1).flat_map(|moved| &moved.claims).enumerate();
-        Table::new(headings).with_rows(claims.map(|(index, claim)| {
-            let moved = self.study.moved.iter().filter_map(move |moved| moved.claims.get(index));
-            let counts = moved.map(|claim| {
-                let (class, verdict) = told(claim.verdict);
-                html! { span class=(class) title=(verdict) { (claim.held) } }.into()
-            });
-            std::iter::once(Cell::from(claim.paper)).chain(counts)
-        }))
-    }
-
     fn balances(&self) -> Table {
         let parts = [
             "at the start",
@@ -135,44 +198,32 @@ impl Report<'_> {
                 balance.end,
                 balance.residual(),
             ];
-            let numbers = parts.map(|joules| Cell::from(number(1e3 * joules)));
+            let numbers = parts.map(|joules| Cell::from(1e3 * joules));
             std::iter::once(Cell::from(*name)).chain(numbers)
-        }))
-    }
-
-    fn readings(&self) -> Table {
-        let words = ["wall", "stabilizer", "reading"].map(Heading::word);
-        let numbers = [
-            "bounded",
-            "settled",
-            "median settling time, s",
-            "ticks active",
-            "taken by the controller, mJ",
-        ];
-        let headings = words.into_iter().chain(numbers.map(Heading::number));
-        Table::new(headings).with_rows(self.study.readings.iter().map(|reading| {
-            let percent = |share: f64| Cell::from(format!("{:.0} %", 100.0 * share));
-            [
-                format!("{} kN/m", 1e-3 * reading.setting.stiffness).into(),
-                format!("{:?}", reading.setting.control).to_uppercase().into(),
-                reading.name.as_str().into(),
-                percent(reading.bounded),
-                percent(reading.settled),
-                reading.settling_time.map_or("\u{2013}".to_owned(), number).into(),
-                percent(reading.active),
-                number(1e3 * reading.taken).into(),
-            ]
         }))
     }
 }
 
 const DEFINITIONS: &str = include_str!("definitions.html");
 
-/// CSS class of a verdict, and its words.
-fn told(verdict: Verdict) -> (&'static str, &'static str) {
-    match verdict {
-        Verdict::Reproduced => ("yes", "reproduced"),
-        Verdict::NotReproduced => ("no", "not reproduced"),
-        Verdict::Undecided => ("open", "undecided"),
-    }
+fn dash() -> String {
+    "\u{2013}".to_owned()
+}
+
+/// A number of a claim with its unit, to four digits; a dash where there is none.
+fn with_unit(claim: &Claim, value: Option<f64>) -> String {
+    let unit = if claim.unit == "1" { String::new() } else { format!(" {}", claim.unit) };
+    value.map_or_else(dash, |value| format!("{}{unit}", found(value)))
+}
+
+/// A verdict, its word in its colour.
+fn verdict(judged: &Judged) -> Cell {
+    let class = match judged.verdict {
+        Verdict::Reproduced => "yes",
+        Verdict::DependsOn(_) => "open",
+        Verdict::NotReproduced => "no",
+    };
+    let (words, word) = (judged.verdict.to_string(), judged.verdict.word());
+    let rest = words.strip_prefix(word).unwrap_or_default();
+    html! { (html::verdict(class, word)) (rest) }.into()
 }

@@ -1,56 +1,42 @@
 //! The study that `lyapunov paper` computes.
 
+use std::fmt;
+
 use serde::Serialize;
 
 use super::PaperError;
 use super::claims::{
-    Balance, Claim, Control, Grid, MovedClaim, Reading, Setting, claims, sensitivity, starts,
+    Balance, Claim, Control, Judged, Member, Outcomes, Runs, SOFT, STIFF, Steps, Unstated, Verdict,
+    claims,
 };
 use super::figures::NamedFigure;
 use super::report::Report;
+use crate::show::table::{Cell, Heading, Table};
 
-/// Number of starts that the verdicts rest on.
-const STARTS: usize = 101;
-/// Walls over which stable areas are compared.
-const GRID: Grid = Grid { stiffnesses: 12, dampings: 9 };
-
-/// Stage of the study.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// The claims over the ensemble.
-    Claims,
-    /// Their sensitivity to what the paper leaves open.
-    Readings,
-    /// The energy balances.
-    Balances,
-    /// Figures and files.
-    Files,
+/// Ensemble that the verdicts rest on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Draws {
+    /// The number of members.
+    pub count: u64,
+    /// Seed of the random numbers.
+    pub seed: u64,
 }
 
-impl Stage {
-    /// All stages, in order.
-    pub const ALL: [Self; 4] = [Self::Claims, Self::Readings, Self::Balances, Self::Files];
-
-    /// A few words for a progress display.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Claims => "claims over 101 starts",
-            Self::Readings => "caps, rates and the printed recursion",
-            Self::Balances => "energy balances",
-            Self::Files => "figures and report",
-        }
+impl Default for Draws {
+    fn default() -> Self {
+        Self { count: 1000, seed: 1 }
     }
 }
 
 /// The claims of the paper's section IV and the results that they rest on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Study {
-    /// The claims, each with its verdict.
+    /// The ensemble.
+    pub draws: Draws,
+    /// The claims, each with its verdicts.
     pub claims: Vec<Claim>,
-    /// The ensembles under other readings of what the paper leaves open.
-    pub readings: Vec<Reading>,
-    /// The verdicts on the two walls under the same readings.
-    pub moved: Vec<MovedClaim>,
+    /// Outcomes of all runs, by loop and rate.
+    pub outcomes: Vec<Outcomes>,
     /// The energy balances of the paper's runs, by name.
     pub balances: Vec<(&'static str, Balance)>,
 }
@@ -58,35 +44,45 @@ pub struct Study {
 /// The content of `claims.json`.
 #[derive(Serialize)]
 struct Rows<'a> {
+    draws: Draws,
     rows: &'a [Claim],
 }
 
 impl Study {
-    /// Computes everything; calls `tell` with each stage before it begins, which may stop the study.
+    /// The number of calls of `tell` in [`Study::run`].
+    pub const STAGES: usize = 2 * Runs::LOOPS;
+
+    /// Computes everything; calls `tell` before each part of the work, which may stop the study.
     ///
     /// # Errors
     /// The error of `tell`, or a number that a part rejects.
     pub fn run<E: From<PaperError>>(
-        mut tell: impl FnMut(Stage) -> Result<(), E>,
+        draws: Draws,
+        mut tell: impl FnMut() -> Result<(), E>,
     ) -> Result<Self, E> {
-        let starts = starts(STARTS);
-        let refuse = |error| E::from(PaperError::from(error));
-        tell(Stage::Claims)?;
-        let claims = claims(&starts, GRID).map_err(refuse)?;
-        tell(Stage::Readings)?;
-        let (readings, moved) = sensitivity(&starts).map_err(refuse)?;
-        tell(Stage::Balances)?;
-        let mut balances = Vec::new();
-        for (name, stiffness, damping, control) in [
-            ("8 kN/m, POPC", 8e3, 2.0, Control::Popc),
-            ("8 kN/m, LOLC", 8e3, 2.0, Control::Lolc),
-            ("50 kN/m, POPC", 50e3, 20.0, Control::Popc),
-            ("50 kN/m, LOLC", 50e3, 20.0, Control::Lolc),
-        ] {
-            let setting = Setting::read(stiffness, damping, control);
-            balances.push((name, Balance::of(&setting).map_err(refuse)?));
+        let members = Member::draw(draws.seed, draws.count)?;
+        let paper = [Member::of_the_paper()?];
+        let (mut runs, mut single) = (Vec::new(), Vec::new());
+        for steps in [Steps::Printed, Steps::Ours] {
+            runs.push(Runs::of(steps, &members, &mut tell)?);
+            single.extend(Runs::of(steps, &paper, || Ok::<(), PaperError>(()))?);
         }
-        Ok(Self { claims, readings, moved, balances })
+        let (runs, single) = ([&runs[0][..], &runs[1]], [single[0], single[1]]);
+        let balance = |control, wall| Balance::of(control, &paper[0], wall);
+        let balances = || -> Result<Vec<_>, PaperError> {
+            Ok(vec![
+                ("8 kN/m, POPC", balance(Control::Popc, SOFT)?),
+                ("8 kN/m, LOLC", balance(Control::Lolc, SOFT)?),
+                ("50 kN/m, POPC", balance(Control::Popc, STIFF)?),
+                ("50 kN/m, LOLC", balance(Control::Lolc, STIFF)?),
+            ])
+        };
+        Ok(Self {
+            draws,
+            claims: claims(&members, runs, single),
+            outcomes: Outcomes::all(&members, runs),
+            balances: balances()?,
+        })
     }
 
     /// The text of `claims.json`.
@@ -94,12 +90,66 @@ impl Study {
     /// # Errors
     /// None known: every number is finite or absent.
     pub fn to_json(&self) -> Result<String, PaperError> {
-        let text = serde_json::to_string_pretty(&Rows { rows: &self.claims });
+        let rows = Rows { draws: self.draws, rows: &self.claims };
+        let text = serde_json::to_string_pretty(&rows);
         Ok(text.map_err(PaperError::Json)? + "\n")
     }
 
     /// The report with these `figures`, in HTML; `command` is the command that it names as its maker.
     pub fn to_html(&self, figures: &[NamedFigure], command: &str) -> String {
         Report { study: self, figures, command }.to_html()
+    }
+
+    fn verdicts(&self) -> Table {
+        let headings = [
+            Heading::word("the paper says"),
+            Heading::word("as printed"),
+            Heading::word("ours"),
+            Heading::word("ours holds in %\n(95 % interval)"),
+        ];
+        Table::new(headings).with_rows(self.claims.iter().map(|claim| {
+            let word = |judged: &Judged| Cell::from(judged.verdict.word());
+            [claim.paper.into(), word(&claim.printed), word(&claim.ours), claim.ours.share().into()]
+        }))
+    }
+
+    fn influences(&self) -> Table {
+        let headings = [
+            Heading::word("depends: the paper says"),
+            Heading::word("on"),
+            Heading::word("holds in %, by its value"),
+        ];
+        let depending = self.claims.iter().filter(|claim| is_open(claim));
+        let rows = depending.flat_map(|claim| {
+            claim.ours.influences.iter().enumerate().map(|(index, influence)| {
+                let paper = if index == 0 { claim.paper } else { "" };
+                [paper.into(), influence.constant.into(), influence.shares().into()]
+            })
+        });
+        Table::new(headings).with_rows(rows)
+    }
+}
+
+/// Whether the verdict on our controller depends on something.
+fn is_open(claim: &Claim) -> bool {
+    matches!(claim.ours.verdict, Verdict::DependsOn(_))
+}
+
+impl fmt::Display for Study {
+    /// The tables in the terminal.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Draws { count, seed } = self.draws;
+        writeln!(
+            f,
+            "The paper's section IV over {count} draws of what it does not state (seed {seed})\n"
+        )?;
+        writeln!(f, "{}\n{}", self.verdicts(), self.influences())?;
+        let depending = || self.claims.iter().filter(|claim| is_open(claim));
+        let named = |unstated: &Unstated| {
+            let mut influences = depending().flat_map(|claim| &claim.ours.influences);
+            influences.any(|influence| influence.constant == unstated.name())
+        };
+        let mut named = Unstated::ALL.into_iter().filter(named);
+        named.try_for_each(|it| writeln!(f, "{}: {}", it.name(), it.order()))
     }
 }

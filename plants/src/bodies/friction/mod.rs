@@ -6,7 +6,9 @@ mod stribeck;
 mod trajectory;
 mod transition;
 
-use lyapunov_core::{Accumulator, Compensated, ParameterError, Plant, PortSample, Scalar};
+use lyapunov_core::{
+    Accumulator, Compensated, HeldTick, ParameterError, Plant, PortSample, Scalar,
+};
 
 use crate::{Linear, OperatedBody};
 use series::System;
@@ -170,7 +172,14 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
         moved.place(rubbed, after);
         self.body = moved;
         let displacement = T::choose(rubbed, after[S - 2] - before[S - 2], sample.displacement);
-        PortSample::new(sample.period, after[S - 2], after[S - 1], displacement, effort)
+        HeldTick {
+            period: sample.period,
+            position: after[S - 2],
+            velocity: after[S - 1],
+            displacement,
+            applied: effort,
+        }
+        .sample()
     }
 }
 

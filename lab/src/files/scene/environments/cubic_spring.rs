@@ -40,6 +40,10 @@ impl EnvironmentKind for CubicSpring {
         Some(spring_and_damper(self.stiffness, 0.0))
     }
 
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        self.impedance().filter(|_| self.cubic.get() == 0.0)
+    }
+
     fn impedance_note(&self) -> Option<&'static str> {
         Some("the stiffness is that at rest; farther out the spring is stiffer")
     }

@@ -43,6 +43,10 @@ impl EnvironmentKind for HuntCrossley {
         (self.exponent.get() == 1.0).then(|| spring_and_damper(self.stiffness, 0.0))
     }
 
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        self.impedance().filter(|_| self.damping.get() == 0.0)
+    }
+
     fn impedance_note(&self) -> Option<&'static str> {
         let note = "the wall's damper grows with the depth and is left out, as at the surface";
         self.impedance().map(|_| note)

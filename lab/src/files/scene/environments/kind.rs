@@ -6,9 +6,9 @@ use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance};
 use nalgebra::SVector;
 
 use super::render::Render;
-use crate::files::scene::Draft;
 use crate::files::scene::check::Conflict;
 use crate::files::scene::quantity::{Finite, NonNegative};
+use crate::files::scene::{Coordinates, Draft};
 
 /// A function that formats a number.
 pub(crate) type Number = fn(f64) -> String;
@@ -23,15 +23,25 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
         None
     }
 
+    /// Stiffness, damping and mass that no change of its answer exceeds; none where they have no bound.
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        self.impedance()
+    }
+
+    /// The direction in which it pushes, if that is the same everywhere and of no axis in particular.
+    fn normal(&self) -> Option<Coordinates> {
+        None
+    }
+
     /// The spring that a device at rest feels, beyond the surface if there is one; none if the force is no straight
     /// line.
     fn static_spring(&self) -> Option<StaticSpring> {
         None
     }
 
-    /// Whether its force law changes with time.
-    fn swings(&self) -> bool {
-        false
+    /// Frequency at which its force law changes with time, Hz, if it does.
+    fn frequency(&self) -> Option<f64> {
+        None
     }
 
     /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
@@ -122,7 +132,7 @@ pub(super) fn no_credit<T: Scalar>() -> Result<Dissipation<T>, ParameterError> {
     Dissipation::of(T::zero())
 }
 
-/// Whether something with this amplitude and frequency ever moves.
-pub(super) fn swings(amplitude: Finite, frequency: NonNegative) -> bool {
-    amplitude.get() != 0.0 && frequency.get() != 0.0
+/// The frequency of something with this amplitude, Hz, if it ever moves.
+pub(super) fn swinging(amplitude: Finite, frequency: NonNegative) -> Option<f64> {
+    Some(frequency.get()).filter(|frequency| amplitude.get() != 0.0 && *frequency != 0.0)
 }

@@ -48,6 +48,11 @@ impl EnvironmentKind for LayeredWall {
         Some("the stiffness is the first layer's")
     }
 
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        let [upper, lower] = self.stiffness.map(NonNegative::get);
+        Some(spring_and_damper(upper.max(lower), self.damping))
+    }
+
     fn words(&self, number: Number) -> String {
         let [upper, lower] = self.stiffness.map(|stiffness| number(stiffness.get()));
         let (depth, damping) = (number(1e3 * self.depth.get()), number(self.damping.get()));

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::kind::{
-    EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper, swings,
+    EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper, swinging,
 };
 use super::render::Render;
 use crate::files::scene::book::{Key, key};
@@ -55,8 +55,8 @@ impl EnvironmentKind for MovingWall {
         Some(StaticSpring::new(self.stiffness, self.position))
     }
 
-    fn swings(&self) -> bool {
-        swings(self.amplitude, self.frequency)
+    fn frequency(&self) -> Option<f64> {
+        swinging(self.amplitude, self.frequency)
     }
 
     fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {

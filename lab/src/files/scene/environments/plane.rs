@@ -46,6 +46,10 @@ impl EnvironmentKind for Plane {
         Some(spring_and_damper(self.stiffness, self.damping))
     }
 
+    fn normal(&self) -> Option<Coordinates> {
+        Some(self.normal.clone())
+    }
+
     fn vectors(&self) -> Vec<(&'static str, usize)> {
         vec![("point", self.point.len()), ("normal", self.normal.len())]
     }

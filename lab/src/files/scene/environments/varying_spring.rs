@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::kind::{
-    EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper, swings,
+    EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper, swinging,
 };
 use super::render::Render;
 use crate::files::scene::book::{Key, key};
@@ -43,6 +43,11 @@ impl EnvironmentKind for VaryingSpring {
         Some(spring_and_damper(self.stiffness, 0.0))
     }
 
+    fn steepest(&self) -> Option<Impedance<f64>> {
+        let most = self.stiffness.get().abs() + self.amplitude.get().abs();
+        Some(spring_and_damper(most, 0.0))
+    }
+
     fn impedance_note(&self) -> Option<&'static str> {
         Some("the stiffness is the spring's mean; what swings may add energy of its own")
     }
@@ -51,8 +56,8 @@ impl EnvironmentKind for VaryingSpring {
         Some(StaticSpring::new(self.stiffness, self.position))
     }
 
-    fn swings(&self) -> bool {
-        swings(self.amplitude, self.frequency)
+    fn frequency(&self) -> Option<f64> {
+        swinging(self.amplitude, self.frequency)
     }
 
     fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {

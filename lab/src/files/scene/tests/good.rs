@@ -46,7 +46,7 @@ fn the_full_example_gives_every_value() {
             work: Work::Held,
             candidate: Candidate::MassSpringDamper,
             ledger: Ledger::Plain,
-            damping_cap: Cap::new(0.5).unwrap(),
+            damping_cap: Some(Cap::new(0.5).unwrap()),
         })),
         effects: Effects {
             encoder: Some(Encoder { resolution: positive(1e-5) }),
@@ -94,10 +94,9 @@ fn an_empty_stabilizer_table_takes_its_defaults() {
         work: Work::Held,
         candidate: Candidate::MassSpringDamper,
         ledger: Ledger::Plain,
-        damping_cap: Cap::new(0.5).unwrap(),
+        damping_cap: None,
     };
-    let popc =
-        Popc { work: Work::Held, ledger: Ledger::Plain, damping_cap: Cap::new(0.5).unwrap() };
+    let popc = Popc { work: Work::Held, ledger: Ledger::Plain, damping_cap: None };
     let stabilizer = |more| scene(&smallest_and(more)).stabilizer;
     assert_eq!(stabilizer("[stabilizer.lolc]"), Some(Stabilizer::Lolc(lolc)));
     assert_eq!(stabilizer("[stabilizer.popc]"), Some(Stabilizer::Popc(popc)));
@@ -203,7 +202,7 @@ fn a_cap_may_be_zero_or_infinite() {
     let cap = |number: &str| {
         let text = format!("[stabilizer.popc]\ndamping_cap = {number}");
         match scene(&smallest_and(&text)).stabilizer {
-            Some(Stabilizer::Popc(popc)) => popc.damping_cap.get(),
+            Some(Stabilizer::Popc(popc)) => popc.damping_cap.unwrap().get(),
             other => panic!("{other:?}"),
         }
     };

@@ -1,4 +1,4 @@
-//! Comparison of all entrants on one model.
+//! Comparison of entrants on one model.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -10,8 +10,9 @@ use crate::show::csv::{self, Field};
 use crate::simulate::models::{Entrant, Tick, built};
 use crate::studies::compare::compared::{BREATH, Compared, RunError, Watch, watched};
 use crate::studies::compare::sheet::Sheet;
+use crate::text::names::{Named, Names};
 
-/// All entrants on one model; its `Display` is the table of `lyapunov compare`.
+/// Entrants on one model; its `Display` is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// The model's name, usually the path of its file.
@@ -25,6 +26,7 @@ pub struct Comparison {
 
 impl Compared for Comparison {
     type File = Model;
+    type Entrant = Entrant;
 
     const NOUN: &'static str = "model";
     const TITLE: &'static str = "Stabilizers of control-affine plants";
@@ -33,14 +35,19 @@ impl Compared for Comparison {
                                  with V asked to decay as well (lolc-decay).";
 
     fn ticks(model: &Model) -> u64 {
-        (model.ticks() + 1) * Entrant::ALL.len() as u64
+        model.ticks() + 1
     }
 
-    fn of(name: &str, model: &Model, watch: &Watch<'_>) -> Result<Self, RunError> {
+    fn of(
+        name: &str,
+        model: &Model,
+        entrants: &Names<Entrant>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, RunError> {
         let built = built(model).map_err(|(_, error)| error)?;
         let breath = (BREATH / u64::from(model.steps_per_tick.get())).max(1);
         let run = |entrant| {
-            let mut meter = Meter::new(model.ticks(), model.servo_rate.get(), built.began());
+            let mut meter = Meter::new(model, built.began());
             let run = |each: &mut dyn FnMut(Tick) -> ControlFlow<()>| {
                 built.run(entrant, each);
                 Ok(())
@@ -48,7 +55,7 @@ impl Compared for Comparison {
             watched((model.ticks() + 1, breath), watch, run, |tick| meter.add(tick))?;
             Ok::<_, RunError>(meter.finish(entrant))
         };
-        let outcomes = Entrant::ALL.into_iter().map(run).collect::<Result<_, _>>()?;
+        let outcomes = entrants.iter().copied().map(run).collect::<Result<_, _>>()?;
         Ok(Self { name: name.to_owned(), model: model.clone(), began: built.began(), outcomes })
     }
 

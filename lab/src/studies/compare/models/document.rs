@@ -3,12 +3,14 @@
 use serde::Serialize;
 
 use super::comparison::Comparison;
-use crate::measure::models::{BOUND, Score};
+use crate::measure::models::{BAND, BOUND, Score};
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// The largest V of a bounded run, as a multiple of V at the start.
+    /// The largest V of a run that does not grow, as a multiple of V at the start.
     bound: f64,
+    /// The largest V in the last tenth of a run that settles, likewise.
+    band: f64,
     models: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
 }
@@ -56,6 +58,7 @@ pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let rows = comparisons.iter().flat_map(|comparison| {
         comparison.scores().map(|score| Line { model: &comparison.name, score })
     });
-    let document = Document { bound: BOUND, models: models.collect(), rows: rows.collect() };
+    let document =
+        Document { bound: BOUND, band: BAND, models: models.collect(), rows: rows.collect() };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

@@ -2,7 +2,9 @@
 
 use super::comparison::Comparison;
 use super::table::setting;
+use crate::measure::Verdict;
 use crate::measure::models::BOUND;
+use crate::text::names::Named;
 use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 
 /// The most decades that are shown below and above V at the start.
@@ -26,8 +28,8 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
         for (_, decades) in points.iter().filter(|point| point.1.is_finite()) {
             (low, high) = (low.min(*decades), high.max(*decades));
         }
-        let bounded = comparison.outcomes[index].score.bounded;
-        let name = format!("{}{}", entrant.name(), if bounded { "" } else { " (not bounded)" });
+        let grows = comparison.outcomes[index].score.verdict == Verdict::Grows;
+        let name = format!("{}{}", entrant.name(), if grows { " (grows)" } else { "" });
         panel = panel.with_series(Series::line(name, index, points));
     }
     panel = panel.with_y_range(low.max(-DECADES), high.min(DECADES));

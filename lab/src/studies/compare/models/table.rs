@@ -1,7 +1,7 @@
 //! The model in words, and its table.
 
 use super::comparison::Comparison;
-use crate::measure::models::{BOUND, Score};
+use crate::measure::models::{BAND, BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{found, given};
 
@@ -10,7 +10,7 @@ pub(super) fn of(comparison: &Comparison) -> Table {
     let (v, input) = (plant.unit_of_value(), plant.unit_of_input());
     let headings = [
         Heading::word("stabilizer"),
-        Heading::word("bounded"),
+        Heading::word("verdict"),
         Heading::number(format!("largest\nV\n{v}")),
         Heading::number(format!("V at\nthe end\n{v}")),
         Heading::number(format!("largest\neffort\n{input}")),
@@ -48,9 +48,10 @@ pub(super) fn start(comparison: &Comparison) -> String {
     };
     let unit = spaced(comparison.model.plant.unit_of_value());
     format!(
-        "V = {}{unit} at the start, bounded within {} times that; {cap}, decay {} 1/s",
+        "V = {}{unit} at the start; grows above {} times that, settles within {} of it; {cap}, decay {} 1/s",
         found(comparison.began),
         given(BOUND),
+        given(BAND),
         given(stabilizer.decay.get())
     )
 }
@@ -62,7 +63,7 @@ fn spaced(unit: &str) -> String {
 fn cells(score: &Score) -> [Cell; 8] {
     [
         score.stabilizer.into(),
-        score.bounded.into(),
+        score.verdict.into(),
         score.largest.into(),
         score.end.into(),
         score.effort.into(),

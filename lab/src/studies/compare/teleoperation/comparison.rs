@@ -1,4 +1,4 @@
-//! Comparison of all entrants on one teleoperator.
+//! Comparison of entrants on one teleoperator.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -10,8 +10,9 @@ use crate::show::csv::{self, Field};
 use crate::simulate::teleoperation::{Entrant, Tick, rig};
 use crate::studies::compare::compared::{BREATH, Compared, RunError, Watch, watched};
 use crate::studies::compare::sheet::Sheet;
+use crate::text::names::{Named, Names};
 
-/// All entrants on one teleoperator; its `Display` is the table of `lyapunov compare`.
+/// Entrants on one teleoperator; its `Display` is the table of `lyapunov compare`.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// The file's name, usually its path.
@@ -23,26 +24,33 @@ pub struct Comparison {
 
 impl Compared for Comparison {
     type File = Teleoperator;
+    type Entrant = Entrant;
 
     const NOUN: &'static str = "teleoperator";
     const TITLE: &'static str = "Teleoperators over a channel";
-    const ABOUT: &'static str = "Each teleoperator once without a stabilizer, once with a passivity controller at each \
-                                 port by itself (popc-at-each-end), once with the two-port passivity \
-                                 controller (two-port-popc), once with that taking back its drift as well \
-                                 (drift-compensated), and once with wave variables.";
+    const ABOUT: &'static str = "Stabilizers of a link with delay: none; a passivity controller at each port by itself \
+                                 (popc-at-each-end); the two-port passivity controller (two-port-popc), and the \
+                                 same taking back its drift (drift-compensated); forces limited by energy tanks \
+                                 that the master fills (two-layer); wave variables, before the slave's own damper, \
+                                 before one that matches them, and that with wave filters.";
 
     fn ticks(file: &Teleoperator) -> u64 {
-        (file.ticks() + 1) * Entrant::ALL.len() as u64
+        file.ticks() + 1
     }
 
-    fn of(name: &str, file: &Teleoperator, watch: &Watch<'_>) -> Result<Self, RunError> {
+    fn of(
+        name: &str,
+        file: &Teleoperator,
+        entrants: &Names<Entrant>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, RunError> {
         let run = |entrant| {
             let mut meter = Meter::new(file);
             let run = |each: &mut dyn FnMut(Tick) -> ControlFlow<()>| rig::run(file, entrant, each);
             watched((file.ticks() + 1, BREATH), watch, run, |tick| meter.add(tick))?;
             Ok::<_, RunError>(meter.finish(entrant))
         };
-        let outcomes = Entrant::ALL.into_iter().map(run).collect::<Result<_, _>>()?;
+        let outcomes = entrants.iter().copied().map(run).collect::<Result<_, _>>()?;
         Ok(Self { name: name.to_owned(), file: file.clone(), outcomes })
     }
 

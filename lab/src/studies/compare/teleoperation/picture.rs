@@ -2,17 +2,20 @@
 
 use super::comparison::Comparison;
 use super::table::setting;
+use crate::measure::Verdict;
+use crate::measure::teleoperation::Outcome;
 use lyapunov_figures::{Figure, Guide, Panel, Series};
 
 /// Millimetres per metre.
 const MILLI: f64 = 1e3;
 
-/// Positions over time, all panels over one range: that of the bounded runs, and of one and a half times the start.
+/// Positions over time, all panels over one range: that of the runs that do not grow, and of one and a half times the start.
 pub(super) fn of(comparison: &Comparison) -> Figure {
     let file = &comparison.file;
     let wall = file.slave.wall.map(|wall| MILLI * wall.position.get());
-    let bounded = comparison.outcomes.iter().filter(|outcome| outcome.score.bounded);
-    let seen = bounded.flat_map(|it| it.curves.master.iter().chain(&it.curves.slave));
+    let grows = |outcome: &&Outcome| outcome.score.verdict == Verdict::Grows;
+    let others = comparison.outcomes.iter().filter(|outcome| !grows(outcome));
+    let seen = others.flat_map(|it| it.curves.master.iter().chain(&it.curves.slave));
     let start = MILLI * file.master.start.get().abs();
     let largest = seen.fold(1.5 * start, |most, (_, x)| most.max(1.05 * MILLI * x.abs()));
     let mut figure = Figure::new(format!("{}: {}", comparison.name, setting(file)))
@@ -21,7 +24,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
         .with_panel_height(200.0);
     for outcome in &comparison.outcomes {
         let (score, curves) = (&outcome.score, &outcome.curves);
-        let more = if score.bounded { "" } else { " (not bounded)" };
+        let more = if grows(&outcome) { " (grows)" } else { "" };
         let mut panel =
             Panel::new(format!("{}{more}", score.stabilizer), "time, s", "position, mm")
                 .with_x_range(0.0, file.duration.get())

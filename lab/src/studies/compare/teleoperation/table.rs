@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use crate::files::teleoperation::Teleoperator;
-use crate::measure::teleoperation::{BOUND, Score};
+use crate::measure::teleoperation::{BAND, BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{found, given};
 
@@ -21,35 +21,49 @@ pub(super) fn setting(file: &Teleoperator) -> String {
     setting
 }
 
-/// The values at the start that the columns are compared with.
+/// What the columns are compared with, and the settings of the stabilizers, in two lines.
 pub(super) fn start(file: &Teleoperator) -> String {
-    let cap = file.stabilizer.damping_cap.get();
+    let (cap, layers) = (file.stabilizer.damping_cap.get(), file.layers());
     let cap =
         if cap.is_infinite() { "no damping cap".to_owned() } else { format!("cap {}", given(cap)) };
     format!(
-        "{} mJ in the hand at the start, bounded within {} times that; {cap}, {} mm/s, b = {} N.s/m",
+        "{} mJ in the hand at the start; grows above {} times that, settles with {} of it in motion; \
+         an ideal link rests with {} N\n\
+         {cap}, {} mm/s; tank of {} mJ, {} N.s/(m J), share {}; b = {} N.s/m, filters of {} ms",
         found(1e3 * file.stored_at_start()),
         given(BOUND),
-        given(1e3 * file.stabilizer.compensation_speed.get()),
-        given(file.wave_impedance())
+        given(BAND),
+        found(file.ideal_force()),
+        given(1e3 * file.stabilizer.drift_compensated.speed.get()),
+        found(1e3 * layers.level),
+        found(layers.gain),
+        given(layers.share),
+        given(file.wave_impedance()),
+        found(1e3 * file.wave_filter_time())
     )
 }
 
-/// Two tables: the devices' motion, and the forces and energies at the ports.
+/// Three tables: the devices' motion, the forces, and the energies at the ports.
 pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
     let motion = [
         Heading::word("stabilizer"),
-        Heading::word("bounded"),
+        Heading::word("verdict"),
         Heading::number("largest\nenergy\nmJ"),
         Heading::number("speed at\nthe end\nmm/s"),
         Heading::number("largest\nerror\nmm"),
         Heading::number("error at\nthe end\nmm"),
         Heading::number("drift at\nthe end\nmm"),
     ];
-    let ports = [
+    let forces = [
         Heading::word("stabilizer"),
         Heading::number("force\nfelt\nN"),
+        Heading::number("force at\nthe end\nN"),
         Heading::number("force in\ncontact\nN"),
+        Heading::number("first\ntouch\ns"),
+    ];
+    let energies = [
+        Heading::word("stabilizer"),
+        Heading::number("energy\ngiven\nmJ"),
         Heading::number("least\nenergy\nmJ"),
         Heading::number("shortfall\nmJ"),
         Heading::number("active at\nthe master\n%"),
@@ -57,14 +71,15 @@ pub(super) fn of(comparison: &Comparison) -> Vec<Table> {
     ];
     vec![
         Table::new(motion).with_rows(comparison.scores().map(in_motion)),
-        Table::new(ports).with_rows(comparison.scores().map(at_ports)),
+        Table::new(forces).with_rows(comparison.scores().map(in_forces)),
+        Table::new(energies).with_rows(comparison.scores().map(at_ports)),
     ]
 }
 
 fn in_motion(score: &Score) -> [Cell; 7] {
     [
         score.stabilizer.into(),
-        score.bounded.into(),
+        score.verdict.into(),
         score.energy.into(),
         score.speed.into(),
         score.error.into(),
@@ -73,11 +88,20 @@ fn in_motion(score: &Score) -> [Cell; 7] {
     ]
 }
 
-fn at_ports(score: &Score) -> [Cell; 7] {
+fn in_forces(score: &Score) -> [Cell; 5] {
     [
         score.stabilizer.into(),
         score.felt.into(),
+        score.felt_end.into(),
         score.contact.into(),
+        score.touch.into(),
+    ]
+}
+
+fn at_ports(score: &Score) -> [Cell; 6] {
+    [
+        score.stabilizer.into(),
+        score.given.into(),
         score.kept.into(),
         score.shortfall.into(),
         format!("{:.1}", score.active_master).into(),

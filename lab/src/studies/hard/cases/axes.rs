@@ -7,11 +7,12 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
+use crate::files::scene::Basis;
 use crate::simulate::Space;
-use crate::simulate::family::{Basis, StabilizerName};
+use crate::simulate::family::StabilizerName;
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
-use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::Tally;
 use crate::studies::hard::trial::{EveryScalar, HardError, OwnStabilizer, Runs, Trial};
 use crate::studies::hard::watched::{Record, Terms, Watched};
@@ -107,10 +108,10 @@ fn per_axis<T: Scalar + Space>(
     first: usize,
 ) -> Result<Vec<Tally>, HardError> {
     let basis = Basis::of_hand(MASS, PERIOD, 1.0);
-    let pledge = Pledge::of::<T>(member, &basis);
+    let pledge = member::pledge_of::<T>(member, &basis);
     let terms = Terms { pledge, ..Terms::of(TICKS, popc_limit::<T>()) };
-    let (x, of_x) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms.clone());
-    let (y, of_y) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+    let (x, of_x) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms.clone());
+    let (y, of_y) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms);
     let value = close::<T>(first, PerAxis::of([x, y]))?;
     Ok(Masking::told(&[of_x, of_y], value))
 }

@@ -6,7 +6,7 @@ use lyapunov::{
     environments::Wall,
 };
 
-use crate::simulate::family::Basis;
+use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;
 use crate::studies::hard::trial::{Play, Played};

@@ -7,9 +7,11 @@ use lyapunov::{
     environments::Wall,
 };
 
-use crate::simulate::family::{Basis, StabilizerName};
+use crate::files::scene::Basis;
+use crate::files::scene::Pledge;
+use crate::simulate::family::StabilizerName;
 use crate::studies::hard::case::{Case, Quantity};
-use crate::studies::hard::pledge::Pledge;
+use crate::studies::hard::member;
 use crate::studies::hard::tally::Tally;
 use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::Terms;
@@ -123,7 +125,7 @@ impl Guarded {
         &self,
         first: usize,
         pledge: Pledge,
-        stabilizer: impl Fn() -> Result<S, ParameterError>,
+        stabilizer: impl Fn() -> Result<S, HardError>,
     ) -> Result<Tally, HardError> {
         let most = limit::<T>()?.most().lane(0);
         let mut worst = Tally::default();
@@ -158,10 +160,12 @@ impl Trial for Guarded {
         let basis = self.0.basis();
         let mut runs = Runs::default();
         for first in 0..4 {
-            let pledge = Pledge::of::<f64>(member, &basis);
-            runs.double.push(self.runs_in(first, pledge, || member.set_by::<f64>(&basis))?);
-            let pledge = Pledge::of::<f32>(member, &basis);
-            runs.single.push(self.runs_in(first, pledge, || member.set_by::<f32>(&basis))?);
+            let pledge = member::pledge_of::<f64>(member, &basis);
+            runs.double
+                .push(self.runs_in(first, pledge, || member::set_by::<f64>(member, &basis))?);
+            let pledge = member::pledge_of::<f32>(member, &basis);
+            runs.single
+                .push(self.runs_in(first, pledge, || member::set_by::<f32>(member, &basis))?);
         }
         Ok(Some(runs))
     }

@@ -1,12 +1,12 @@
 //! The damping limit at 0, 1 and 2 of `m / T`.
 
 use lyapunov::{
-    OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
+    HeldTick, OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
     bodies::{Body, Impedance},
 };
 
+use crate::files::scene::Basis;
 use crate::files::scene::Damping;
-use crate::simulate::family::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;
@@ -46,7 +46,14 @@ impl Play for Indebted {
         let mut port = Still.stabilized(stabilizer);
         let parts = Impedance { mass, damping: T::zero(), stiffness: T::zero() };
         let mut plant = Body::new(parts, period)?.starting(T::zero(), speed);
-        let before = PortSample::new(period, T::zero(), T::zero(), T::of(0.05), T::of(-20.0));
+        let before = HeldTick {
+            period,
+            position: T::zero(),
+            velocity: T::zero(),
+            displacement: T::of(0.05),
+            applied: T::of(-20.0),
+        }
+        .sample();
         port.respond(&PortSample::starting(period, T::zero(), T::zero()));
         port.respond(&before);
         let mut sample = plant.start();

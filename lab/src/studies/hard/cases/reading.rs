@@ -1,9 +1,9 @@
 //! Samples that come late, twice, or not at all.
 
-use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer};
+use lyapunov::{HeldTick, OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer};
 
 use super::faults::{MASS, PERIOD, STIFFNESS, TICKS, hand, reach, wall};
-use crate::simulate::family::Basis;
+use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;
@@ -32,7 +32,14 @@ impl<T: Scalar> Reader<T> {
         let period = T::of(PERIOD * ticks);
         let displacement = position - self.last;
         self.last = position;
-        PortSample::new(period, position, displacement / period, displacement, self.applied)
+        HeldTick {
+            period,
+            position,
+            velocity: displacement / period,
+            displacement,
+            applied: self.applied,
+        }
+        .sample()
     }
 }
 

@@ -6,11 +6,13 @@ use lyapunov::{
     environments::Wall,
 };
 
-use crate::simulate::family::{Basis, StabilizerName};
+use crate::files::scene::Basis;
+use crate::files::scene::Pledge;
+use crate::simulate::family::StabilizerName;
 use crate::simulate::{AnyStabilizer, Space};
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
-use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::Tally;
 use crate::studies::hard::trial::{EveryScalar, HardError, OwnStabilizer, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
@@ -49,8 +51,8 @@ impl Scaled {
         member: StabilizerName,
         first: usize,
     ) -> Result<Vec<Tally>, HardError> {
-        let pledge = |power| Pledge::of::<T>(member, &self.basis(power));
-        self.spread::<T, _>(first, pledge, |power| member.set_by::<T>(&self.basis(power)))
+        let pledge = |power| member::pledge_of::<T>(member, &self.basis(power));
+        self.spread::<T, _>(first, pledge, |power| member::set_by::<T>(member, &self.basis(power)))
     }
 
     /// Late swing of a hand on a wall, m: `K T² / m = 0.25`, `B T / m = 0.02`, `b T / m = 0.001`.
@@ -84,7 +86,7 @@ impl Scaled {
         &self,
         first: usize,
         pledge: impl Fn(i32) -> Pledge,
-        stabilizer: impl Fn(i32) -> Result<S, ParameterError>,
+        stabilizer: impl Fn(i32) -> Result<S, HardError>,
     ) -> Result<Vec<Tally>, HardError> {
         let mut worst = vec![Tally::default(); T::LANES];
         let usual = self.close::<T>(0, first, stabilizer(0)?)?;

@@ -1,8 +1,8 @@
 //! Numbers at the ends of their range.
 
-use lyapunov::{ParameterError, PortSample, Scalar, Stabilizer};
+use lyapunov::{HeldTick, ParameterError, PortSample, Scalar, Stabilizer};
 
-use crate::simulate::family::Basis;
+use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::trial::{Play, Played};
 use crate::studies::hard::watched::Terms;
@@ -53,7 +53,7 @@ impl Play for Strokes {
             let moved = self.ordinary.map_or(velocity, |speed| T::of(speed) * share);
             let displacement = moved * period;
             position += displacement;
-            let sample = PortSample::new(period, position, velocity, displacement, applied);
+            let sample = HeldTick { period, position, velocity, displacement, applied }.sample();
             // Along the motion at first, which generates energy; in the last three quarters half of that against it.
             let sign = T::choose(share.above(T::zero()), T::one(), -T::one());
             let away = if tick < TICKS / 4 { -1.0 } else { 0.5 };

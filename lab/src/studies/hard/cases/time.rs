@@ -1,8 +1,8 @@
 //! Long runs and late time stamps.
 
 use lyapunov::{
-    DampingLimit, Held, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar,
-    Stabilizer,
+    DampingLimit, Held, HeldTick, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample,
+    Scalar, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain},
     bodies::{Body, Impedance, PlantExt},
     effects::OnePortExt,
@@ -11,12 +11,13 @@ use lyapunov::{
     trajectories::{Sine, Trajectory},
 };
 
+use crate::files::scene::Basis;
 use crate::simulate::Space;
-use crate::simulate::family::{Basis, StabilizerName};
+use crate::simulate::family::StabilizerName;
 use crate::studies::hard::balance::{Balance, Double, Told};
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
-use crate::studies::hard::pledge::Pledge;
 use crate::studies::hard::tally::{Tally, larger};
 use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
@@ -40,7 +41,9 @@ impl Counted {
     fn run<T: Scalar>(stabilizer: &mut impl Stabilizer<T>) -> Tally {
         let exp2 = |power: i32| T::of(f64::from(power).exp2());
         let (period, velocity, displacement, force) = (exp2(-10), exp2(-3), exp2(-13), exp2(-7));
-        let sample = |applied| PortSample::new(period, T::zero(), velocity, displacement, applied);
+        let sample = |applied| {
+            HeldTick { period, position: T::zero(), velocity, displacement, applied }.sample()
+        };
         let (absorbs, gives) = (sample(force), sample(-force));
         let mut tally = Tally::default();
         let mut told = T::zero();
@@ -218,10 +221,10 @@ impl Late {
     ) -> Result<Tally, HardError> {
         let (basis, period) = (self.basis(), |_| T::of(1.0 / RATE));
         let terms = self.terms(self.limit::<T>()?.most().lane(0));
-        let terms = Terms { pledge: Pledge::of::<T>(member, &basis), ..terms };
-        let (watched, record) = Watched::new::<T>(member.set_by::<T>(&basis)?, terms);
+        let terms = Terms { pledge: member::pledge_of::<T>(member, &basis), ..terms };
+        let (watched, record) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms);
         let late = Self::close(LATE, first, watched, period)?;
-        let early = Self::close(0, first, member.set_by::<T>(&basis)?, period)?;
+        let early = Self::close(0, first, member::set_by::<T>(member, &basis)?, period)?;
         let value = Self::apart(&late, &early).lane(0);
         let told = record.tallies().pop().unwrap_or_default();
         Ok(Tally { value, ..told })

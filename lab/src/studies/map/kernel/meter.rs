@@ -7,7 +7,8 @@ use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
 use crate::files::scene::Draft;
 use crate::measure::{
-    Boundedness, Chatter, Energies, ForceFelt, Given, Settling, StiffnessFelt, device_damper,
+    Chatter, Energies, Fate, ForceFelt, Given, Settling, StiffnessFelt, Verdict, Yardstick,
+    device_damper,
 };
 use crate::simulate::Criterion;
 use crate::studies::map::outcome::Measures;
@@ -31,47 +32,39 @@ pub(super) trait Meter<T: Fuse> {
     fn read(&self, lane: usize, sound: bool) -> Self::Reading;
 }
 
-/// Meter of boundedness alone.
+/// Meter of the verdict alone.
 pub(super) struct Verdicts<T: Scalar> {
-    criteria: Vec<Criterion>,
-    boundedness: Boundedness<T>,
+    fate: Fate<T>,
+    lanes: usize,
     accepted: T::Mask,
 }
 
 impl<T: Fuse> Meter<T> for Verdicts<T> {
-    type Reading = Option<bool>;
+    type Reading = (Verdict, Yardstick);
 
     fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
-        Ok(Self {
-            criteria: lanes.0.iter().map(Criterion::of).collect(),
-            boundedness: Boundedness::new(lanes.common().ticks()),
-            accepted: Mask::of(true),
-        })
+        let (fate, accepted) = (Fate::of_lanes(lanes.0), Mask::of(true));
+        Ok(Self { fate, lanes: lanes.0.len(), accepted })
     }
 
     #[inline(always)]
     fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, _applied: T, port: &Watched<T, S>) {
-        self.boundedness.add(sample.position);
+        self.fate.add(sample.position, sample.velocity);
         self.accepted = self.accepted & port.correction().accepted;
     }
 
     fn is_decided(&self) -> bool {
-        let mut lanes = self.criteria.iter().enumerate();
-        lanes.all(|(lane, criterion)| self.boundedness.is_lost(lane, criterion))
+        (0..self.lanes).all(|lane| self.fate.is_lost(lane))
     }
 
-    fn read(&self, lane: usize, sound: bool) -> Option<bool> {
-        if self.boundedness.is_lost(lane, &self.criteria[lane]) {
-            return Some(false);
-        }
-        if !sound || !self.accepted.lane(lane) {
-            return Some(false);
-        }
-        self.boundedness.verdict(lane, &self.criteria[lane])
+    fn read(&self, lane: usize, sound: bool) -> (Verdict, Yardstick) {
+        let in_range = sound && self.accepted.lane(lane);
+        let verdict = if in_range { self.fate.verdict(lane) } else { Verdict::Grows };
+        (verdict, self.fate.verdict_by(lane))
     }
 }
 
-/// Meter of all measures of a bounded run.
+/// Meter of all measures of a run that does not grow.
 pub(super) struct Everything<T> {
     rate: f64,
     ticks: f64,

@@ -27,6 +27,7 @@ use pulp::NullaryFnOnce;
 use crate::files::scene::{
     Candidate, Draft, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
+use crate::measure::{Verdict, Yardstick};
 use crate::simulate::family::{BasicName, Settings};
 use crate::studies::map::grid::{Grid, GridError};
 use crate::studies::map::outcome::Measures;
@@ -94,7 +95,8 @@ impl Kernel {
         self.instructions
     }
 
-    /// Whether the run of each of `cells` under `basic_name` is bounded. A lost run is not run to its end.
+    /// The verdict on the run of each of `cells` under `basic_name`, and the quantity that it is judged by. A run that is
+    /// sure to grow is not run to its end.
     ///
     /// Polls `go_on` now and then; none if it returned false.
     ///
@@ -105,7 +107,7 @@ impl Kernel {
         basic_name: BasicName,
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Option<Vec<Option<bool>>>, ParameterError> {
+    ) -> Result<Option<Vec<(Verdict, Yardstick)>>, ParameterError> {
         self.run(Run { kernel: self, basic_name, cells, go_on }, Judge)
     }
 
@@ -192,11 +194,11 @@ trait Watching: std::marker::Copy {
 struct Judge;
 
 impl Watching for Judge {
-    type Reading = Option<bool>;
+    type Reading = (Verdict, Yardstick);
     type Meter<T: Fuse> = Verdicts<T>;
 
-    fn empty(self) -> Option<bool> {
-        None
+    fn empty(self) -> (Verdict, Yardstick) {
+        (Verdict::TooShort, Yardstick::Distance)
     }
 }
 
@@ -220,10 +222,11 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
-        let candidate = match self.basic_name.on(&self.kernel.along.base) {
+        let candidate = match self.basic_name.table(&self.kernel.along.base) {
             None => return self.under::<T, NoStabilizer, W>(watching),
-            Some(Stabilizer::Popc(_)) => Candidate::Spring,
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
+            // POPC: no other has a basic name.
+            Some(_) => Candidate::Spring,
         };
         match candidate {
             Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),

@@ -12,7 +12,6 @@ use lyapunov::{
 
 use super::backward::{Backward, Fuse, Period};
 use crate::files::scene::{self, Damping, Draft};
-use crate::simulate::family::Settings;
 
 /// Scenes of the lanes, alike in rates and duration; lanes beyond the last scene repeat it.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +107,7 @@ impl<T: Scalar> Laned<T> for NoStabilizer {
 
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
-        let damping = |scene: &Draft| scene.damping(Settings::of(scene).damping_cap.get());
+        let damping = |scene: &Draft| scene.damping(scene.damping_cap());
         let limit = Damping::limit_of_lanes(|lane| damping(lanes.of(lane)))?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
     }

@@ -7,12 +7,14 @@ use lyapunov::{
     environments::Wall,
 };
 
-use super::ensemble::{Control, DURATION, START, Setting};
+use super::ensemble::{Control, Loop, Run, Steps, measured};
+use super::measures::WINDOW;
+use super::member::Member;
 
 /// Steps within a tick for the energy that the dampers dissipate.
 const FINE: usize = 40;
 
-/// Energy balance of one run from the paper's start, J.
+/// Energy balance of one run, from the first tick until it has settled, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Balance {
     /// Stored in the operator's spring at the start.
@@ -33,64 +35,91 @@ impl Balance {
         self.start - self.burnt - self.wall - self.controller - self.end
     }
 
-    /// Energy balance of one run of `setting` over held work.
+    /// Energy balance of the single run of `member` in front of `wall`, under our steps, until it has settled.
     ///
     /// # Errors
     /// A number that a part rejects.
-    pub fn of(setting: &Setting) -> Result<Self, ParameterError> {
-        let period = setting.period();
-        let hand = Impedance { mass: 0.3, damping: 0.201, stiffness: 50.0 };
-        let wall = Wall::new(setting.stiffness, setting.damping)?;
-        let limit = DampingLimit::of_mass(setting.cap, hand.mass, period)?;
-        let fine = Body::new(hand, period / FINE as f64)?.starting(START, 0.0);
-        let popc = Lolc::new(PortEnergy, limit);
-        let lolc = Lolc::new((PortEnergy, wall.dissipation()), limit);
-        let port = wall.held((setting.servo_rate / 100.0).round() as u32)?;
-        let ticks = (DURATION * setting.servo_rate).round() as usize;
-        Ok(match setting.control {
-            Control::None => follow(hand, period, ticks, fine, port, |_, force| force),
+    pub fn of(
+        control: Control,
+        member: &Member,
+        [stiffness, damping]: [f64; 2],
+    ) -> Result<Self, ParameterError> {
+        let looped = Loop { control, steps: Steps::Ours };
+        let measures = measured(looped, &[Run { member, wall: [stiffness, damping] }])?;
+        let settled = measures.first().and_then(|run| run.settled).unwrap_or(WINDOW);
+        let (scene, period) = (&member.scene, member.scene.period());
+        let hand = Impedance {
+            mass: scene.port_mass(),
+            damping: scene.operator.damping.get() + scene.device.damping.get(),
+            stiffness: scene.operator.stiffness.get(),
+        };
+        let wall = Wall::new(stiffness, damping)?;
+        let limit = DampingLimit::of_mass(member.cap, member.limit_mass, period)?;
+        let start = (scene.initial.position.get(), scene.initial.velocity.get());
+        let body = Body::new(hand, period)?.starting(start.0, start.1);
+        let fine = Body::new(hand, period / FINE as f64)?;
+        let plant = Finely { hand, body, fine };
+        let port = wall.held(u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX))?;
+        let ticks = (settled * member.rate()).round() as usize;
+        Ok(match control {
+            Control::None => plant.follow(ticks, port, |_, force| force),
             Control::Popc => {
-                let mut popc = popc;
-                follow(hand, period, ticks, fine, port, |d, f| popc.stabilize(d, f).effort)
+                let mut popc = Lolc::new(PortEnergy, limit);
+                plant.follow(ticks, port, |d, f| popc.stabilize(d, f).effort)
             }
             Control::Lolc => {
-                let mut lolc = lolc;
-                follow(hand, period, ticks, fine, port, |d, f| lolc.stabilize(d, f).effort)
+                let mut lolc = Lolc::new((PortEnergy, wall.dissipation()), limit);
+                plant.follow(ticks, port, |d, f| lolc.stabilize(d, f).effort)
             }
         })
     }
 }
 
-fn follow(
+/// A plant whose motion within a tick is seen in fine steps.
+struct Finely {
     hand: Impedance<f64>,
-    period: f64,
-    ticks: usize,
-    mut fine: Body<f64>,
-    mut port: impl OnePort<f64>,
-    mut stabilize: impl FnMut(&PortSample<f64>, f64) -> f64,
-) -> Balance {
-    let stored = |d: &PortSample<f64>| {
-        0.5 * (hand.mass * d.velocity * d.velocity + hand.stiffness * d.position * d.position)
-    };
-    let mut now = fine.start();
-    let mut balance = Balance { start: stored(&now), ..Balance::default() };
-    let (mut moved, mut applied) = (0.0, 0.0);
-    for _ in 0..ticks {
-        let seen = PortSample::new(period, now.position, moved / period, moved, applied);
-        let force = port.respond(&seen);
-        applied = stabilize(&seen, force);
-        let before = now.position;
-        let mut squares = 0.5 * now.velocity * now.velocity;
-        for _ in 0..FINE {
-            now = fine.advance(applied);
-            squares += now.velocity * now.velocity;
+    body: Body<f64>,
+    fine: Body<f64>,
+}
+
+impl Finely {
+    fn follow(
+        mut self,
+        ticks: usize,
+        mut port: impl OnePort<f64>,
+        mut stabilize: impl FnMut(&PortSample<f64>, f64) -> f64,
+    ) -> Balance {
+        let mut now = self.body.start();
+        let mut balance = Balance { start: self.stored(&now), ..Balance::default() };
+        for _ in 0..ticks {
+            let seen = PortSample { velocity: now.displacement / now.period, ..now };
+            let force = port.respond(&seen);
+            let applied = stabilize(&seen, force);
+            balance.burnt += self.burnt(&now, applied);
+            now = self.body.advance(applied);
+            balance.wall += force * now.displacement;
+            balance.controller += (applied - force) * now.displacement;
         }
-        squares -= 0.5 * now.velocity * now.velocity;
-        moved = now.position - before;
-        balance.burnt += hand.damping * squares * period / FINE as f64;
-        balance.wall += force * moved;
-        balance.controller += (applied - force) * moved;
+        balance.end = self.stored(&now);
+        balance
     }
-    balance.end = stored(&now);
-    balance
+
+    /// Stored in motion and spring, J.
+    fn stored(&self, at: &PortSample<f64>) -> f64 {
+        let Impedance { mass, stiffness, .. } = self.hand;
+        0.5 * (mass * at.velocity * at.velocity + stiffness * at.position * at.position)
+    }
+
+    /// Dissipated by the damper over the tick from `now` on, J: `b ∫ v² dt` by the trapezoidal rule.
+    fn burnt(&self, now: &PortSample<f64>, applied: f64) -> f64 {
+        let mut body = self.fine.starting(now.position, now.velocity);
+        let mut squares = 0.5 * now.velocity * now.velocity;
+        let mut last = squares;
+        for _ in 0..FINE {
+            let velocity = body.advance(applied).velocity;
+            squares += velocity * velocity;
+            last = 0.5 * velocity * velocity;
+        }
+        self.hand.damping * (squares - last) * now.period / FINE as f64
+    }
 }

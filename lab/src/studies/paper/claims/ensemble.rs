@@ -1,4 +1,4 @@
-//! Ensemble: many starts of one loop at once, on lanes and cores.
+//! Ensemble: many runs at once, on lanes and cores.
 
 use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
@@ -12,10 +12,9 @@ use lyapunov::{
 };
 use rayon::prelude::*;
 
-/// Simulated time of every run, s.
-pub const DURATION: f64 = 30.0;
-/// The paper's start, m.
-pub const START: f64 = -0.004;
+use super::measures::{Measures, WINDOW};
+use super::member::Member;
+use super::trace::{Point, Trace};
 
 /// Stabilizer at the port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,128 +27,167 @@ pub enum Control {
     Lolc,
 }
 
-/// A loop of the paper's section IV: its operator, its device and a wall.
+/// The steps of a controller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// Ours: held work, and a damping of at most the cap times m / T.
+    Ours,
+    /// The paper's steps 4 to 6: sampled work, and any damping.
+    Printed,
+}
+
+/// A controller in front of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setting {
-    /// The wall's stiffness, N/m.
-    pub stiffness: f64,
-    /// The wall's damping, N·s/m.
-    pub damping: f64,
+pub struct Loop {
     /// Stabilizer at the port.
     pub control: Control,
-    /// Whether the observer books the paper's sampled work instead of held work.
-    pub printed: bool,
-    /// The damping cap, as a share of m / T.
-    pub cap: f64,
-    /// The servo rate, Hz; the wall stays at 100 Hz.
-    pub servo_rate: f64,
+    /// Its steps.
+    pub steps: Steps,
 }
 
-impl Setting {
-    /// Setting in this repository's reading of the paper: held work, half of m / T, everything at 100 Hz.
-    pub fn read(stiffness: f64, damping: f64, control: Control) -> Self {
-        Self { stiffness, damping, control, printed: false, cap: 0.5, servo_rate: 100.0 }
-    }
+/// One run: a member of the ensemble in front of a wall.
+#[derive(Clone, Copy, Debug)]
+pub struct Run<'a> {
+    /// Everything but the wall.
+    pub member: &'a Member,
+    /// The wall's stiffness, N/m, and damping, N·s/m.
+    pub wall: [f64; 2],
+}
 
-    /// The period, s.
-    pub fn period(&self) -> f64 {
-        self.servo_rate.recip()
-    }
-
-    fn ticks(&self) -> usize {
-        (DURATION * self.servo_rate).round() as usize
+impl<'a> Run<'a> {
+    /// Every member in front of the same wall.
+    pub fn each(members: &'a [Member], wall: [f64; 2]) -> Vec<Self> {
+        members.iter().map(|member| Self { member, wall }).collect()
     }
 }
 
-/// Trace of one run, one number per tick, from tick 0 on.
-#[derive(Clone, Debug, Default)]
-pub struct Trace {
-    /// The period, s.
-    pub period: f64,
-    /// Position, m.
-    pub x: Vec<f64>,
-    /// The velocity that the observer sees, m/s.
-    pub v: Vec<f64>,
-    /// The wall's force, N.
-    pub force: Vec<f64>,
-    /// The damping injected, N·s/m.
-    pub alpha: Vec<f64>,
-    /// The observed energy, J.
-    pub observed_energy: Vec<f64>,
-    /// The energy that the tick adds to the observed energy, J, also where the observed energy is too large to show it.
-    pub booked: Vec<f64>,
-}
-
-/// The `count` starts, evenly spaced within 10 % of the paper's.
-pub fn starts(count: usize) -> Vec<f64> {
-    let share = |index: usize| 2.0 * index as f64 / (count.max(2) - 1) as f64 - 1.0;
-    (0..count).map(|index| START * (1.0 + 0.1 * share(index))).collect()
-}
-
-/// One trace for each start.
+/// Measures of each run, in order.
 ///
 /// # Errors
-/// A number of the setting that a part rejects.
-pub fn run(setting: &Setting, starts: &[f64]) -> Result<Vec<Trace>, ParameterError> {
-    let chunks: Result<Vec<Vec<Trace>>, ParameterError> =
-        starts.par_chunks(AutoF64x8::LANES).map(|chunk| lanes(setting, chunk)).collect();
-    Ok(chunks?.into_iter().flatten().collect())
+/// A number that a part rejects.
+pub fn measured(looped: Loop, runs: &[Run<'_>]) -> Result<Vec<Measures>, ParameterError> {
+    traced(looped, runs, WINDOW, Measures::of)
+}
+
+/// Trace of each run over `duration` s or until it is decided, in order.
+///
+/// # Errors
+/// A number that a part rejects.
+pub fn traces(looped: Loop, runs: &[Run<'_>], duration: f64) -> Result<Vec<Trace>, ParameterError> {
+    traced(looped, runs, duration, Trace::clone)
+}
+
+/// The reading of each run's trace, in order. Runs at the same rate share lanes.
+fn traced<R: Send>(
+    looped: Loop,
+    runs: &[Run<'_>],
+    duration: f64,
+    read: impl Fn(&Trace) -> R + Sync,
+) -> Result<Vec<R>, ParameterError> {
+    let mut order: Vec<usize> = (0..runs.len()).collect();
+    order.sort_by(|one, other| runs[*one].member.rate().total_cmp(&runs[*other].member.rate()));
+    let alike = order.chunk_by(|one, other| runs[*one].member.rate() == runs[*other].member.rate());
+    let groups: Vec<&[usize]> = alike.flat_map(|places| places.chunks(Lanes::LANES)).collect();
+    let read = |group: &&[usize]| -> Result<Vec<(usize, R)>, ParameterError> {
+        let side_by_side: Vec<Run<'_>> = group.iter().map(|place| runs[*place]).collect();
+        let traces = lanes(looped, &side_by_side, duration)?;
+        Ok(group.iter().copied().zip(traces.iter().map(&read)).collect())
+    };
+    let readings: Result<Vec<_>, ParameterError> = groups.par_iter().map(read).collect();
+    let mut readings: Vec<(usize, R)> = readings?.into_iter().flatten().collect();
+    readings.sort_by_key(|(place, _)| *place);
+    Ok(readings.into_iter().map(|(_, reading)| reading).collect())
 }
 
 type Lanes = AutoF64x8;
 
-fn lanes(setting: &Setting, starts: &[f64]) -> Result<Vec<Trace>, ParameterError> {
-    let of = Lanes::of;
-    let start = Lanes::from_lanes(|lane| starts.get(lane).copied().unwrap_or(START));
-    let period = of(setting.period());
-    let operator = Impedance { mass: of(0.1), damping: of(0.2), stiffness: of(50.0) };
-    let device = Impedance { mass: of(0.2), damping: of(0.001), stiffness: of(0.0) };
-    let hand = operator + device;
-    let plant = Body::new(hand, period)?.starting(start, of(0.0));
-    let wall = Wall::new(of(setting.stiffness), of(setting.damping))?;
-    let limit = DampingLimit::of_mass(of(setting.cap), hand.mass, period)?;
-    let port = wall.held((setting.servo_rate / 100.0).round() as u32)?;
+/// The traces of runs at the same rate, no more than there are lanes.
+fn lanes(looped: Loop, runs: &[Run<'_>], duration: f64) -> Result<Vec<Trace>, ParameterError> {
+    let [first, ..] = runs else { return Ok(Vec::new()) };
+    let ratio = first.member.scene.environment_ratio();
+    let period = Lanes::of(first.member.scene.period());
+    let (body, wall, limit) = parts(looped.steps, runs, period)?;
+    let port = wall.held(u32::try_from(ratio).unwrap_or(u32::MAX))?;
     let credited = (PortEnergy, wall.dissipation());
     let (popc, lolc) = (Lolc::new(PortEnergy, limit), Lolc::new(credited, limit));
     let (work, with_credit) = (Observer::of(PortEnergy), Observer::of(credited));
     let sampled = work.booking::<Sampled, Plain<Lanes>, Lanes>();
     let sampled_credit = with_credit.booking::<Sampled, Plain<Lanes>, Lanes>();
-    let mut traces = match (setting.control, setting.printed) {
-        (Control::None, _) => gather(setting, plant, port, NoStabilizer, work),
-        (Control::Popc, false) => gather(setting, plant, port, popc, work),
-        (Control::Popc, true) => gather(setting, plant, port, popc.sampled(), sampled),
-        (Control::Lolc, false) => gather(setting, plant, port, lolc, with_credit),
-        (Control::Lolc, true) => gather(setting, plant, port, lolc.sampled(), sampled_credit),
-    };
-    traces.truncate(starts.len());
-    Ok(traces)
+    let rollout = Rollout { runs, duration, plant: body };
+    Ok(match (looped.control, looped.steps) {
+        (Control::None, _) => rollout.traces(port, NoStabilizer, work),
+        (Control::Popc, Steps::Ours) => rollout.traces(port, popc, work),
+        (Control::Popc, Steps::Printed) => rollout.traces(port, popc.sampled(), sampled),
+        (Control::Lolc, Steps::Ours) => rollout.traces(port, lolc, with_credit),
+        (Control::Lolc, Steps::Printed) => rollout.traces(port, lolc.sampled(), sampled_credit),
+    })
 }
 
-fn gather<C: LyapunovCandidate<Lanes>, W: Work>(
-    setting: &Setting,
-    mut plant: Body<Lanes>,
-    mut port: impl OnePort<Lanes>,
-    mut stabilizer: impl Stabilizer<Lanes>,
-    mut observer: Observer<C, W, Plain<Lanes>>,
-) -> Vec<Trace> {
-    let blank = Trace { period: setting.period(), ..Trace::default() };
-    let mut traces = vec![blank; Lanes::LANES];
-    let mut sample = plant.start();
-    for _ in 0..=setting.ticks() {
-        let velocity = sample.displacement / sample.period;
-        let seen = PortSample { velocity, ..sample };
-        let force = port.respond(&seen);
-        let correction = stabilizer.stabilize(&seen, force);
-        let booked = observer.decrease(&seen, force);
-        for (lane, trace) in traces.iter_mut().enumerate() {
-            trace.x.push(sample.position.lane(lane));
-            trace.v.push(velocity.lane(lane));
-            trace.force.push(force.lane(lane));
-            trace.alpha.push(correction.alpha.lane(lane));
-            trace.observed_energy.push(correction.observed_energy.lane(lane));
-            trace.booked.push(booked.lane(lane));
+type Parts = (Body<Lanes>, Wall<Lanes>, DampingLimit<Lanes>);
+
+/// Plant, wall and damping limit with the numbers of each lane; lanes beyond the last run repeat it.
+fn parts(steps: Steps, runs: &[Run<'_>], period: Lanes) -> Result<Parts, ParameterError> {
+    let each = |number: &dyn Fn(&Run<'_>) -> f64| {
+        Lanes::from_lanes(|lane| number(&runs[lane.min(runs.len() - 1)]))
+    };
+    let hand = Impedance {
+        mass: each(&|run| run.member.scene.port_mass()),
+        damping: each(&|run| {
+            run.member.scene.operator.damping.get() + run.member.scene.device.damping.get()
+        }),
+        stiffness: each(&|run| run.member.scene.operator.stiffness.get()),
+    };
+    let place = each(&|run| run.member.scene.initial.position.get());
+    let body = Body::new(hand, period)?
+        .starting(place, each(&|run| run.member.scene.initial.velocity.get()));
+    let wall = Wall::new(each(&|run| run.wall[0]), each(&|run| run.wall[1]))?;
+    let cap = match steps {
+        Steps::Ours => each(&|run| run.member.cap),
+        Steps::Printed => Lanes::of(f64::INFINITY),
+    };
+    let limit = DampingLimit::of_mass(cap, each(&|run| run.member.limit_mass), period)?;
+    Ok((body, wall, limit))
+}
+
+/// Runs side by side.
+struct Rollout<'a> {
+    runs: &'a [Run<'a>],
+    duration: f64,
+    plant: Body<Lanes>,
+}
+
+impl Rollout<'_> {
+    fn traces<C: LyapunovCandidate<Lanes>, W: Work>(
+        mut self,
+        mut port: impl OnePort<Lanes>,
+        mut stabilizer: impl Stabilizer<Lanes>,
+        mut observer: Observer<C, W, Plain<Lanes>>,
+    ) -> Vec<Trace> {
+        let blank = |run: &Run<'_>| Trace::new(run.member.scene.period(), run.member.start);
+        let mut traces: Vec<Trace> = self.runs.iter().map(blank).collect();
+        let ticks = traces.first().map_or(0, |trace| trace.ticks(self.duration));
+        let mut sample = self.plant.start();
+        for _ in 0..=ticks {
+            let velocity = sample.displacement / sample.period;
+            let seen = PortSample { velocity, ..sample };
+            let force = port.respond(&seen);
+            let correction = stabilizer.stabilize(&seen, force);
+            let booked = observer.decrease(&seen, force);
+            for (lane, trace) in traces.iter_mut().enumerate() {
+                trace.push(Point {
+                    x: sample.position.lane(lane),
+                    v: velocity.lane(lane),
+                    force: force.lane(lane),
+                    alpha: correction.alpha.lane(lane),
+                    observed_energy: correction.observed_energy.lane(lane),
+                    booked: booked.lane(lane),
+                });
+            }
+            if traces.iter().all(Trace::is_decided) {
+                break;
+            }
+            sample = self.plant.advance(correction.effort);
         }
-        sample = plant.advance(correction.effort);
+        traces
     }
-    traces
 }

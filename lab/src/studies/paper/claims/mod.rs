@@ -1,21 +1,32 @@
 //! The claims of the paper's section IV, each with a computed verdict.
 //!
-//! Every verdict rests on an ensemble of starts within 10 % of the paper's, because the loop at 8 kN/m is chaotic and a
-//! single late trace means nothing. A claim is reproduced where it holds for at least 95 % of the starts, not
-//! reproduced where it holds for at most 5 %, and undecided in between. The loop is homogeneous, so lengths and forces
-//! are compared with the paper's in proportion to the start, energies in proportion to its square.
+//! A claim is judged over an ensemble of [`Member`]s, which differ in what the paper does not state, and for two
+//! controllers side by side: ours and the one that the paper prints ([`Steps`]). A run ends where it is decided
+//! ([`Trace`]), so no number depends on the length of a run or on ticks at rest. The loop is homogeneous: lengths and
+//! forces are compared with the paper's in proportion to the start, energies in proportion to its square.
 
-mod area;
 mod balance;
+mod claim;
 mod ensemble;
+mod influence;
+mod interval;
 mod measures;
+mod member;
+mod outcomes;
 mod rows;
-mod sensitivity;
+mod runs;
+mod trace;
+mod verdict;
 
-pub use area::{Grid, stable_share};
 pub use balance::Balance;
-pub use ensemble::{Control, DURATION, START, Setting, Trace, run, starts};
+pub use claim::{Claim, Judged};
+pub use ensemble::{Control, Loop, Run, Steps, measured, traces};
+pub use influence::{Group, Influence};
+pub use interval::clopper_pearson;
 pub use measures::{Measures, median};
-pub(super) use rows::number;
-pub use rows::{Claim, Verdict, claims};
-pub use sensitivity::{MovedClaim, Reading, sensitivity};
+pub use member::{Member, RATES, START, Unstated};
+pub use outcomes::{Outcomes, Share};
+pub use rows::claims;
+pub use runs::{Runs, SOFT, STIFF, WALLS};
+pub use trace::{Point, Trace};
+pub use verdict::Verdict;

@@ -1,0 +1,131 @@
+//! The command `lyapunov tune`.
+
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::ProgressBar;
+use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::scene::Scene;
+use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, document, page, table};
+
+use super::folder::Folder;
+use super::{BAR, End, heed_interrupts, shown, standard_output};
+use crate::output::Outputs;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "tune.json";
+
+/// Find for each stabilizer the parameters that are best on a scene.
+///
+/// Each stabilizer gets the same number of runs. A setting is judged by its mean cost over an ensemble: scenes with the
+/// clock's phase, masses, dampings and stiffnesses moved. One with which every run stays bounded is always preferred.
+/// Default and tuned setting are then judged on a second ensemble, which the search never saw. Prints both, and the scene
+/// with the best stabilizer, ready to run. docs/tune.md defines the terms.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Tune {
+    /// The scene file, TOML.
+    scene: PathBuf,
+    /// Who is tuned, by the names of docs/family.md, or all.
+    #[arg(long, default_value = "popc,lolc", value_name = "NAMES")]
+    stabilizers: StabilizerNames,
+    /// What to be best at: settling (s), force-error (N rms), stiffness (% lacking), or a weighted sum such as
+    /// settling=1,force-error=0.5.
+    #[arg(long, default_value_t = Objective::default(), value_name = "TERMS")]
+    objective: Objective,
+    /// Settings to try for each stabilizer, besides the one of the scene.
+    #[arg(long, default_value_t = Tuning::default().trials, value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    trials: u32,
+    /// Runs of each setting; it is judged on twice as many others.
+    #[arg(long, default_value_t = Tuning::default().runs, value_name = "N",
+        value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    runs: u32,
+    /// Seed of the ensembles.
+    #[arg(long, default_value_t = Tuning::default().seed, value_name = "N")]
+    seed: u64,
+    /// Write report.html, tune.json and a scene for each stabilizer into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print tune.json instead of the table.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Tune {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(true);
+        let scene = Scene::load(&self.scene).map_err(End::input)?;
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let Self { objective, trials, runs, seed, .. } = *self;
+        let tuning = Tuning { objective, trials, runs, seed, ..Tuning::default() };
+        let name = self.scene.display().to_string();
+        let tuned = tune(&tuning, &name, &scene, &self.stabilizers, self.quiet)?;
+        let text = document(&name, &tuning, &tuned).map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let mut outputs = Outputs::of(folder.path());
+            for one in &tuned {
+                let scene = one.text().map_err(End::internal)?;
+                outputs.put(&format!("{}.toml", one.name), scene).map_err(End::input)?;
+            }
+            outputs.put("report.html", page(&name, &tuning, &tuned)).map_err(End::input)?;
+            outputs.put(RESULTS, &text).map_err(End::input)?;
+            End::if_interrupted()?;
+            folder.keep();
+            outputs.keep().map_err(End::input)?;
+        }
+        let mut out = io::stdout().lock();
+        let said = match (self.json, self.quiet) {
+            (true, _) => text,
+            (_, true) => return Ok(()),
+            _ => {
+                let mut said = table(&name, &tuning, &tuned);
+                if let Some(best) = Tuned::best(&tuned) {
+                    let scene = best.text().map_err(End::internal)?;
+                    let _ = write!(said, "\nThe scene with {}, tuned:\n\n{scene}", best.name);
+                }
+                said
+            }
+        };
+        out.write_all(said.as_bytes()).map_err(standard_output)
+    }
+}
+
+/// Tunes each of `names` on `scene`, which is called `name`, with a progress bar.
+pub(super) fn tune(
+    tuning: &Tuning,
+    name: &str,
+    scene: &Scene,
+    names: &StabilizerNames,
+    quiet: bool,
+) -> Result<Vec<Tuned>, End> {
+    let names = names.on(scene);
+    let runs = names.iter().count() as u64 * tuning.rollouts();
+    let bar = match quiet {
+        true => ProgressBar::hidden(),
+        false => shown(ProgressBar::new(runs), BAR),
+    };
+    let watch = |runs| {
+        bar.inc(runs);
+        match End::if_interrupted() {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
+    };
+    let tuned = names.iter().map(|member| {
+        tuning.of(scene, *member, &watch).map_err(|error| match error {
+            TuneError::Stopped => End::Interrupted,
+            error => End::input(format!("{name}: {error}")),
+        })
+    });
+    let tuned = tuned.collect();
+    bar.finish_and_clear();
+    tuned
+}

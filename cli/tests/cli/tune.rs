@@ -1,0 +1,48 @@
+//! Tests of `lyapunov tune` and `compare --tuned`.
+
+use crate::cli::place::Place;
+
+fn place() -> Place {
+    let place = Place::new();
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 2.0");
+    place
+}
+
+const FEW: [&str; 6] = ["tune", "scene.toml", "--trials", "4", "--runs", "2"];
+
+#[test]
+fn a_tuned_scene_can_be_run_and_files_are_the_same_each_time() {
+    let place = place();
+    place.run(FEW.iter().chain(&["--out", "one"])).ended(0, &["popc", "damping_cap", "tuned is"]);
+    place.run(FEW.iter().chain(&["--out", "two", "--quiet"])).ended(0, &[]);
+    for file in ["tune.json", "report.html", "popc.toml", "lolc.toml"] {
+        assert_eq!(place.text(&format!("one/{file}")), place.text(&format!("two/{file}")));
+    }
+    place.run(["run", "one/popc.toml"]).ended(0, &["popc"]);
+    let json: serde_json::Value = serde_json::from_str(&place.text("one/tune.json")).unwrap();
+    assert_eq!(json["settings"], 5);
+    assert_eq!(json["stabilizers"][0]["tuned"]["runs"], 4);
+    let cap = json["stabilizers"][0]["tuned"]["set"]["stabilizer.popc.damping_cap"].as_f64();
+    let line = format!("damping_cap = {}", cap.unwrap());
+    assert!(place.text("one/popc.toml").contains(&line), "{line}");
+}
+
+#[test]
+fn tuned_stabilizers_take_part_in_a_comparison() {
+    let place = place();
+    let names = ["--stabilizers", "none,popc"];
+    let all = ["compare", "scene.toml", "--tuned"];
+    place.run(all.iter().chain(&names)).ended(0, &["popc tuned", "none"]);
+    let by = ["compare", "scene.toml", "--tuned=settling=2"];
+    place.run(by.iter().chain(&names)).ended(0, &["popc tuned"]);
+}
+
+#[test]
+fn what_cannot_be_tuned_is_refused() {
+    let place = place();
+    place.refuses(FEW.iter().chain(&["--objective", "setling"]), &["`settling`"]);
+    place.refuses(["tune", "scene.toml", "--runs", "1"], &["--runs"]);
+    place.refuses(["tune", "none.toml"], &["none.toml"]);
+    let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/models/dc-motor.toml");
+    place.refuses(["compare", model, "--tuned"], &["--tuned is for scenes"]);
+}

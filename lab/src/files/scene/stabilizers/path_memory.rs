@@ -1,0 +1,44 @@
+//! Memory of energies along a path.
+
+use lyapunov::{ParameterError, Scalar, stabilizers::PathMemory as Law};
+
+use super::kind::{Install, OnALine, StabilizerKind};
+use super::table::table;
+use super::{Basis, LedgerKind, Manner, Pledge, Search};
+
+/// Cells of a memory.
+const CELLS: usize = 256;
+
+table! {
+    /// Memory of a path: letting go gives no more, place by place, than pressing in took there.
+    PathMemory = "path-memory" {
+        words {}
+        numbers {
+            /// Place where the environment begins in m; default: its surface, or 0 where there is none.
+            position: Finite, "m", "position = 0.0  # m",
+            |_, on| on.surface.unwrap_or(0.0), |_, _| None;
+            /// Length of each of the 256 cells in m, greater than 0; default: one count of the encoder, without an
+            /// encoder what a tick moves at the speed of the energy that the motion starts with.
+            cell: Positive, "m", "cell = 1e-5  # m",
+            |_, on| on.cell(), |at, _| Search::ratios(0.1 * at, 10.0 * at);
+        }
+    }
+}
+
+impl StabilizerKind for PathMemory {
+    fn pledge(&self, _on: &Basis) -> Pledge {
+        Pledge { account: LedgerKind::None, manner: Manner::Cuts, ..Pledge::POPC }
+    }
+
+    fn adds_damping(&self) -> bool {
+        false
+    }
+}
+
+impl OnALine for PathMemory {
+    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let (position, depth) = (T::of(self.position(on)), T::of(self.cell(on) * CELLS as f64));
+        let memory = Law::<T, CELLS>::beyond(position, depth)?;
+        Ok(to.behind(memory))
+    }
+}

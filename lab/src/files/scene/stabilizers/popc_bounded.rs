@@ -1,0 +1,41 @@
+//! The passivity observer/controller with a bounded credit.
+
+use lyapunov::stabilizers::StabilizerExt;
+use lyapunov::{ParameterError, Popc, PortEnergy, Scalar, Signal};
+
+use super::kind::{Anywhere, Install, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge};
+
+table! {
+    /// The passivity observer/controller, whose stored credit is bounded.
+    PopcBounded = "popc-bounded" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+            /// Most stored credit in J, 0 or more, inf for no bound; default: the energy that the motion starts with.
+            credit: Cap, "J", "credit = 1e-3  # J",
+            |_, on| on.energy, |_, on| on.energies();
+        }
+    }
+}
+
+impl StabilizerKind for PopcBounded {
+    fn pledge(&self, _on: &Basis) -> Pledge {
+        Pledge::FORGETFUL
+    }
+
+    fn promises(&self) -> bool {
+        true
+    }
+}
+
+impl Anywhere for PopcBounded {
+    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
+        Ok(to.behind(popc.bounded(V::Scalar::of(self.credit(on)))?))
+    }
+}

@@ -1,0 +1,36 @@
+//! The passivity observer/controller with a budget.
+
+use lyapunov::{ParameterError, Popc, PortEnergy, Scalar, Signal};
+
+use super::kind::{Anywhere, Install, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge, Search};
+
+table! {
+    /// The passivity observer/controller, credited at the start with what is stored.
+    PopcBudgeted = "popc-budgeted" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+            /// Credit at the start in J, 0 or more; default: what the environment stores there.
+            budget: NonNegative, "J", "budget = 1e-3  # J",
+            |_, on| on.stored(), |_, on| Search::up_to(on.energy);
+        }
+    }
+}
+
+impl StabilizerKind for PopcBudgeted {
+    fn pledge(&self, on: &Basis) -> Pledge {
+        Pledge { budget: self.budget(on), ..Pledge::POPC }
+    }
+}
+
+impl Anywhere for PopcBudgeted {
+    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
+        Ok(to.behind(popc.budgeted(V::Scalar::of(self.budget(on)))?))
+    }
+}

@@ -1,0 +1,43 @@
+//! The passivity observer/controller that enters each contact without credit.
+
+use lyapunov::{ParameterError, Popc, PortEnergy, Scalar};
+use lyapunov::{candidates::InContact, stabilizers::StabilizerExt};
+
+use super::kind::{Install, OnALine, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge};
+
+table! {
+    /// The passivity observer/controller, which enters each contact without stored credit.
+    PopcContactReset = "popc-contact-reset" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+            /// Place where contact begins in m; default: the surface of the environment, without one contact never
+            /// begins.
+            position: Finite, "m", "position = 0.0  # m",
+            |_, on| on.surface.unwrap_or(f64::NEG_INFINITY), |_, _| None;
+        }
+    }
+}
+
+impl StabilizerKind for PopcContactReset {
+    fn pledge(&self, _on: &Basis) -> Pledge {
+        Pledge::FORGETFUL
+    }
+
+    fn promises(&self) -> bool {
+        true
+    }
+}
+
+impl OnALine for PopcContactReset {
+    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<T>::new(PortEnergy, on.limit(self.damping_cap(on))?);
+        let position = T::of(self.position(on));
+        Ok(to.behind(popc.reset_at(InContact { position })))
+    }
+}

@@ -1,0 +1,91 @@
+//! The passivity observer/controller that follows what the environment stores.
+
+use lyapunov::{
+    DampingLimit, LyapunovCandidate, ParameterError, PortEnergy, Scalar, StorageFunction,
+    environments::{ForceLaw, Kinematics},
+    stabilizers::{ReferenceDamper, ReferenceFollowing as Law},
+};
+
+use super::kind::{Install, OnALine, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge};
+use crate::files::scene::environments::Render;
+
+table! {
+    /// The passivity observer/controller, whose energy follows what the environment stores.
+    PopcReference = "popc-reference" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+        }
+    }
+}
+
+impl StabilizerKind for PopcReference {
+    fn pledge(&self, on: &Basis) -> Pledge {
+        Pledge::on_reference(on)
+    }
+
+    fn promises(&self) -> bool {
+        true
+    }
+}
+
+impl OnALine for PopcReference {
+    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let limit = on.limit(self.damping_cap(on))?;
+        follow(on, limit, None, to)
+    }
+}
+
+/// Reference energy following on a loop: of what the environment stores, and of what the ideal wall's damper (N·s/m,
+/// and where it begins, m) dissipates if one is given.
+pub(super) fn follow<T: Scalar, R: Install<T>>(
+    on: &Basis,
+    limit: DampingLimit<T>,
+    damper: Option<[f64; 2]>,
+    to: R,
+) -> Result<R::Made, ParameterError> {
+    let following = Following { limit, start: on.start.map(T::of), damper, to };
+    match &on.reference {
+        None => following.of(|_, _| T::zero()),
+        Some(reference) => reference.render(following),
+    }
+}
+
+/// Reference of a store and a damper, from a position and a velocity on.
+struct Following<T: Scalar, R> {
+    limit: DampingLimit<T>,
+    start: [T; 2],
+    damper: Option<[f64; 2]>,
+    to: R,
+}
+
+impl<T: Scalar, R: Install<T>> Following<T, R> {
+    fn of(self, stored: impl Fn(T, T) -> T + 'static) -> Result<R::Made, ParameterError> {
+        let [x, v] = self.start;
+        let stored = StorageFunction::starting(stored, x, v);
+        let Some(damper) = self.damper else {
+            return Ok(self.to.behind(Law::new((PortEnergy, stored), self.limit)));
+        };
+        let [damping, surface] = damper.map(T::of);
+        let depth = move |x: T| (x - surface).larger(T::zero());
+        let damper = ReferenceDamper::starting(damping, depth, x)?;
+        Ok(self.to.behind(Law::new((PortEnergy, (stored, damper)), self.limit)))
+    }
+}
+
+impl<T: Scalar, R: Install<T>> Render<T> for Following<T, R> {
+    type Made = R::Made;
+
+    fn render(
+        self,
+        environment: impl ForceLaw<T> + 'static,
+        _credit: impl LyapunovCandidate<T> + 'static,
+    ) -> Result<R::Made, ParameterError> {
+        self.of(move |x, v| environment.stored(&Kinematics::at(x, v)))
+    }
+}

@@ -1,0 +1,38 @@
+//! The passivity observer/controller with a soft start.
+
+use lyapunov::stabilizers::StabilizerExt;
+use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
+
+use super::kind::{Anywhere, Install, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge};
+
+table! {
+    /// The passivity observer/controller, whose correction rises when it engages.
+    PopcRising = "popc-rising" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+            /// Ticks over which a correction rises, a whole number from 1 to 1000000; default: 2, or those of a tick of
+            /// the environment if they are more.
+            ticks: Ticks, "servo ticks", "ticks = 4  # servo ticks",
+            |_, on| on.ticks().into(), |_, on| on.spans();
+        }
+    }
+}
+
+impl StabilizerKind for PopcRising {
+    fn pledge(&self, _on: &Basis) -> Pledge {
+        Pledge::POPC
+    }
+}
+
+impl Anywhere for PopcRising {
+    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
+        Ok(to.behind(popc.rising_over::<V::Scalar>(self.ticks(on) as u32)?))
+    }
+}

@@ -1,0 +1,38 @@
+//! The passivity observer/controller above a velocity.
+
+use lyapunov::stabilizers::StabilizerExt;
+use lyapunov::{ParameterError, Popc, PortEnergy, Scalar, Signal};
+
+use super::kind::{Anywhere, Install, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge, Search};
+
+table! {
+    /// The passivity observer/controller, which corrects from a velocity on.
+    PopcThreshold = "popc-threshold" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+            /// Least velocity that is corrected in m/s, 0 or more; default: one count of the encoder a tick, without an
+            /// encoder a hundredth of the speed of the energy that the motion starts with.
+            velocity: NonNegative, "m/s", "velocity = 0.01  # m/s",
+            |_, on| on.threshold(), |_, on| Search::ratios(1e-3 * on.speed, on.speed);
+        }
+    }
+}
+
+impl StabilizerKind for PopcThreshold {
+    fn pledge(&self, _on: &Basis) -> Pledge {
+        Pledge::POPC
+    }
+}
+
+impl Anywhere for PopcThreshold {
+    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
+        Ok(to.behind(popc.above_velocity(V::Scalar::of(self.velocity(on)))?))
+    }
+}

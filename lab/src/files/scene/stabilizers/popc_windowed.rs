@@ -1,0 +1,45 @@
+//! The passivity observer/controller with a credit that expires.
+
+use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
+use lyapunov::{accumulators::Plain, stabilizers::WindowedCredit};
+
+use super::basis::SLOTS;
+use super::kind::{Anywhere, Install, StabilizerKind};
+use super::table::table;
+use super::{Basis, Pledge, Search};
+
+table! {
+    /// The passivity observer/controller, whose stored credit expires.
+    PopcWindowed = "popc-windowed" {
+        words {}
+        numbers {
+            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
+            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+            |_, on| on.limit.cap, |_, on| on.caps();
+            /// Time after which credit expires in s, greater than 0, in 8 slots; default: one swing of the hand.
+            window: Positive, "s", "window = 0.5  # s",
+            |_, on| on.swing, |at, on| Search::ratios(SLOTS as f64 * on.limit.period, 10.0 * at);
+        }
+    }
+}
+
+impl StabilizerKind for PopcWindowed {
+    fn pledge(&self, _on: &Basis) -> Pledge {
+        Pledge::FORGETFUL
+    }
+
+    fn promises(&self) -> bool {
+        true
+    }
+}
+
+impl Anywhere for PopcWindowed {
+    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
+        // The conversion saturates: no run leaves a longer slot either.
+        let slot = (self.window(on) / (SLOTS as f64 * on.limit.period)).ceil().max(1.0) as u32;
+        let sum = WindowedCredit::<V::Scalar, Plain<V::Scalar>, SLOTS>::of_ticks(slot)?;
+        Ok(to.behind(popc.summed_by(sum)))
+    }
+}

@@ -1,0 +1,56 @@
+//! Energy that an environment stores.
+
+use lyapunov::{
+    LyapunovCandidate, ParameterError, Signal,
+    environments::{ForceLaw, Kinematics},
+};
+
+use crate::files::scene::Draft;
+use crate::files::scene::environments::{Environment, Rates, Render};
+
+/// The ideal environment of a scene, as a store of energy that is a function of position and velocity.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reference {
+    environment: Environment,
+    rates: Rates,
+}
+
+impl Reference {
+    /// The store of `scene`; none where the environment swings by itself, and in more than one dimension.
+    pub(crate) fn of(scene: &Draft) -> Option<Self> {
+        let environment = &scene.environment;
+        let stores = scene.dimensions() == 1 && environment.kind().frequency().is_none();
+        stores.then(|| Self { environment: environment.clone(), rates: Rates::of(scene) })
+    }
+
+    /// `S(x, v)`, J.
+    pub(crate) fn stored(&self, x: f64, v: f64) -> f64 {
+        self.render(Stored { x, v }).unwrap_or(0.0)
+    }
+
+    /// Makes something of the ideal environment.
+    pub(super) fn render<T: lyapunov::Scalar, R: Render<T>>(
+        &self,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        self.environment.on_a_line(self.rates, to)
+    }
+}
+
+/// Reading of the energy at one position and velocity.
+struct Stored<V> {
+    x: V,
+    v: V,
+}
+
+impl<V: Signal> Render<V> for Stored<V> {
+    type Made = V::Scalar;
+
+    fn render(
+        self,
+        environment: impl ForceLaw<V> + 'static,
+        _credit: impl LyapunovCandidate<V> + 'static,
+    ) -> Result<V::Scalar, ParameterError> {
+        Ok(environment.stored(&Kinematics::at(self.x, self.v)))
+    }
+}

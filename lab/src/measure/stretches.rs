@@ -1,0 +1,133 @@
+//! Extremes of a signal over the stretches of a run.
+
+use lyapunov::Scalar;
+
+/// Number of stretches: the quarters of a run, the last of them divided where its last tenth begins.
+const COUNT: usize = 5;
+
+/// The second quarter.
+pub(crate) const SECOND: [usize; 1] = [1];
+
+/// The last quarter, in its two stretches.
+pub(crate) const LAST_QUARTER: [usize; 2] = [3, 4];
+
+/// The last tenth.
+pub(crate) const LAST_TENTH: [usize; 1] = [4];
+
+/// Watches the lowest and the highest value of a signal in each stretch of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stretches<T> {
+    last: u64,
+    rows: u64,
+    /// The row with which the next stretch begins, if there is one.
+    next: u64,
+    stretch: usize,
+    /// The extremes of this stretch.
+    low: T,
+    high: T,
+    /// The extremes of the stretches before.
+    lows: [T; COUNT],
+    highs: [T; COUNT],
+}
+
+impl<T: Scalar> Stretches<T> {
+    /// The meter of a run of the ticks 0 to `last`.
+    pub(crate) fn new(last: u64) -> Self {
+        let (low, high) = (T::of(f64::INFINITY), T::of(f64::NEG_INFINITY));
+        let (lows, highs) = ([low; COUNT], [high; COUNT]);
+        Self { last, rows: 0, next: start_of(1, last), stretch: 0, low, high, lows, highs }
+    }
+
+    #[inline(always)]
+    pub(crate) fn add(&mut self, value: T) {
+        if self.rows == self.next {
+            self.turn();
+        }
+        self.low = value.smaller(self.low);
+        self.high = value.larger(self.high);
+        self.rows += 1;
+    }
+
+    /// Begins the stretch of this row.
+    #[cold]
+    #[inline(never)]
+    fn turn(&mut self) {
+        (self.lows[self.stretch], self.highs[self.stretch]) = (self.low, self.high);
+        (self.low, self.high) = (T::of(f64::INFINITY), T::of(f64::NEG_INFINITY));
+        while self.rows == self.next {
+            self.stretch += 1;
+            let next = self.stretch + 1;
+            self.next = if next < COUNT { start_of(next, self.last) } else { u64::MAX };
+        }
+    }
+
+    /// Whether the run has come to its end.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.rows == self.last + 1
+    }
+
+    /// Whether the last quarter has begun.
+    pub(crate) fn is_late(&self) -> bool {
+        self.stretch >= LAST_QUARTER[0]
+    }
+
+    /// The lowest and the highest value of a lane over some stretches; infinities where there is none.
+    pub(crate) fn extremes<const N: usize>(&self, stretches: [usize; N], lane: usize) -> [f64; 2] {
+        let of = |stretch: usize| match stretch == self.stretch {
+            true => (self.low, self.high),
+            false => (self.lows[stretch], self.highs[stretch]),
+        };
+        stretches
+            .into_iter()
+            .map(of)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |all, (low, high)| {
+                [all[0].min(low.lane(lane)), all[1].max(high.lane(lane))]
+            })
+    }
+
+    /// The lowest and the highest value of a lane over the whole run.
+    pub(crate) fn of_all(&self, lane: usize) -> [f64; 2] {
+        self.extremes(std::array::from_fn::<_, COUNT, _>(|stretch| stretch), lane)
+    }
+}
+
+/// The first row of a stretch: `ceil(q (last + 1) / 4)` of quarter `q`, and of the last tenth `ceil(9 last / 10)`.
+fn start_of(stretch: usize, last: u64) -> u64 {
+    let quarter = |index: u64| (index * (last + 1)).div_ceil(4);
+    match stretch {
+        4 => (9 * last).div_ceil(10).max(quarter(3)),
+        index => quarter(index as u64),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every stretch of every short run, against the extremes of the rows that belong to it.
+    #[test]
+    fn the_stretches_are_the_quarters_and_the_last_tenth() {
+        for last in 0..60_u64 {
+            let mut meter = Stretches::<f64>::new(last);
+            for row in 0..=last {
+                assert!(!meter.is_complete());
+                meter.add(row as f64);
+            }
+            assert!(meter.is_complete());
+            let rows = |from: f64, to: f64| -> [f64; 2] {
+                let within = |row: &f64| (from..to).contains(&(row / (last + 1) as f64));
+                let rows = (0..=last).map(|row| row as f64).filter(within);
+                rows.fold([f64::INFINITY, f64::NEG_INFINITY], |all, row| {
+                    [all[0].min(row), all[1].max(row)]
+                })
+            };
+            assert_eq!(meter.extremes(SECOND, 0), rows(0.25, 0.5), "{last}");
+            assert_eq!(meter.extremes(LAST_QUARTER, 0), rows(0.75, 1.0), "{last}");
+            assert_eq!(meter.of_all(0), [0.0, last as f64]);
+            if last >= 20 {
+                let start = (0..=last).find(|row| 10 * row >= 9 * last).unwrap();
+                assert_eq!(meter.extremes(LAST_TENTH, 0), [start as f64, last as f64], "{last}");
+            }
+        }
+    }
+}

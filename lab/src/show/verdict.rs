@@ -1,0 +1,116 @@
+//! Verdicts in words.
+
+use crate::files::Scene;
+use crate::measure::summary::MILLI;
+use crate::measure::{Summary, Verdict, Yardstick};
+use crate::simulate::Criterion;
+use crate::simulate::criterion::Shortage;
+use crate::simulate::equilibrium::{last_pull, never_rests};
+use crate::text::{found, given};
+
+use super::html::verdict;
+use super::table::Cell;
+
+impl From<Verdict> for Cell {
+    fn from(told: Verdict) -> Self {
+        let class = match told {
+            Verdict::Settles => "yes",
+            Verdict::Swinging => "open",
+            Verdict::Grows => "no",
+            Verdict::TooShort => "",
+        };
+        Self::new(told.word(), verdict(class, told.word()))
+    }
+}
+
+/// The quantity that a scene is judged by, if it is not its distance from the equilibrium, and the reason.
+pub(crate) fn by_speed(scene: &Scene) -> Option<String> {
+    let criterion = Criterion::of(scene);
+    let why = match criterion.equilibrium {
+        _ if criterion.place().is_some() => return None,
+        Some(_) => "it starts where it rests",
+        None if scene.dimensions() > 1 => "no place to rest at is known in several dimensions",
+        None if last_pull(scene) == 0.0 => "no spring of the operator pulls the plant anywhere",
+        None if never_rests(scene) => "what moves the plant never rests",
+        None => "there is no place to rest at",
+    };
+    Some(format!("by speed, as {why}"))
+}
+
+impl Summary {
+    /// The verdict, and the numbers that it follows from.
+    pub(super) fn verdict_in_words(&self) -> String {
+        let verdict = self.verdict();
+        let why = if self.left_range().is_some() {
+            "it left the range of the numbers".to_owned()
+        } else if verdict == Verdict::TooShort {
+            self.shortage()
+        } else if self.verdict_by() == Yardstick::Speed {
+            let speed = self.speeds(verdict);
+            by_speed(&self.scene).map_or(speed.clone(), |by| format!("{speed}; {by}"))
+        } else {
+            self.distances(verdict)
+        };
+        format!("{verdict}: {why}")
+    }
+
+    fn shortage(&self) -> String {
+        let (ticks, scene) = (self.scene.ticks(), &self.scene);
+        match self.fate.criterion(0).shortage {
+            Some(Shortage::Swings(period)) => {
+                let length = given(ticks as f64 * scene.period());
+                format!("{length} s is less than two swings of {} s", found(period))
+            }
+            Some(Shortage::Answers(least)) => {
+                format!("{ticks} ticks, and twenty answers of the environment take {least}")
+            }
+            None => String::new(),
+        }
+    }
+
+    fn speeds(&self, verdict: Verdict) -> String {
+        let sizes = self.fate.sizes(0);
+        let told = |speed: f64| format!("{} mm/s", found(MILLI * speed));
+        let (end, second) = (told(sizes.end), told(sizes.second));
+        match verdict {
+            Verdict::Grows => format!("up to {end} in the last quarter, {second} in the second"),
+            _ => {
+                let (tail, widest) = (told(sizes.tail), told(sizes.widest));
+                format!("up to {tail} in the last tenth, {widest} in all")
+            }
+        }
+    }
+
+    fn distances(&self, verdict: Verdict) -> String {
+        let millimetres = |metres: f64| format!("{} mm", found(MILLI * metres));
+        let (Some(rest), Some(last)) = (self.equilibrium, self.last) else {
+            return "the place to rest at is out of range".to_owned();
+        };
+        let (band, place) = (millimetres(self.band), millimetres(rest));
+        match (verdict, self.settled) {
+            (Verdict::Grows, _) => {
+                let sizes = self.fate.sizes(0);
+                let [second, end] = [sizes.second, sizes.end].map(millimetres);
+                if self.fate.is_out(0) {
+                    let widest = millimetres(sizes.widest);
+                    let start = millimetres(self.fate.criterion(0).start);
+                    return format!(
+                        "up to {widest} from x = {place}, more than ten times the {start} of the start"
+                    );
+                }
+                format!("up to {end} from x = {place} in the last quarter, {second} in the second")
+            }
+            (Verdict::Settles, Some(time)) => {
+                format!("from t = {} s on within {band} of x = {place}", given(time))
+            }
+            // One last swing through the band is not rest.
+            (_, Some(time)) => {
+                format!("within {band} of x = {place} only since t = {} s", given(time))
+            }
+            (_, None) => {
+                let away = millimetres((last.x - rest).abs());
+                format!("at the end {away} from x = {place}, not within {band}")
+            }
+        }
+    }
+}

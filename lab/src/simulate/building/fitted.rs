@@ -1,0 +1,135 @@
+//! What stabilizes a loop, at its place.
+
+use lyapunov::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    stabilizers::NoStabilizer,
+};
+
+use super::{AnyStabilizer, AnyWrapper, Port, Space};
+use crate::files::scene::{self, Basis, Install, Pace, Scene};
+
+/// What stabilizes a loop: a stabilizer behind the hold, which sees the environment's efforts only, or a port around
+/// the environment, which asks it.
+#[derive(Debug)]
+pub enum Fitted<V: Signal> {
+    /// A stabilizer of efforts.
+    Behind(AnyStabilizer<V>),
+    /// A port around the environment.
+    Around(AnyWrapper<V>),
+}
+
+impl<V: Space> Fitted<V> {
+    /// What `scene` names; [`NoStabilizer`] if it names none.
+    ///
+    /// # Errors
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
+    pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
+        Self::named(scene, scene.stabilizer)
+    }
+
+    /// What a table asks for on the loop of `scene`, whatever `scene` names; [`NoStabilizer`] without a table.
+    ///
+    /// # Errors
+    /// As [`Fitted::of`]; a table that lacks a number which the loop does not give.
+    pub fn named(scene: &Scene, table: Option<scene::Stabilizer>) -> Result<Self, ParameterError> {
+        match table {
+            None => Ok(Self::Behind(AnyStabilizer::new(NoStabilizer))),
+            Some(scene::Stabilizer::Popc(popc)) => {
+                AnyStabilizer::popc(scene, popc).map(Self::Behind)
+            }
+            Some(scene::Stabilizer::Lolc(lolc)) => {
+                AnyStabilizer::lolc(scene, lolc).map(Self::Behind)
+            }
+            Some(table) => V::fitted(&table, scene),
+        }
+    }
+
+    /// What the table of a member asks for in several dimensions, on a loop with this basis.
+    pub(super) fn in_space(
+        basis: &Basis,
+        table: &scene::Stabilizer,
+    ) -> Result<Self, ParameterError> {
+        lacking(basis, table)?;
+        table.in_space(basis, Boxing)
+    }
+
+    /// The stabilizer of efforts, if it is one.
+    pub fn behind(self) -> Option<AnyStabilizer<V>> {
+        match self {
+            Self::Behind(stabilizer) => Some(stabilizer),
+            Self::Around(_) => None,
+        }
+    }
+
+    /// Bytes that it keeps from tick to tick, parameters included.
+    pub fn state_bytes(&self) -> usize {
+        match self {
+            Self::Behind(stabilizer) => stabilizer.state_bytes(),
+            Self::Around(wrapper) => wrapper.state_bytes(),
+        }
+    }
+
+    /// Runs it over `samples` in order; an environment answers with the recorded efforts.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar.
+    pub(crate) fn replay(
+        &mut self,
+        samples: &[(PortSample<V>, V)],
+        corrections: &mut [Correction<V>],
+    ) -> Result<(), ParameterError> {
+        match self {
+            Self::Behind(stabilizer) => stabilizer.replay(samples, corrections),
+            Self::Around(wrapper) => wrapper.replay(samples, corrections)?,
+        }
+        Ok(())
+    }
+
+    /// The wrapper of this pace, if it is one.
+    pub(super) fn around(&self, pace: Pace) -> Option<&AnyWrapper<V>> {
+        match self {
+            Self::Around(wrapper) if wrapper.pace() == pace => Some(wrapper),
+            _ => None,
+        }
+    }
+}
+
+impl<T: Scalar + Space> Fitted<T> {
+    /// What the table of a member asks for in one dimension, on a loop with this basis.
+    ///
+    /// # Errors
+    /// As [`Fitted::named`].
+    pub(crate) fn on_a_line(
+        basis: &Basis,
+        table: &scene::Stabilizer,
+    ) -> Result<Self, ParameterError> {
+        lacking(basis, table)?;
+        table.on_a_line(basis, Boxing)
+    }
+}
+
+/// The error of a loop without what the stabilizer is set by.
+fn lacking(basis: &Basis, table: &scene::Stabilizer) -> Result<(), ParameterError> {
+    let lacks = table.kind().lacks(basis);
+    lacks.map_or(Ok(()), |key| Requirement::Positive.check(key, 0.0).map(drop))
+}
+
+/// Boxing of a member of the family.
+struct Boxing;
+
+impl<V: Space> Install<V> for Boxing {
+    type Made = Fitted<V>;
+    type Port = Port<V>;
+
+    fn behind(self, stabilizer: impl Stabilizer<V> + 'static) -> Fitted<V> {
+        Fitted::Behind(AnyStabilizer::called(stabilizer))
+    }
+
+    fn around<P: OnePort<V> + 'static>(
+        self,
+        pace: Pace,
+        wrap: impl Fn(Port<V>) -> Result<P, ParameterError> + 'static,
+    ) -> Fitted<V> {
+        Fitted::Around(AnyWrapper::new(pace, wrap))
+    }
+}

@@ -1,0 +1,82 @@
+//! Tuning as JSON.
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use super::setting::Setting;
+use super::study::{Tuned, Tuning};
+use super::trial::Trial;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    scene: &'a str,
+    objective: String,
+    seed: u64,
+    settings: u32,
+    runs_of_each: u32,
+    moved: Moved,
+    stabilizers: Vec<Entry>,
+}
+
+#[derive(Serialize)]
+struct Moved {
+    phase: f64,
+    mass: f64,
+    damping: f64,
+    stiffness: f64,
+}
+
+#[derive(Serialize)]
+struct Entry {
+    stabilizer: &'static str,
+    default: Judged,
+    tuned: Judged,
+    change: Option<[f64; 2]>,
+    tuned_is: &'static str,
+}
+
+#[derive(Serialize)]
+struct Judged {
+    set: Map<String, Value>,
+    runs: usize,
+    bounded: usize,
+    mean_cost: Option<f64>,
+}
+
+impl Judged {
+    fn of(setting: &Setting, trial: &Trial) -> Self {
+        let set = setting.numbers().iter().map(|it| (it.key.to_owned(), Value::from(it.value)));
+        let (runs, bounded) = (trial.runs(), trial.bounded());
+        Self { set: set.collect(), runs, bounded, mean_cost: trial.cost() }
+    }
+}
+
+/// The results of `tuning` on the scene called `scene`, as JSON; docs/tune.md lists the keys.
+///
+/// # Errors
+/// None: every part can be written as JSON.
+pub fn document(scene: &str, tuning: &Tuning, tuned: &[Tuned]) -> serde_json::Result<String> {
+    let moves = tuning.moves;
+    let entry = |one: &Tuned| Entry {
+        stabilizer: one.name.name(),
+        default: Judged::of(&one.settings[0], &one.judged[0]),
+        tuned: Judged::of(&one.settings[1], &one.judged[1]),
+        change: one.judged[1].change_from(&one.judged[0]).map(|(change, half)| [change, half]),
+        tuned_is: one.change().word(),
+    };
+    let document = Document {
+        scene,
+        objective: tuning.objective.to_string(),
+        seed: tuning.seed,
+        settings: tuning.trials + 1,
+        runs_of_each: tuning.runs,
+        moved: Moved {
+            phase: moves.phase,
+            mass: moves.mass,
+            damping: moves.damping,
+            stiffness: moves.stiffness,
+        },
+        stabilizers: tuned.iter().map(entry).collect(),
+    };
+    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+}

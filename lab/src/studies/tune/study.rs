@@ -1,0 +1,245 @@
+//! Tuning of one stabilizer on one scene.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::ControlFlow;
+
+use lyapunov::ParameterError;
+use rayon::prelude::*;
+
+use super::objective::{Objective, Term};
+use super::run::cost;
+use super::search::Search;
+use super::setting::Setting;
+use super::trial::Trial;
+use crate::files::Scene;
+use crate::files::scene::Conflict;
+use crate::simulate::Criterion;
+use crate::simulate::ensemble::{Ensemble, Moves};
+use crate::simulate::family::StabilizerName;
+
+/// Reason why a stabilizer is not tuned.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TuneError {
+    /// The objective has a term that the scene has no number for.
+    Objective {
+        /// The term.
+        term: Term,
+        /// What the scene lacks.
+        lacks: &'static str,
+    },
+    /// A scene of more than one dimension: the costs are measured along one axis.
+    Space,
+    /// A moved number that the scene does not allow.
+    Member(Conflict),
+    /// A number out of the range of the scalar.
+    Parameter(ParameterError),
+    /// The caller stopped it.
+    Stopped,
+}
+
+impl fmt::Display for TuneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Objective { term, lacks } => {
+                write!(
+                    f,
+                    "the objective `{}` needs {lacks}, which the scene has not",
+                    term.name()
+                )?;
+                f.write_str("\n  = choose another with --objective")
+            }
+            Self::Space => {
+                f.write_str("[space] is not for tuning\n  = tune on a scene of one dimension")
+            }
+            Self::Member(conflict) => write!(f, "a scene of the ensemble is none: {conflict}"),
+            Self::Parameter(error) => error.fmt(f),
+            Self::Stopped => f.write_str("tuning was stopped"),
+        }
+    }
+}
+
+impl std::error::Error for TuneError {}
+
+impl From<Conflict> for TuneError {
+    fn from(conflict: Conflict) -> Self {
+        Self::Member(conflict)
+    }
+}
+
+/// Callback that learns how many more runs are done, and says whether to go on.
+pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
+
+/// Conditions of a tuning, the same for every stabilizer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tuning {
+    /// The goal.
+    pub objective: Objective,
+    /// Trials of each stabilizer, besides that of its default.
+    pub trials: u32,
+    /// Runs of each trial: the members of the ensemble that tuning sees.
+    pub runs: u32,
+    /// Seed of the ensemble that tuning sees; the one that it is judged on has the next seed.
+    pub seed: u64,
+    /// How far the numbers of the scene move in both.
+    pub moves: Moves,
+}
+
+impl Default for Tuning {
+    fn default() -> Self {
+        let objective = Objective::default();
+        Self { objective, trials: 48, runs: 16, seed: 1, moves: Moves::default() }
+    }
+}
+
+/// Members of the ensemble that tuning never sees, for each that it does.
+const JUDGES: u32 = 2;
+
+/// A stabilizer as the scene sets it and as it was tuned.
+#[derive(Clone, Debug)]
+pub struct Tuned {
+    /// The stabilizer.
+    pub name: StabilizerName,
+    /// The numbers that were tuned: as the scene sets them, then tuned.
+    pub settings: [Setting; 2],
+    /// The scene with the tuned stabilizer, ready to run.
+    pub scene: Scene,
+    /// Runs of each setting on the ensemble that tuning never saw.
+    pub judged: [Trial; 2],
+    /// The best trial on the ensemble that tuning saw.
+    pub seen: Trial,
+}
+
+impl Tuning {
+    /// The number of runs that a stabilizer takes at most, with judging.
+    pub fn rollouts(&self) -> u64 {
+        let (trials, runs) = (u64::from(self.trials), u64::from(self.runs));
+        runs * (trials + 1) + 2 * runs * u64::from(JUDGES)
+    }
+
+    /// Tunes `name` on `scene`.
+    ///
+    /// # Errors
+    /// A scene that the objective, the ensemble or the stabilizer does not fit; an end asked for by `watch`.
+    pub fn of(
+        &self,
+        scene: &Scene,
+        name: StabilizerName,
+        watch: &Watch<'_>,
+    ) -> Result<Tuned, TuneError> {
+        self.fits(scene)?;
+        let default = Setting::of(scene, name);
+        let seen = Ensemble { seed: self.seed, moves: self.moves };
+        let run = |setting: &Setting| self.trial(scene, setting, &seen, self.runs, watch);
+        let mut best = (default.clone(), run(&default)?);
+        let mut search = Search::from(default.place(), self.trials as usize);
+        while let Some(places) = search.next(&best.0.place()) {
+            for place in places {
+                let setting = default.at(&place);
+                let trial = run(&setting)?;
+                if trial.is_better_than(&best.1) {
+                    best = (setting, trial);
+                }
+            }
+        }
+        let (tuned, seen) = best;
+        let unseen = Ensemble { seed: self.seed.wrapping_add(1), moves: self.moves };
+        let judge =
+            |setting: &Setting| self.trial(scene, setting, &unseen, JUDGES * self.runs, watch);
+        let judged = [judge(&default)?, judge(&tuned)?];
+        let ready = tuned.on(scene)?;
+        Ok(Tuned { name, settings: [default, tuned], scene: ready, judged, seen })
+    }
+
+    /// The runs of `setting` on the first `runs` members of `ensemble`.
+    fn trial(
+        &self,
+        scene: &Scene,
+        setting: &Setting,
+        ensemble: &Ensemble,
+        runs: u32,
+        watch: &Watch<'_>,
+    ) -> Result<Trial, TuneError> {
+        let Ok(base) = setting.on(scene) else { return Ok(Trial::refused(runs)) };
+        let one = |member: u64| cost(&ensemble.member(&base, member)?, &self.objective, watch);
+        let costs: Result<Vec<_>, _> = (0..u64::from(runs)).into_par_iter().map(one).collect();
+        Ok(Trial::of(costs?))
+    }
+
+    /// Refuses a scene that the objective says nothing about.
+    fn fits(&self, scene: &Scene) -> Result<(), TuneError> {
+        if scene.dimensions() > 1 {
+            return Err(TuneError::Space);
+        }
+        let has_rest = Criterion::of(scene).place().is_some();
+        let has_wall = scene.environment.wall().is_some();
+        for term in self.objective.terms() {
+            let (has, lacks) = match term {
+                Term::Settling => (has_rest, "a place where the motion comes to rest"),
+                Term::ForceError | Term::Stiffness => (has_wall, "a wall"),
+            };
+            if !has {
+                return Err(TuneError::Objective { term, lacks });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Tuned {
+    /// The change of the mean cost from the setting of the scene to the tuned one, on the runs that tuning never saw.
+    pub fn change(&self) -> Change {
+        let [default, tuned] = &self.judged;
+        match tuned.bounded().cmp(&default.bounded()) {
+            Ordering::Greater => return Change::Better,
+            Ordering::Less => return Change::Worse,
+            Ordering::Equal => {}
+        }
+        match tuned.change_from(default) {
+            Some((change, half)) if change + half < 0.0 => Change::Better,
+            Some((change, half)) if change - half > 0.0 => Change::Worse,
+            _ => Change::Undecided,
+        }
+    }
+
+    /// The text of the scene with the tuned stabilizer, TOML with every default in place.
+    ///
+    /// # Errors
+    /// None: every scene that was read can be written.
+    pub fn text(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(&self.scene)
+    }
+
+    /// The best of `all` with which every judged run stayed bounded, else the one with the most bounded runs.
+    pub fn best(all: &[Self]) -> Option<&Self> {
+        let mut best: Option<&Self> = None;
+        for one in all {
+            if best.is_none_or(|best| one.judged[1].is_better_than(&best.judged[1])) {
+                best = Some(one);
+            }
+        }
+        best
+    }
+}
+
+/// Comparison of a tuned setting with the scene's, on the runs that tuning never saw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// More runs stay bounded, or as many at a cost whose 95 % interval lies below.
+    Better,
+    /// Fewer runs stay bounded, or as many at a cost whose 95 % interval lies above.
+    Worse,
+    /// As many runs stay bounded, and the interval of the change holds 0.
+    Undecided,
+}
+
+impl Change {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Better => "better",
+            Self::Worse => "worse",
+            Self::Undecided => "no difference",
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! The tables of a tuning in the terminal.
+
+use super::objective::Objective;
+use super::study::{Tuned, Tuning};
+use crate::show::table::{Heading, Table};
+use crate::text::{found, given};
+
+/// The table of default against tuned, under a head that says how they were found.
+pub fn table(name: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
+    let Tuning { objective, trials, runs, seed, .. } = tuning;
+    let judges = tuned.first().map_or(0, |one| one.judged[1].runs());
+    let head = format!(
+        "{name}, objective {objective}\n{} settings of {runs} runs for each stabilizer, seed {seed}; judged on {judges} \
+         other runs\n",
+        trials + 1
+    );
+    format!(
+        "{}\n{}\n{}",
+        textwrap::fill(&head, 100),
+        numbers(tuned),
+        costs(tuning.objective, tuned)
+    )
+}
+
+/// The numbers as the scene sets them and tuned.
+pub(super) fn numbers(tuned: &[Tuned]) -> Table {
+    let mut table = Table::new([
+        Heading::word("stabilizer"),
+        Heading::word("parameter"),
+        Heading::number("default"),
+        Heading::number("tuned"),
+        Heading::word("unit"),
+    ]);
+    for one in tuned {
+        let [default, best] = &one.settings;
+        if default.numbers().is_empty() {
+            table.push([
+                one.name.name().into(),
+                "none to tune".into(),
+                "".into(),
+                "".into(),
+                "".into(),
+            ]);
+        }
+        for (index, (before, after)) in default.numbers().iter().zip(best.numbers()).enumerate() {
+            let name = if index == 0 { one.name.name() } else { "" };
+            let value = |value: f64| {
+                if value.is_finite() { given(value).to_string() } else { "inf".into() }
+            };
+            table.push([
+                name.into(),
+                before.name().into(),
+                value(before.value).into(),
+                value(after.value).into(),
+                before.unit.into(),
+            ]);
+        }
+    }
+    table
+}
+
+/// The costs of both settings on the runs that tuning never saw.
+pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
+    let unit = match objective.unit() {
+        "" => String::new(),
+        unit => format!("\n{unit}"),
+    };
+    let mut table = Table::new([
+        Heading::word("stabilizer"),
+        Heading::number("bounded\ndefault"),
+        Heading::number("runs\ntuned"),
+        Heading::number(format!("mean cost\ndefault{unit}")),
+        Heading::number(format!("mean cost\ntuned{unit}")),
+        Heading::number(format!("change with\n95 % interval{unit}")),
+        Heading::word("tuned is"),
+    ]);
+    for one in tuned {
+        let bounded = one.judged.each_ref().map(|it| format!("{} of {}", it.bounded(), it.runs()));
+        let [before, after] = one.judged.each_ref().map(|it| it.cost());
+        let change = one.judged[1].change_from(&one.judged[0]);
+        let change = change.map(|(change, half)| format!("{} +- {}", found(change), found(half)));
+        let [default, best] = bounded;
+        table.push([
+            one.name.name().into(),
+            default.into(),
+            best.into(),
+            before.into(),
+            after.into(),
+            change.into(),
+            one.change().word().into(),
+        ]);
+    }
+    table
+}

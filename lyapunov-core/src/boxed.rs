@@ -1,0 +1,68 @@
+//! Boxed parts: a box of a part is that part, behind the feature `alloc`.
+//!
+//! A loop whose parts are chosen at run time holds them in boxes; with these the box goes wherever the part does.
+
+use alloc::boxed::Box;
+
+use crate::{Correction, LyapunovCandidate, OnePort, Plant, PortSample, Signal, Stabilizer};
+
+/// ```
+/// use lyapunov_core::{Correction, OnePort, PortSample, Stabilizer};
+/// struct Wall;
+/// impl OnePort<f64> for Wall {
+///     fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+///         8000.0 * sample.position.max(0.0)
+///     }
+/// }
+/// struct Damper(f64);
+/// impl Stabilizer<f64> for Damper {
+///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+///         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }.checked()
+///     }
+/// }
+/// let chosen: Box<dyn Stabilizer<f64>> = Box::new(Damper(2.0));
+/// let mut port = Wall.stabilized(chosen);
+/// assert_eq!(port.respond(&PortSample::starting(1e-3, 1e-3, 0.5)), 9.0);
+/// ```
+impl<V: Signal, S: Stabilizer<V> + ?Sized> Stabilizer<V> for Box<S> {
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        (**self).stabilize(sample, effort)
+    }
+}
+
+impl<V: Signal, C: LyapunovCandidate<V> + ?Sized> LyapunovCandidate<V> for Box<C> {
+    #[inline]
+    fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
+        (**self).decrease(sample)
+    }
+}
+
+impl<V: Signal, P: OnePort<V> + ?Sized> OnePort<V> for Box<P> {
+    #[inline]
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        (**self).respond(sample)
+    }
+
+    #[inline]
+    fn correction(&self) -> Correction<V> {
+        (**self).correction()
+    }
+}
+
+impl<V: Signal, P: Plant<V> + ?Sized> Plant<V> for Box<P> {
+    #[inline]
+    fn start(&self) -> PortSample<V> {
+        (**self).start()
+    }
+
+    #[inline]
+    fn advance(&mut self, effort: V) -> PortSample<V> {
+        (**self).advance(effort)
+    }
+
+    #[inline]
+    fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
+        (**self).advance_into(effort, sample);
+    }
+}

@@ -1,0 +1,154 @@
+//! The time between readings: one period, or that of a clock.
+
+use super::{CheckedSample, Measured, MovingReading, Reading, Readings};
+use crate::{Mask, ParameterError, Requirement, Scalar, Signal, Snapshot, VelocityEstimator};
+
+/// Readings at a fixed period: every call is one tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Steady;
+
+/// Readings at the times of a clock that the caller reads, in seconds from any start.
+///
+/// The times are `f64` whatever the port's scalar, so that a year still has nanoseconds, and one clock serves all lanes; a
+/// period of its own is that of the first.
+/// What cannot be a time between two readings counts as one period, is reported ([`CheckedSample::timed`]), and spoils
+/// no later one:
+///
+/// | time of a reading | counts as | the clock is taken to have gone on |
+/// |---|---|---|
+/// | the first one | a period | from there |
+/// | later than the last | the time between | from there |
+/// | NaN or infinite | a period | by a period |
+/// | the same as the last, as of a clock too coarse | a period | by a period |
+/// | before the last: a clock set back, or a counter that overflowed | a period | from there |
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?.clocked();
+/// let mut period = |now| {
+///     let told = readings.read_at(now, Reading { position: 0.0_f64, applied: 0.0 });
+///     (1e3 * told.sample.period, told.timed)
+/// };
+/// assert_eq!(period(5.000), (1.0, true));
+/// assert_eq!(period(f64::NAN), (1.0, false));
+/// assert_eq!(period(2.000), (1.0, false)); // set back
+/// let (late, timed) = period(2.002);
+/// assert!((late - 2.0).abs() < 1e-9 && timed);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+///
+/// Held work does not depend on time at all; the credit of a damper, and what a correction is said to dissipate, do.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Clocked {
+    last: Option<f64>,
+}
+
+impl Clocked {
+    pub(super) fn new() -> Self {
+        Self { last: None }
+    }
+
+    /// The time from the last reading to `now`, s, and whether it is known; else it is a `period`.
+    #[inline]
+    fn elapsed<T: Scalar>(&mut self, now: f64, period: T) -> (T, bool) {
+        let whole = period.lane(0);
+        let Some(last) = self.last else {
+            self.last = Some(now).filter(|now| now.is_finite());
+            return (period, self.last.is_some());
+        };
+        let elapsed = T::of(now - last);
+        let forth = now > last && elapsed.lane(0) > 0.0 && elapsed.lane(0).is_finite();
+        let stands = now == last || !now.is_finite();
+        self.last = Some(if stands { last + whole } else { now });
+        (T::choose(Mask::of(forth), elapsed, period), forth)
+    }
+}
+
+impl Snapshot for Clocked {
+    type State = Option<f64>;
+
+    fn state(&self) -> Option<f64> {
+        self.last
+    }
+
+    fn restored(self, last: Option<f64>) -> Result<Self, ParameterError> {
+        if let Some(last) = last {
+            Requirement::Finite.check("stored time", last)?;
+        }
+        Ok(Self { last })
+    }
+}
+
+impl<V: Signal, E: VelocityEstimator<V>> Readings<V, E, Steady> {
+    /// The sample of this tick's reading.
+    #[inline(always)]
+    pub fn read(&mut self, reading: Reading<V>) -> CheckedSample<V> {
+        self.hear(self.period, true, reading)
+    }
+
+    /// The sample of a tick without a reading, over which the effort `applied` acted.
+    ///
+    /// ```
+    /// use lyapunov_core::{Reading, Readings};
+    /// let mut readings = Readings::every(1e-3)?;
+    /// readings.read(Reading { position: 0.0_f64, applied: 0.0 });
+    /// assert!(!readings.missed(2.0).accepted);
+    /// let gap = readings.read(Reading { position: 2e-3, applied: 2.0 }).sample;
+    /// assert_eq!((gap.period, gap.work, gap.velocity), (2e-3, 4e-3, 1.0)); // 2 N held over 2 mm
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    #[inline]
+    pub fn missed(&mut self, applied: V) -> CheckedSample<V> {
+        self.read(Reading { position: unknown(), applied })
+    }
+}
+
+impl<V: Signal, E: VelocityEstimator<V>> Readings<V, E, Clocked> {
+    /// The sample of the reading at the time `now`, s.
+    #[inline]
+    pub fn read_at(&mut self, now: f64, reading: Reading<V>) -> CheckedSample<V> {
+        let (elapsed, timed) = self.clock.elapsed(now, self.period);
+        self.hear(elapsed, timed, reading)
+    }
+
+    /// The sample of a tick without a reading at the time `now`, s, before which the effort `applied` acted.
+    #[inline]
+    pub fn missed_at(&mut self, now: f64, applied: V) -> CheckedSample<V> {
+        self.read_at(now, Reading { position: unknown(), applied })
+    }
+}
+
+impl<V: Signal> Readings<V, Measured, Steady> {
+    /// The sample of this tick's reading.
+    #[inline(always)]
+    pub fn read_moving(&mut self, reading: MovingReading<V>) -> CheckedSample<V> {
+        self.hear_moving(self.period, true, reading)
+    }
+
+    /// The sample of a tick without a reading, over which the effort `applied` acted.
+    #[inline]
+    pub fn missed_moving(&mut self, applied: V) -> CheckedSample<V> {
+        self.read_moving(MovingReading { position: unknown(), velocity: unknown(), applied })
+    }
+}
+
+impl<V: Signal> Readings<V, Measured, Clocked> {
+    /// The sample of the reading at the time `now`, s.
+    #[inline]
+    pub fn read_moving_at(&mut self, now: f64, reading: MovingReading<V>) -> CheckedSample<V> {
+        let (elapsed, timed) = self.clock.elapsed(now, self.period);
+        self.hear_moving(elapsed, timed, reading)
+    }
+
+    /// The sample of a tick without a reading at the time `now`, s, before which the effort `applied` acted.
+    #[inline]
+    pub fn missed_moving_at(&mut self, now: f64, applied: V) -> CheckedSample<V> {
+        let reading = MovingReading { position: unknown(), velocity: unknown(), applied };
+        self.read_moving_at(now, reading)
+    }
+}
+
+/// Position that nobody read.
+fn unknown<V: Signal>() -> V {
+    V::splat(V::Scalar::of(f64::NAN))
+}

@@ -1,0 +1,169 @@
+//! What is remembered from reading to reading.
+
+use super::{CheckedSample, Reading, one_and_a_half};
+use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
+
+/// The last accepted position, and the time and the efforts since then.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Memory<V: Signal> {
+    known: <V::Scalar as Scalar>::Mask,
+    position: V,
+    /// Time since the last accepted reading, s; 0 unless some were rejected.
+    gap: V::Scalar,
+    /// The range of the efforts since then.
+    least: V,
+    most: V,
+}
+
+/// Reading that was looked at and is not yet remembered.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Heard<V: Signal> {
+    elapsed: V::Scalar,
+    span: V::Scalar,
+    position: V,
+    displacement: V,
+    applied: V,
+    least: V,
+    most: V,
+    work: V,
+    jumped: <V::Scalar as Scalar>::Mask,
+    late: <V::Scalar as Scalar>::Mask,
+    accepted: <V::Scalar as Scalar>::Mask,
+    /// Where it is the first one accepted.
+    pub(super) first: <V::Scalar as Scalar>::Mask,
+}
+
+impl<V: Signal> Heard<V> {
+    /// The motion as an estimator of velocities is told it: not finite where the reading was not accepted.
+    #[inline(always)]
+    pub(super) fn motion(&self) -> PortSample<V> {
+        let unknown = V::splat(V::Scalar::of(f64::NAN));
+        PortSample {
+            period: self.span,
+            position: V::choose(self.accepted, self.position, unknown),
+            velocity: V::zero(),
+            displacement: V::choose(self.accepted, self.displacement, unknown),
+            applied: self.applied,
+            work: self.work,
+        }
+    }
+
+    /// `velocity` where it is finite; over a gap no larger than the mean, and in its direction.
+    #[inline(always)]
+    fn careful(&self, velocity: V) -> V {
+        let zero = V::Scalar::of(0.0);
+        // Of the very numbers that a backward difference divides, so that it is not divided twice.
+        velocity.zip(self.motion().displacement, |told, moved| {
+            let mean = moved / self.span;
+            let slower = mean.magnitude().below(told.magnitude());
+            let turned = (mean * told).below(zero);
+            let careful = V::Scalar::choose(slower, mean, told);
+            let careful = V::Scalar::choose(turned, zero, careful);
+            let velocity = V::Scalar::choose(self.late, careful, told);
+            V::Scalar::choose(velocity.finite(), velocity, zero)
+        })
+    }
+}
+
+impl<V: Signal> Memory<V> {
+    pub(super) fn empty() -> Self {
+        let (known, zero) = (Mask::of(false), V::zero());
+        Self { known, position: zero, gap: V::Scalar::of(0.0), least: zero, most: zero }
+    }
+
+    pub(super) fn position(&self) -> V {
+        self.position
+    }
+
+    pub(super) fn restart(&mut self) {
+        self.known = Mask::of(false);
+        self.gap = V::Scalar::of(0.0);
+    }
+
+    /// Looks at a reading `elapsed` seconds after the last, of a device that moves no faster than `fastest`.
+    #[inline(always)]
+    pub(super) fn hear(
+        &self,
+        elapsed: V::Scalar,
+        period: V::Scalar,
+        fastest: V::Scalar,
+        reading: Reading<V>,
+    ) -> Heard<V> {
+        let told = reading.applied.finite();
+        let applied = V::choose(told, reading.applied, self.least);
+        let gap = self.gap.above(V::Scalar::of(0.0));
+        let least = V::choose(gap, self.least.zip(applied, Scalar::smaller), applied);
+        let most = V::choose(gap, self.most.zip(applied, Scalar::larger), applied);
+
+        let span = self.gap + elapsed;
+        let late = span.above(one_and_a_half(period));
+        let moved = reading.position - self.position;
+        let displacement = V::choose(self.known, moved, V::zero());
+        // Over less than a period a count of the encoder would be a speed.
+        let reach = fastest * span.larger(period);
+        let far = displacement.inner(displacement).above(reach * reach);
+        let here = reading.position.finite();
+        let jumped = here & (far | !displacement.finite());
+        let work = least.times(displacement).zip(most.times(displacement), Scalar::smaller);
+        let accepted = here & told & !jumped & work.finite();
+        let first = accepted & !self.known;
+        Heard {
+            elapsed,
+            span,
+            position: reading.position,
+            displacement,
+            applied,
+            least,
+            most,
+            work,
+            jumped,
+            late,
+            accepted,
+            first,
+        }
+    }
+
+    /// Remembers what was `heard`, with the device's `velocity`.
+    #[inline(always)]
+    pub(super) fn close(&mut self, heard: Heard<V>, velocity: V, timed: bool) -> CheckedSample<V> {
+        let Heard { accepted, applied, .. } = heard;
+        let zero = V::Scalar::of(0.0);
+        self.known = self.known | accepted;
+        self.position = V::choose(accepted, heard.position, self.position);
+        self.gap = V::Scalar::choose(accepted | !self.known, zero, heard.span);
+        self.least = V::choose(accepted, applied, heard.least);
+        self.most = V::choose(accepted, applied, heard.most);
+        let sample = PortSample {
+            period: V::Scalar::choose(accepted, heard.span, heard.elapsed),
+            position: self.position,
+            velocity: V::choose(accepted, heard.careful(velocity), V::zero()),
+            displacement: V::choose(accepted, heard.displacement, V::zero()),
+            applied,
+            work: V::choose(accepted, heard.work, V::splat(V::Scalar::of(f64::NAN))),
+        };
+        CheckedSample { sample, accepted, jumped: heard.jumped, late: heard.late, timed }
+    }
+}
+
+/// Where a position is known is a 1, elsewhere a 0: masks cannot be stored.
+impl<V: Signal> Snapshot for Memory<V> {
+    type State = (V::Scalar, V, V::Scalar, V, V);
+
+    fn state(&self) -> Self::State {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let known = V::Scalar::choose(self.known, one, zero);
+        (known, self.position, self.gap, self.least, self.most)
+    }
+
+    fn restored(
+        self,
+        (known, position, gap, least, most): Self::State,
+    ) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored position", position)?;
+        Requirement::NonNegative.check("stored gap", gap)?;
+        Requirement::Finite.check_axes("stored effort", least)?;
+        Requirement::Finite.check_axes("stored effort", most)?;
+        let known = known.above(V::Scalar::of(0.5));
+        Ok(Self { known, position, gap, least, most })
+    }
+}

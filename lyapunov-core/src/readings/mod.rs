@@ -1,0 +1,342 @@
+//! Readings: what a device tells tick by tick, and the memory that makes port samples of it.
+
+mod clock;
+mod memory;
+
+pub use clock::{Clocked, Steady};
+
+use crate::scalar::same_lanes;
+use crate::{
+    Differenced, LowPassed, Mask, ParameterError, PortSample, Requirement, Scalar, Signal,
+    Snapshot, VelocityEstimator, Windowed,
+};
+use memory::Memory;
+
+/// Reading of a device: where it stands, and the effort that acted since the reading before.
+///
+/// ```
+/// use lyapunov_core::Reading;
+/// use nalgebra::Vector3;
+/// let (position, applied) = (Vector3::new(0.3, 0.0, 0.1), Vector3::zeros());
+/// let reading = Reading { position, applied };
+/// # let _ = reading;
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Reading<V> {
+    /// Position now, m.
+    pub position: V,
+    /// Effort that the motors really applied since the last reading, N: after saturation, and 0 before the first.
+    pub applied: V,
+}
+
+/// Reading of a device that measures its velocity as well.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MovingReading<V> {
+    /// Position now, m.
+    pub position: V,
+    /// Velocity now, m/s.
+    pub velocity: V,
+    /// Effort that the motors really applied since the last reading, N: after saturation, and 0 before the first.
+    pub applied: V,
+}
+
+/// Port sample made of a reading, and what [`Readings`] found in it, lane by lane.
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?;
+/// readings.read(Reading { position: 0.3_f64, applied: 0.0 });
+/// let bad = readings.read(Reading { position: f64::NAN, applied: 2.0 });
+/// assert!(!bad.accepted && !bad.jumped);
+/// assert!(bad.sample.position == 0.3 && bad.sample.velocity == 0.0 && bad.sample.work.is_nan());
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "PortSample<V>: serde::Serialize, <V::Scalar as Scalar>::Mask: serde::Serialize",
+        deserialize = "PortSample<V>: serde::Deserialize<'de>, \
+                       <V::Scalar as Scalar>::Mask: serde::Deserialize<'de>"
+    ))
+)]
+pub struct CheckedSample<V: Signal> {
+    /// The sample, for a controller and a stabilizer. Where the reading was not accepted it stands still at the last
+    /// position, and its work is NaN, so that a stabilizer rejects it.
+    pub sample: PortSample<V>,
+    /// Where the reading was accepted.
+    pub accepted: <V::Scalar as Scalar>::Mask,
+    /// Where the position was farther away than the fastest motion leads.
+    pub jumped: <V::Scalar as Scalar>::Mask,
+    /// Where more than one and a half periods went by since the last accepted reading: a tick was missed.
+    pub late: <V::Scalar as Scalar>::Mask,
+    /// Whether the time could be used; always true of a fixed period.
+    pub timed: bool,
+}
+
+impl<V: Signal> PartialEq for CheckedSample<V> {
+    fn eq(&self, other: &Self) -> bool {
+        let same = same_lanes::<V::Scalar>;
+        self.sample == other.sample
+            && same(self.accepted, other.accepted)
+            && same(self.jumped, other.jumped)
+            && same(self.late, other.late)
+            && self.timed == other.timed
+    }
+}
+
+/// Velocities measured by the device: those of [`MovingReading`]s.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Measured;
+
+/// Memory of a port: readings of a device in, port samples out.
+///
+/// It keeps the last position, the efforts applied since then and, with a clock, the last time. So the **first** reading
+/// displaces nothing wherever the device stands (a position of 0 remembered by hand, with the arm at 0.3 m, is a
+/// velocity of 300 m/s on the first tick, and 54 J of credit for a damper of 0.6 N·s/m), and no tick is booked with the
+/// effort of another.
+///
+/// ```
+/// use lyapunov_core::{Reading, Readings};
+/// let mut readings = Readings::every(1e-3)?.no_faster_than(2.0)?;
+/// let first = readings.read(Reading { position: 0.3_f64, applied: 0.0 });
+/// assert_eq!((first.sample.displacement, first.sample.velocity), (0.0, 0.0));
+/// let moved = readings.read(Reading { position: 0.301, applied: 5.0 });
+/// assert!((moved.sample.work - 5e-3).abs() < 1e-12); // 5 N over 1 mm
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+///
+/// **A reading that is not accepted** ([`CheckedSample::accepted`]) has a position that is not finite, or one farther
+/// away than the fastest motion leads ([`no_faster_than`](Self::no_faster_than)), or an effort that is not finite; so is
+/// a tick without a reading ([`missed`](Self::missed)). Its sample stands still at the last position (0 before the first
+/// one), over the time of this tick, and has a work of NaN: a stabilizer of held work rejects it and books nothing.
+///
+/// **The next accepted reading spans the gap**: its period is all the time since the accepted one before, its
+/// displacement leads from there, and its work is that of the efforts meanwhile: exactly `f Δx` if one effort was
+/// held, and with several the least of `f Δx` over all of them, axis by axis. That is a lower bound where the motion did
+/// not turn round within the gap. An effort that is not finite counts as one of those before it. The velocity of such a
+/// sample is, axis by axis, the smaller in magnitude of the estimate and the mean over the gap, and 0 where their
+/// directions differ, so that no damper is credited with more than the mean motion dissipated.
+///
+/// **Velocities** are differences of positions, or estimated by [`low_passed`](Self::low_passed),
+/// [`windowed`](Self::windowed) or an [estimator of your own](Self::estimated_by), or [`measured`](Self::measured). One
+/// that is not finite is 0.
+///
+/// **Time** is one period a call ([`Steady`]), or that of a clock that the caller reads
+/// ([`clocked`](Self::clocked), whose page says what becomes of NaN and of clocks that stand or run backwards).
+///
+/// Every choice is a select, so lanes with gaps of their own give the bits of their scalar runs. A guard (`guarded`) does
+/// the same for a whole port, in which no time passes meanwhile; behind readings it would count the time of a gap twice.
+/// Put the stabilizer outside of a hold: one inside is told the sum over the held ticks, NaN with them, and loses it.
+#[derive(Clone, Copy, Debug)]
+pub struct Readings<V: Signal, E = Differenced, C = Steady> {
+    period: V::Scalar,
+    fastest: V::Scalar,
+    memory: Memory<V>,
+    velocity: E,
+    clock: C,
+}
+
+impl<V: Signal> Readings<V> {
+    /// The memory of a port that is read every `period` seconds, with velocities by differences.
+    ///
+    /// # Errors
+    /// `period` not above 0 and finite.
+    pub fn every(period: V::Scalar) -> Result<Self, ParameterError> {
+        let period = Requirement::Positive.check("period", period)?;
+        let fastest = V::Scalar::of(f64::INFINITY);
+        let memory = Memory::empty();
+        Ok(Self { period, fastest, memory, velocity: Differenced, clock: Steady })
+    }
+}
+
+impl<V: Signal, E, C> Readings<V, E, C> {
+    /// The same readings, of which those are rejected that only a motion faster than `speed` m/s could reach.
+    ///
+    /// A motion by `Δx` since the last accepted reading is too fast if `|Δx| > speed · t`, with `t` the time since
+    /// then, or a period if that is more. So a jump that stays is accepted after `|Δx| / speed` seconds, as a motion
+    /// over that gap: [`restart`](Self::restart) if it was none.
+    ///
+    /// # Errors
+    /// `speed` not above 0; infinity sets no limit.
+    ///
+    /// ```
+    /// use lyapunov_core::{Reading, Readings};
+    /// let mut readings = Readings::every(1e-3)?.no_faster_than(2.0)?; // 2 mm a tick
+    /// readings.read(Reading { position: 0.3_f64, applied: 0.0 });
+    /// let lost = readings.read(Reading { position: 0.0, applied: 5.0 });
+    /// assert!(lost.jumped && !lost.accepted && lost.sample.position == 0.3);
+    /// let found = readings.read(Reading { position: 0.301, applied: 5.0 });
+    /// assert!(found.accepted && found.late && found.sample.period == 2e-3);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn no_faster_than(self, speed: V::Scalar) -> Result<Self, ParameterError> {
+        let fastest = Requirement::Limit.check("fastest motion", speed)?;
+        Requirement::Positive.check("fastest motion", fastest.smaller(V::Scalar::largest()))?;
+        Ok(Self { fastest, ..self })
+    }
+
+    /// The same readings with velocities through a low pass of `cutoff`, Hz ([`LowPassed`]).
+    ///
+    /// # Errors
+    /// `cutoff` not above 0 and finite, or too large for the scalar.
+    pub fn low_passed(
+        self,
+        cutoff: V::Scalar,
+    ) -> Result<Readings<V, LowPassed<V>, C>, ParameterError> {
+        Ok(self.estimated_by(LowPassed::new(cutoff)?))
+    }
+
+    /// The same readings with velocities over up to `ticks` readings, as long as positions lie within `band`, m, of a
+    /// line ([`Windowed`]); `N` is the capacity.
+    ///
+    /// # Errors
+    /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
+    pub fn windowed<const N: usize>(
+        self,
+        ticks: usize,
+        band: V::Scalar,
+    ) -> Result<Readings<V, Windowed<V, N>, C>, ParameterError> {
+        Ok(self.estimated_by(Windowed::new(ticks, band)?))
+    }
+
+    /// The same readings with velocities by an estimator of your own.
+    pub fn estimated_by<F: VelocityEstimator<V>>(self, estimator: F) -> Readings<V, F, C> {
+        let Self { period, fastest, memory, clock, .. } = self;
+        Readings { period, fastest, memory, velocity: estimator, clock }
+    }
+
+    /// The same readings with velocities that the device measures.
+    ///
+    /// ```
+    /// use lyapunov_core::{MovingReading, Readings};
+    /// let mut readings = Readings::every(1e-3)?.measured();
+    /// let first = readings.read_moving(MovingReading { position: 0.3_f64, velocity: 0.1, applied: 0.0 });
+    /// assert_eq!((first.sample.displacement, first.sample.velocity), (0.0, 0.1));
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn measured(self) -> Readings<V, Measured, C> {
+        let Self { period, fastest, memory, clock, .. } = self;
+        Readings { period, fastest, memory, velocity: Measured, clock }
+    }
+
+    /// The period, s: with a clock the one that readings are meant to have.
+    pub fn period(&self) -> V::Scalar {
+        self.period
+    }
+
+    /// Changes the period, s, between two ticks: the reading after it is at the new one.
+    ///
+    /// Held work does not change with it. A `DampingLimit` made of a mass does: make it anew.
+    ///
+    /// # Errors
+    /// `period` not above 0 and finite; the old one stays.
+    pub fn set_period(&mut self, period: V::Scalar) -> Result<(), ParameterError> {
+        self.period = Requirement::Positive.check("period", period)?;
+        Ok(())
+    }
+
+    /// The last accepted position, m; 0 before the first.
+    pub fn position(&self) -> V {
+        self.memory.position()
+    }
+
+    /// Forgets the position: the next reading displaces nothing, as the first.
+    ///
+    /// For a device that was moved without being read, or whose encoder was set. What crossed the port between the last
+    /// reading and the next is not booked.
+    ///
+    /// ```
+    /// use lyapunov_core::{Reading, Readings};
+    /// let mut readings = Readings::every(1e-3)?;
+    /// readings.read(Reading { position: 0.3_f64, applied: 0.0 });
+    /// readings.restart(); // the encoder was set to 0
+    /// let next = readings.read(Reading { position: 0.0, applied: 5.0 }).sample;
+    /// assert_eq!((next.displacement, next.work), (0.0, 0.0));
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn restart(&mut self) {
+        self.memory.restart();
+    }
+}
+
+impl<V: Signal, E> Readings<V, E, Steady> {
+    /// The same readings, at the times of a clock ([`Clocked`]).
+    ///
+    /// ```
+    /// use lyapunov_core::{Reading, Readings};
+    /// let mut readings = Readings::every(1e-3)?.clocked();
+    /// readings.read_at(7.000, Reading { position: 0.3_f64, applied: 0.0 });
+    /// let late = readings.read_at(7.004, Reading { position: 0.302, applied: 5.0 });
+    /// assert!(late.late && (late.sample.period - 4e-3_f64).abs() < 1e-12);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn clocked(self) -> Readings<V, E, Clocked> {
+        let Self { period, fastest, memory, velocity, .. } = self;
+        Readings { period, fastest, memory, velocity, clock: Clocked::new() }
+    }
+}
+
+impl<V: Signal, E: VelocityEstimator<V>, C> Readings<V, E, C> {
+    /// The sample of `reading`, or of none, after `elapsed` seconds.
+    #[inline(always)]
+    fn hear(&mut self, elapsed: V::Scalar, timed: bool, reading: Reading<V>) -> CheckedSample<V> {
+        let heard = self.memory.hear(elapsed, self.period, self.fastest, reading);
+        if heard.first.any() {
+            self.velocity.restart(heard.first);
+        }
+        // A tick that was called and had no reading was told to the estimator then.
+        let skipped = elapsed.above(one_and_a_half(self.period));
+        if skipped.any() {
+            self.velocity.interrupt(skipped);
+        }
+        let velocity = self.velocity.velocity(&heard.motion());
+        self.memory.close(heard, velocity, timed)
+    }
+}
+
+impl<V: Signal, C> Readings<V, Measured, C> {
+    #[inline(always)]
+    fn hear_moving(
+        &mut self,
+        elapsed: V::Scalar,
+        timed: bool,
+        reading: MovingReading<V>,
+    ) -> CheckedSample<V> {
+        let MovingReading { position, velocity, applied } = reading;
+        let place = Reading { position, applied };
+        let heard = self.memory.hear(elapsed, self.period, self.fastest, place);
+        self.memory.close(heard, velocity, timed)
+    }
+}
+
+/// The memory of a loop that goes on. After a pause of unknown length [`restart`](Readings::restart) what was restored.
+impl<V: Signal, E: Snapshot, C: Snapshot> Snapshot for Readings<V, E, C> {
+    /// The memory, the estimator's and the clock's.
+    type State = ((V::Scalar, V, V::Scalar, V, V), E::State, C::State);
+
+    fn state(&self) -> Self::State {
+        (self.memory.state(), self.velocity.state(), self.clock.state())
+    }
+
+    fn restored(self, (memory, velocity, clock): Self::State) -> Result<Self, ParameterError> {
+        Ok(Self {
+            memory: self.memory.restored(memory)?,
+            velocity: self.velocity.restored(velocity)?,
+            clock: self.clock.restored(clock)?,
+            ..self
+        })
+    }
+}
+
+/// One and a half periods: more is a missed tick, less is jitter.
+#[inline(always)]
+fn one_and_a_half<T: Scalar>(period: T) -> T {
+    T::of(1.5) * period
+}

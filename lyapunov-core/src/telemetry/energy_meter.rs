@@ -1,0 +1,140 @@
+//! Energies at a port, summed while the loop runs.
+
+use crate::{Accumulator, Compensated, Correction, Mask, PortSample, Scalar, Signal};
+
+/// Energies at a port since the start of the loop.
+///
+/// ```
+/// use lyapunov_core::telemetry::EnergyMeter;
+/// use lyapunov_core::{Correction, HeldTick};
+/// let mut meter = EnergyMeter::new();
+/// let tick = HeldTick { period: 1e-3, position: 1e-4, velocity: 0.1, displacement: 1e-4, applied: -2.0 };
+/// let correction = Correction { observed_energy: -2e-4, alpha: 15.0, shortfall: 5e-5, ..Correction::none(1.5) };
+/// meter.add(&tick.sample(), &correction); // the port gave 0.2 mJ away
+/// let summary = meter.summary();
+/// assert_eq!((summary.ticks, summary.active, summary.least), (1, 1.0, -2e-4));
+/// assert_eq!((summary.absorbed, summary.injected), (-2e-4, 15.0 * (0.1 * 0.1 * 1e-3)));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EnergySummary<T> {
+    /// Number of ticks.
+    pub ticks: u64,
+    /// Number of ticks with an injected damping above 0.
+    pub active: T,
+    /// Number of ticks whose sample was not accepted.
+    pub rejected: T,
+    /// The observed energy `L` now, J.
+    pub now: T,
+    /// The least observed energy so far, J; where it is below 0 it is the largest debt, with its sign.
+    pub least: T,
+    /// The most observed energy so far, J.
+    pub most: T,
+    /// Energy that the injected damping was meant to dissipate, `Σ α v² T`, J; under a hold, a saturation or a delay it
+    /// dissipates less.
+    pub injected: T,
+    /// Energy that flowed through the port into the environment, `Σ f_act Δx`, J: the physical energy, without what a
+    /// candidate credits. Below 0 the port gave energy away.
+    pub absorbed: T,
+    /// The shortfall now, J.
+    pub shortfall: T,
+    /// The largest shortfall so far, J.
+    pub largest_shortfall: T,
+}
+
+#[cfg(feature = "approx")]
+impl<T> EnergySummary<T> {
+    /// Whether both are of as many ticks.
+    pub(crate) fn of_as_many_ticks(&self, other: &Self) -> bool {
+        self.ticks == other.ticks
+    }
+}
+
+/// Running sums behind an [`EnergySummary`], with compensation of rounding errors: in `f32` too they hold for a year.
+///
+/// Work or a dissipated energy that is not finite is left out, as a ledger leaves it out. Lanes are counted one by one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyMeter<T> {
+    ticks: u64,
+    active: Compensated<T>,
+    rejected: Compensated<T>,
+    injected: Compensated<T>,
+    absorbed: Compensated<T>,
+    now: T,
+    least: T,
+    most: T,
+    shortfall: T,
+    largest_shortfall: T,
+}
+
+impl<T: Scalar> EnergyMeter<T> {
+    /// A meter that has seen no tick.
+    pub fn new() -> Self {
+        let (zero, none) = (T::of(0.0), Compensated::zero());
+        Self {
+            ticks: 0,
+            active: none,
+            rejected: none,
+            injected: none,
+            absorbed: none,
+            now: zero,
+            least: zero,
+            most: zero,
+            shortfall: zero,
+            largest_shortfall: zero,
+        }
+    }
+
+    /// Adds a tick.
+    #[inline]
+    pub fn add<V: Signal<Scalar = T>>(
+        &mut self,
+        sample: &PortSample<V>,
+        correction: &Correction<V>,
+    ) {
+        let (zero, one) = (T::of(0.0), T::of(1.0));
+        let first = T::Mask::of(self.ticks == 0);
+        self.ticks += 1;
+        self.now = correction.observed_energy;
+        self.least = T::choose(first, self.now, self.now.smaller(self.least));
+        self.most = T::choose(first, self.now, self.now.larger(self.most));
+        self.shortfall = correction.shortfall;
+        self.largest_shortfall = self.shortfall.larger(self.largest_shortfall);
+
+        self.active.add(T::choose(correction.alpha.above(zero), one, zero));
+        self.rejected.add(T::choose(correction.accepted, zero, one));
+        let square = sample.velocity.inner(sample.velocity) * sample.period;
+        book(&mut self.injected, correction.alpha * square);
+        book(&mut self.absorbed, sample.work.sum());
+    }
+
+    /// The energies up to now.
+    pub fn summary(&self) -> EnergySummary<T> {
+        EnergySummary {
+            ticks: self.ticks,
+            active: self.active.value(),
+            rejected: self.rejected.value(),
+            now: self.now,
+            least: self.least,
+            most: self.most,
+            injected: self.injected.value(),
+            absorbed: self.absorbed.value(),
+            shortfall: self.shortfall,
+            largest_shortfall: self.largest_shortfall,
+        }
+    }
+}
+
+impl<T: Scalar> Default for EnergyMeter<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Adds `term` where the sum has room for it.
+#[inline]
+fn book<T: Scalar>(sum: &mut Compensated<T>, term: T) {
+    let fits = (sum.value() + term).finite();
+    sum.add(T::choose(fits, term, T::of(0.0)));
+}

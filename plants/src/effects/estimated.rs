@@ -1,0 +1,47 @@
+//! Velocities estimated in front of a port.
+
+use lyapunov_core::{
+    Correction, Differenced, LowPassed, OnePort, PortSample, Signal, VelocityEstimator, Windowed,
+};
+
+/// A port whose velocities are estimated from positions and displacements. Positions, displacements and work stay as
+/// they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimated<P, E> {
+    port: P,
+    velocity: E,
+}
+
+/// A port whose velocities are [backward differences](Differenced).
+pub type BackwardDifference<P> = Estimated<P, Differenced>;
+
+/// A port whose velocities pass a [low pass](LowPassed).
+pub type LowPass<P, V> = Estimated<P, LowPassed<V>>;
+
+/// A port whose velocities are taken over an [adaptive window](Windowed) of calls.
+pub type AdaptiveWindow<P, V, const N: usize> = Estimated<P, Windowed<V, N>>;
+
+impl<P, E> Estimated<P, E> {
+    pub(crate) fn new(port: P, velocity: E) -> Self {
+        Self { port, velocity }
+    }
+
+    /// The port inside, which receives them.
+    #[inline(always)]
+    pub fn port(&self) -> &P {
+        &self.port
+    }
+}
+
+impl<V: Signal, P: OnePort<V>, E: VelocityEstimator<V>> OnePort<V> for Estimated<P, E> {
+    #[inline(always)]
+    fn respond(&mut self, sample: &PortSample<V>) -> V {
+        let velocity = self.velocity.velocity(sample);
+        self.port.respond(&PortSample { velocity, ..*sample })
+    }
+
+    #[inline(always)]
+    fn correction(&self) -> Correction<V> {
+        self.port.correction()
+    }
+}

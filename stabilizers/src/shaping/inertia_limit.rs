@@ -1,0 +1,114 @@
+//! Inertia limit: corrections within what the mechanism in its present posture can use.
+
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+};
+
+use super::{added, portion};
+use crate::{DampingLimit, Inertia, StabilizerExt};
+
+/// Stabilizer whose correction is limited by the inertia that it meets: by the apparent mass along the direction of
+/// motion, at every tick.
+///
+/// A correction `c` that is held for a tick changes the kinetic energy by `−c·v T + ½ (c·Λ⁻¹ c) T²`. It removes most at
+/// `c·v / (T c·Λ⁻¹ c)` times itself, and adds energy beyond twice that, so the share that is let through is
+///
+/// ```text
+/// s = min(1, cap · c·v / (T c·Λ⁻¹ c))     Λ⁻¹ = J M⁻¹ Jᵀ
+/// c = α v:   s α ≤ cap · m / T,           m = 1 / (u·Λ⁻¹ u),  u = v / |v|
+/// ```
+///
+/// On one axis that is [`DampingLimit::of_mass`]. In every posture and direction it is the same share of what helps,
+/// where one number for all postures has to be the least of them. It holds for any correction, also one that weighs
+/// translation and rotation apart, and no number of it mixes their units. The stabilizer inside needs no limit of its
+/// own.
+///
+/// The inertia is that of the last posture told: [`tell`](Self::tell) it before each step. As all shaping this goes
+/// with held work.
+///
+/// ```
+/// use lyapunov_core::{PortEnergy, HeldTick, Stabilizer};
+/// use lyapunov_stabilizers::{DampingLimit, InertiaLimit, JointInertia, Popc};
+/// use nalgebra::{Matrix2, Vector2};
+/// let posture = |elbow: f64| JointInertia::new(Matrix2::new(0.5 + elbow, 0.1, 0.1, 0.1));
+/// let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY)?);
+/// let mut popc = InertiaLimit::new(unlimited, posture(0.0)?, 0.5, 1e-3)?;
+/// let rates = Vector2::new(1.0, 0.0);
+/// let given = HeldTick { period: 1e-3, position: rates, velocity: rates, displacement: rates * 1e-3, applied: Vector2::new(-900.0, 0.0) }.sample(); // a debt of 0.9 J
+/// assert!((popc.stabilize(&given, Vector2::zeros()).alpha - 0.5 * 0.4 / 1e-3).abs() < 1e-9);
+/// popc.tell(posture(0.3)?); // stretched
+/// assert!((popc.stabilize(&given, Vector2::zeros()).alpha - 0.5 * 0.7 / 1e-3).abs() < 1e-9);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+///
+/// (0.4 kg·m² is what the first joint feels while the second one may yield: `0.5 − 0.1² / 0.1`.)
+#[derive(Clone, Copy, Debug)]
+pub struct InertiaLimit<S, M, T> {
+    stabilizer: S,
+    inertia: M,
+    /// `cap / T`, 1/s.
+    rate: DampingLimit<T>,
+}
+
+impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
+    /// `stabilizer` with at most the share `cap` of the damping that removes most in one tick of `period` s, for a
+    /// mechanism of this `inertia`.
+    ///
+    /// # Errors
+    /// `cap` below 0 or NaN; `period` not above 0 and finite.
+    pub fn new(stabilizer: S, inertia: M, cap: T, period: T) -> Result<Self, ParameterError> {
+        let cap = Requirement::Limit.check("damping_cap", cap)?;
+        Requirement::Positive.check("period", period)?;
+        Ok(Self { stabilizer, inertia, rate: DampingLimit::of_mass(cap, T::of(1.0), period)? })
+    }
+
+    /// The limit for an effort that acts `ticks` periods late ([`DampingLimit::delayed`]).
+    pub fn delayed(self, ticks: u32) -> Self {
+        Self { rate: self.rate.delayed(ticks), ..self }
+    }
+
+    /// Takes the inertia of the present posture.
+    #[inline]
+    pub fn tell(&mut self, inertia: M) {
+        self.inertia = inertia;
+    }
+}
+
+impl<S, M, T> StabilizerExt for InertiaLimit<S, M, T> {}
+
+impl<V, S, M> Stabilizer<V> for InertiaLimit<S, M, V::Scalar>
+where
+    V: Signal,
+    S: Stabilizer<V>,
+    M: Inertia<V>,
+{
+    #[inline]
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        let correction = self.stabilizer.stabilize(sample, effort);
+        let added = added(&correction, effort);
+        // In units of the largest axis, so that a large correction can be squared.
+        let unit = largest(added);
+        let direction = added.map(|axis| axis / unit);
+        let power = direction.inner(V::choose(correction.accepted, sample.velocity, V::zero()));
+        let yields = self.inertia.inverse_square(direction) * unit;
+        let most = self.rate.most() * power / yields;
+        // What does not brake is no damping, and what does not yield is not moved by it.
+        let braking = power.above(zero) & yields.above(zero);
+        let whole = V::Scalar::choose(most.above(zero), one, zero);
+        let share = V::Scalar::choose(most.below(one), most, whole);
+        portion(correction, sample, effort, V::Scalar::choose(braking, share, one))
+    }
+}
+
+/// The largest magnitude on an axis, or 1 where all are 0.
+#[inline]
+fn largest<V: Signal>(signal: V) -> V::Scalar {
+    let mut largest = V::Scalar::of(0.0);
+    signal.map(|axis| {
+        largest = axis.magnitude().larger(largest);
+        axis
+    });
+    let some = largest.above(V::Scalar::of(0.0));
+    V::Scalar::choose(some, largest, V::Scalar::of(1.0))
+}

@@ -1,0 +1,10 @@
+//! Readings: samples made of what a device tells, against closed forms, sums by hand and scalar runs.
+
+mod clock;
+mod exact;
+mod gaps;
+mod jumps;
+mod lanes;
+mod support;
+mod velocities;
+mod watchdog;

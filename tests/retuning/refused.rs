@@ -1,0 +1,82 @@
+//! States and changes that are refused.
+
+use lyapunov::{
+    PortEnergy, Snapshot,
+    accumulators::{Compensated, Plain, Wide},
+    candidates::InContact,
+    stabilizers::{
+        Account, ForceBounding, PathMemory, SlopeBound, StabilizerExt, TwoLayer, WatchdogTimes,
+        WindowedCredit,
+    },
+};
+
+use crate::support::popc;
+
+#[test]
+fn sums_that_are_not_finite_are_refused() {
+    let popc = popc::<f64>();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(popc.restored(((), bad)).is_err());
+        assert!(popc.summed_in::<Compensated<f64>>().restored(((), (1.0, bad))).is_err());
+        let wide = lyapunov::Popc::<f32>::new(PortEnergy, crate::support::limit());
+        assert!(wide.summed_in::<Wide<f32>>().restored(((), bad)).is_err());
+        assert!(popc.reset_at(InContact { position: 0.0 }).restored((((), bad), 1.0)).is_err());
+    }
+    let narrow = lyapunov::Popc::<f32>::new(PortEnergy, crate::support::limit());
+    assert!(narrow.summed_in::<Wide<f32>>().restored(((), 1e300)).is_err()); // no f32
+}
+
+#[test]
+fn counters_out_of_range_are_refused() {
+    let window = WindowedCredit::<f64, Plain<f64>, 4>::of_ticks(7).expect("one");
+    let (sum, slots, slot, left) = window.state();
+    assert!(window.restored((sum, slots, slot, left)).is_ok());
+    assert!(window.restored((sum, slots, 4, left)).is_err());
+    assert!(window.restored((sum, slots, slot, 8)).is_err());
+    let windowed = lyapunov::Readings::<f64>::every(1e-3).expect("one").windowed::<8>(5, 1e-4);
+    let windowed = windowed.expect("one");
+    let (memory, (past, _), clock) = windowed.state();
+    assert!(windowed.restored((memory, (past, 6), clock)).is_err());
+}
+
+#[test]
+fn energies_and_forces_out_of_range_are_refused() {
+    let slope = SlopeBound::<f64>::new(1e3).expect("one");
+    assert!(slope.restored((Some(f64::NAN), 0.0, 0.0)).is_err());
+    assert!(slope.restored((None, f64::NAN, 0.0)).is_err());
+    let path = PathMemory::<f64, 4>::beyond(0.0, 1.0).expect("one");
+    let (forces, _) = path.state();
+    assert!(path.restored((forces, -1.0)).is_err());
+    assert!(path.restored((-forces.add_scalar(1.0), 0.0)).is_err());
+    let bound = ForceBounding::of_damping(0.1).and_then(|it| it.delayed::<4>(3)).expect("one");
+    let (energy, costs) = bound.state();
+    assert!(bound.restored((energy, costs.add_scalar(-1.0))).is_err());
+    let sharing = lyapunov::stabilizers::Sharing { start: 0.0, share: 0.1 };
+    let layer = TwoLayer::<f64>::slave(sharing).expect("one");
+    assert!(layer.restored((0.0, -1.0, 0.0, 0.0)).is_err());
+}
+
+/// A refused change leaves everything as it was.
+#[test]
+fn refused_changes_change_nothing() {
+    let mut popc = popc::<f64>();
+    popc.grant(1e308).expect("a credit");
+    for bad in [-1.0, f64::NAN, f64::INFINITY, 1e308] {
+        let refused = popc.grant(bad).expect_err("a bad credit");
+        assert_eq!(refused.parameter, "granted credit");
+        assert_eq!(popc.observed_energy(), 1e308);
+    }
+    for bad in [-1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(popc.owe(bad).expect_err("a bad debt").parameter, "debt carried over");
+    }
+    let mut bounded = popc.bounded(1e-3).expect("one");
+    assert!(bounded.set_most(-1.0).is_err() && bounded.most() == 1e-3);
+    let mut limited = popc.rate_limited::<f64>(5.0).expect("one");
+    assert!(limited.set_rate(f64::NAN).is_err() && limited.rate() == 5.0);
+    let times = WatchdogTimes { hold: 1.0, rise: 2.0 };
+    let mut dog = popc.watched::<f64>(times).expect("one");
+    assert!(dog.set_times(WatchdogTimes { hold: 1.0, rise: f64::INFINITY }).is_err());
+    assert_eq!(dog.times(), times);
+    let mut readings = lyapunov::Readings::<f64>::every(1e-3).expect("one");
+    assert!(readings.set_period(0.0).is_err() && readings.period() == 1e-3);
+}

@@ -1,0 +1,33 @@
+//! Storing, and samples to try.
+
+use serde::{Serialize, de::DeserializeOwned};
+
+use lyapunov::{DampingLimit, HeldTick, Popc, PortEnergy, PortSample, Scalar};
+
+pub(crate) const PERIOD: f64 = 1e-3;
+
+pub(crate) fn limit<T: Scalar>() -> DampingLimit<T> {
+    DampingLimit::of_mass(T::of(0.5), T::of(0.2), T::of(PERIOD)).expect("a limit")
+}
+
+pub(crate) fn popc<T: Scalar>() -> Popc<T> {
+    Popc::new(PortEnergy, limit())
+}
+
+/// The bytes of a state in CBOR, which keeps every bit of a number.
+pub(crate) fn stored(state: &impl Serialize) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    ciborium::into_writer(state, &mut bytes).expect("a state that can be stored");
+    bytes
+}
+
+pub(crate) fn loaded<S: DeserializeOwned>(bytes: &[u8]) -> S {
+    ciborium::from_reader(bytes).expect("a state that was stored")
+}
+
+/// A tick that does `work` J of work at `velocity` m/s.
+pub(crate) fn tick(work: f64, velocity: f64) -> PortSample<f64> {
+    let displacement = velocity * PERIOD;
+    let tick = HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
+    PortSample { work, ..tick.sample() }
+}
