@@ -98,6 +98,23 @@ fn a_free_mass_is_the_body_that_moves_exactly() {
     }
 }
 
+/// `m / T` brings the flow to 0 within a tick, twice that turns it round whole, and more makes it larger.
+#[test]
+fn the_most_that_a_tick_can_use_is_the_mass_over_the_period() {
+    let start = Vector1::new(0.2);
+    for share in [0.25, 0.5, 1.0, 1.5, 2.0, 2.5] {
+        let damping = DampingLimit::of_mass(share, MASS, 1e-3).expect("a limit").most();
+        let mut plant = AffinePlant::new(FreeMass, kinetic(), RungeKutta4, 1e-3, 1)
+            .expect("a plant")
+            .starting(start);
+        let flow = plant.start().velocity.input[0];
+        let after = plant.advance(WithState::of_input(Vector1::new(damping * flow)));
+        let left = after.velocity.input[0] / flow;
+        assert_abs_diff_eq!(left, 1.0 - share, epsilon = 1e-12);
+        assert_abs_diff_eq!(plant.value(), 0.5 * MASS * (0.2 * left).powi(2), epsilon = 1e-12);
+    }
+}
+
 #[test]
 fn without_drift_v_loses_the_work_of_the_input() {
     let start = Vector1::new(0.2);

@@ -29,16 +29,25 @@ fn kernel(scalar: &str, lanes: Lanes, instructions: Instructions) -> Kernel {
     Kernel::of(&grid, instructions, lanes).expect("values").expect("a scene of the kernel")
 }
 
+/// The cells of every `step`-th row.
+fn cells(step: usize) -> Vec<u64> {
+    let rows = (0..SIDE).step_by(step);
+    rows.flat_map(|row| row * SIDE..(row + 1) * SIDE).collect()
+}
+
+/// The ticks of the runs of `cells`.
+fn steps(cells: &[u64]) -> Throughput {
+    Throughput::Elements(cells.len() as u64 * 2001)
+}
+
 fn map(c: &mut Criterion) {
     let mut group = c.benchmark_group("map");
     group.sample_size(10);
     for scalar in ["f32", "f64"] {
         for (name, lanes) in [("scalar", Lanes::One), ("lanes", Lanes::Many)] {
-            // One by one, every sixteenth row is enough.
-            let step = if lanes == Lanes::One { 16 } else { 1 };
-            let rows = (0..SIDE).step_by(step);
-            let cells: Vec<u64> = rows.flat_map(|row| row * SIDE..(row + 1) * SIDE).collect();
-            group.throughput(Throughput::Elements(cells.len() as u64 * 2001));
+            // One by one, and to the end, every sixteenth row is enough.
+            let few = cells(16);
+            let judged = if lanes == Lanes::One { few.clone() } else { cells(1) };
             let instructions = match lanes {
                 Lanes::One => vec![Instructions::Base],
                 Lanes::Many => Instructions::all(),
@@ -47,12 +56,13 @@ fn map(c: &mut Criterion) {
                 let kernel = kernel(scalar, lanes, set);
                 let id =
                     if index == 0 { scalar.to_owned() } else { format!("{scalar}/{}", set.name()) };
+                group.throughput(steps(&judged));
                 group.bench_function(BenchmarkId::new(name, &id), |b| {
-                    b.iter(|| kernel.verdicts(BasicName::Lolc, &cells, &|| true));
+                    b.iter(|| kernel.verdicts(BasicName::Lolc, &judged, &|| true));
                 });
-                let measures = BenchmarkId::new(format!("measures-{name}"), id);
-                group.bench_function(measures, |b| {
-                    b.iter(|| kernel.measures(BasicName::Lolc, &cells, &|| true));
+                group.throughput(steps(&few));
+                group.bench_function(BenchmarkId::new(format!("measures-{name}"), id), |b| {
+                    b.iter(|| kernel.measures(BasicName::Lolc, &few, &|| true));
                 });
             }
         }
