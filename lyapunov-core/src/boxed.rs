@@ -31,6 +31,12 @@ impl<V: Signal, S: Stabilizer<V> + ?Sized> Stabilizer<V> for Box<S> {
     }
 }
 
+/// ```
+/// use lyapunov_core::{HeldTick, LyapunovCandidate, Observer, PortEnergy};
+/// let chosen: Box<dyn LyapunovCandidate<f64>> = Box::new(PortEnergy);
+/// let tick = HeldTick { period: 1e-3, position: 0.0, velocity: 0.0, displacement: 0.25, applied: 2.0 };
+/// assert_eq!(Observer::of(chosen).observe(&tick.sample(), 0.0), 0.5);
+/// ```
 impl<V: Signal, C: LyapunovCandidate<V> + ?Sized> LyapunovCandidate<V> for Box<C> {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {

@@ -60,6 +60,18 @@ macro_rules! members {
         }
 
         /// Memory of a member: that of what it holds, under its name.
+        ///
+        /// ```
+        /// use lyapunov_core::{ParameterError, PortEnergy, Snapshot};
+        /// use lyapunov_stabilizers::{DampingLimit, Member, MemberState, NoStabilizer, Popc, StabilizerExt};
+        /// let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+        /// let member: Member<f64> = Member::Bounded(popc.bounded(1e-3)?);
+        /// let state: MemberState<f64, _> = member.state();
+        /// assert!(member.restored(state).is_ok());
+        /// let other: Member<f64> = Member::NoStabilizer(NoStabilizer);
+        /// assert!(other.restored(state).is_err()); // the memory of another member
+        /// # Ok::<(), ParameterError>(())
+        /// ```
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(
             feature = "serde",

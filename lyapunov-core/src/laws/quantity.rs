@@ -1,6 +1,21 @@
 //! Quantities that the laws look at, with their units.
 
 /// Quantity that a law looks at.
+///
+/// ```
+/// use lyapunov_core::{Stabilizer, laws};
+/// # use lyapunov_core::{Correction, PortSample};
+/// # #[derive(Clone)]
+/// # struct Pull;
+/// # impl Stabilizer<f64> for Pull {
+/// #     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+/// #         Correction::none(effort - sample.velocity).checked()
+/// #     }
+/// # }
+/// let broken = laws::stabilizer(&Pull, laws::Samples::new(1e-3)).unwrap_err();
+/// assert_eq!(broken.quantity.name, "power that the correction takes out of the motion");
+/// assert_eq!(broken.quantity.unit, "W");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// Its name, for a message.

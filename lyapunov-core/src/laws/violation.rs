@@ -42,6 +42,23 @@ pub struct Violation {
 }
 
 /// Values that a law allows.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample, laws};
+/// /// Divides by the velocity, which may be 0.
+/// #[derive(Clone)]
+/// struct Hyperbola;
+/// impl OnePort<f64> for Hyperbola {
+///     fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+///         1.0 / sample.velocity
+///     }
+/// }
+/// let broken = laws::one_port(&Hyperbola, laws::Samples::new(1e-3)).unwrap_err();
+/// assert!(broken.allowed == laws::Allowed::Finite && broken.value.is_infinite());
+/// let drive = broken.drive.unwrap();
+/// assert_eq!((drive.velocity, drive.period), (0.0, 1e-3)); // a sample at rest
+/// assert!(broken.law.likely_cause().starts_with("a division by a velocity"));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
     /// Every finite number.

@@ -54,6 +54,18 @@ impl<T> EnergySummary<T> {
 /// Running sums behind an [`EnergySummary`], with compensation of rounding errors: in `f32` too they hold for a year.
 ///
 /// Work or a dissipated energy that is not finite is left out, as a ledger leaves it out. Lanes are counted one by one.
+///
+/// ```
+/// use lyapunov_core::telemetry::EnergyMeter;
+/// use lyapunov_core::{Correction, HeldTick};
+/// let mut meter = EnergyMeter::<f32>::new();
+/// for applied in [2.0, f32::NAN, -2.0] {
+///     let tick = HeldTick { period: 1e-3, position: 0.0, velocity: 0.25, displacement: 0.25, applied };
+///     meter.add(&tick.sample(), &Correction { accepted: applied.is_finite(), ..Correction::none(0.0) });
+/// }
+/// let summary = meter.summary();
+/// assert_eq!((summary.ticks, summary.rejected, summary.absorbed), (3, 1.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyMeter<T> {
     ticks: u64,

@@ -4,6 +4,20 @@ use super::Csv;
 use crate::{Correction, PortSample, Signal};
 
 /// Recorded tick: what came in, and what the stabilizer made of it.
+///
+/// ```
+/// use lyapunov_core::telemetry::TickRing;
+/// use lyapunov_core::{Correction, HeldTick, Observer, PortEnergy};
+/// let mut ring = TickRing::<f64, 16>::new();
+/// for applied in [0.0, 2.0, -3.0] {
+///     let tick = HeldTick { period: 1e-3, position: 0.0, velocity: 0.25, displacement: 0.25, applied };
+///     ring.push(&tick.sample(), &Correction::none(1.0));
+/// }
+/// // The same motion under another observer.
+/// let mut observer = Observer::of(PortEnergy);
+/// let sums = ring.iter().map(|tick| observer.observe(&tick.sample, tick.correction.effort));
+/// assert!(sums.eq([0.0, 0.5, -0.25]));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
