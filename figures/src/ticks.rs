@@ -79,7 +79,7 @@ impl Ticks {
         let all = exponents
             .flat_map(|exponent| between.iter().map(move |&multiple| (multiple, exponent)));
         // All numbers of an axis are written in one form.
-        let plain = -2.0 <= span.low && span.high <= 4.0;
+        let plain = -2.0 <= span.low && span.high <= 5.0;
         let marks = all
             .map(|(multiple, exponent)| Tick {
                 value: f64::from(exponent) + libm::log10(multiple as f64),
@@ -207,6 +207,8 @@ mod tests {
             labels(-15.0, 3.0, 5),
             [mark(-12, "10⁻¹²"), mark(-8, "10⁻⁸"), mark(-4, "10⁻⁴"), mark(0, "10⁰")]
         );
+        let wide: Vec<String> = labels(3.2, 4.8, 9).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(wide, ["2000", "5000", "10000", "20000", "50000"]);
         let near: Vec<String> = labels(0.2, 1.1, 5).into_iter().map(|(_, label)| label).collect();
         assert_eq!(near, ["2", "5", "10"]);
     }

@@ -1,8 +1,10 @@
 //! Verdict on the run of a scene, lane by lane.
 
+use std::ops::Range;
+
 use lyapunov::Scalar;
 
-use super::stretches::{LAST_QUARTER, LAST_TENTH, SECOND, Stretches};
+use super::stretches::{ALL, FIRST, LAST_QUARTER, LAST_TENTH, SECOND, Stretches};
 use super::verdict::{Findings, Verdict, Yardstick};
 use crate::files::scene::Draft;
 use crate::simulate::criterion::BAND;
@@ -59,7 +61,7 @@ impl<T: Scalar> Fate<T> {
     pub(crate) fn add(&mut self, position: T, velocity: T) {
         self.positions.add(position);
         if let Some(speeds) = &mut self.speeds {
-            speeds.add(velocity.magnitude());
+            add_speed(speeds, velocity);
         }
     }
 
@@ -92,48 +94,59 @@ impl<T: Scalar> Fate<T> {
     /// Whether a lane left the bound of its distance.
     pub(crate) fn is_out(&self, lane: usize) -> bool {
         let criterion = &self.criteria[lane];
-        criterion.place().is_some() && self.sizes(lane).widest > REACH * criterion.start
+        criterion.place().is_some() && self.size(ALL, lane) > REACH * criterion.start
     }
 
     fn grows(&self, lane: usize) -> bool {
-        let Sizes { second, end, .. } = self.sizes(lane);
+        let [second, end] = [self.size(SECOND, lane), self.size(LAST_QUARTER, lane)];
         end > (GROWTH * second).max(self.noise(lane))
     }
 
     /// Size below which growth is noise: the band about the starting swing, or about the speed of the first quarter.
     fn noise(&self, lane: usize) -> f64 {
-        match (&self.speeds, self.criteria[lane].place()) {
-            (Some(speeds), None) => BAND * speeds.extremes([0], lane)[1],
-            _ => BAND * self.criteria[lane].start,
+        match self.criteria[lane].place() {
+            Some(_) => BAND * self.criteria[lane].start,
+            None => BAND * self.size(FIRST, lane),
         }
     }
 
     fn settles(&self, lane: usize) -> bool {
-        let Sizes { tail, widest, .. } = self.sizes(lane);
+        let tail = self.size(LAST_TENTH, lane);
         match self.criteria[lane].place() {
             Some(_) => tail <= self.criteria[lane].band,
-            None => tail <= BAND * widest,
+            None => tail <= BAND * self.size(ALL, lane),
         }
     }
 
-    /// The sizes of a lane, so far; 0 in stretches without a row.
+    /// The sizes of a lane, so far.
     pub(crate) fn sizes(&self, lane: usize) -> Sizes {
-        let size = |[low, high]: [f64; 2]| match self.criteria[lane].place() {
-            // Rounding of a difference is monotonic, so this is the largest of all.
-            Some(rest) => (high - rest).max(rest - low).max(0.0),
-            None => high.max(0.0),
-        };
-        let meter = match (&self.speeds, self.criteria[lane].place()) {
-            (Some(speeds), None) => speeds,
-            _ => &self.positions,
-        };
         Sizes {
-            second: size(meter.extremes(SECOND, lane)),
-            end: size(meter.extremes(LAST_QUARTER, lane)),
-            tail: size(meter.extremes(LAST_TENTH, lane)),
-            widest: size(meter.of_all(lane)),
+            second: self.size(SECOND, lane),
+            end: self.size(LAST_QUARTER, lane),
+            tail: self.size(LAST_TENTH, lane),
+            widest: self.size(ALL, lane),
         }
     }
+
+    /// The largest distance or speed of a lane over some stretches, so far; 0 without a row.
+    fn size(&self, stretches: Range<usize>, lane: usize) -> f64 {
+        match (&self.speeds, self.criteria[lane].place()) {
+            (_, Some(rest)) => {
+                let [low, high] = self.positions.extremes(stretches, lane);
+                // Rounding of a difference is monotonic, so this is the largest of all.
+                (high - rest).max(rest - low).max(0.0)
+            }
+            (Some(speeds), None) => speeds.extremes(stretches, lane)[1].max(0.0),
+            (None, None) => 0.0,
+        }
+    }
+}
+
+/// Adds a speed out of the way of the lanes of a map, which hardly ever have one to add.
+#[cold]
+#[inline(never)]
+fn add_speed<T: Scalar>(speeds: &mut Stretches<T>, velocity: T) {
+    speeds.add(velocity.magnitude());
 }
 
 impl Fate<f64> {

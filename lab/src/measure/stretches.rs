@@ -1,18 +1,26 @@
 //! Extremes of a signal over the stretches of a run.
 
+use std::ops::Range;
+
 use lyapunov::Scalar;
 
 /// Number of stretches: the quarters of a run, the last of them divided where its last tenth begins.
 const COUNT: usize = 5;
 
+/// The first quarter.
+pub(crate) const FIRST: Range<usize> = 0..1;
+
 /// The second quarter.
-pub(crate) const SECOND: [usize; 1] = [1];
+pub(crate) const SECOND: Range<usize> = 1..2;
 
 /// The last quarter, in its two stretches.
-pub(crate) const LAST_QUARTER: [usize; 2] = [3, 4];
+pub(crate) const LAST_QUARTER: Range<usize> = 3..5;
 
 /// The last tenth.
-pub(crate) const LAST_TENTH: [usize; 1] = [4];
+pub(crate) const LAST_TENTH: Range<usize> = 4..5;
+
+/// The whole run.
+pub(crate) const ALL: Range<usize> = 0..COUNT;
 
 /// Watches the lowest and the highest value of a signal in each stretch of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,26 +76,22 @@ impl<T: Scalar> Stretches<T> {
 
     /// Whether the last quarter has begun.
     pub(crate) fn is_late(&self) -> bool {
-        self.stretch >= LAST_QUARTER[0]
+        self.stretch >= LAST_QUARTER.start
     }
 
     /// The lowest and the highest value of a lane over some stretches; infinities where there is none.
-    pub(crate) fn extremes<const N: usize>(&self, stretches: [usize; N], lane: usize) -> [f64; 2] {
-        let of = |stretch: usize| match stretch == self.stretch {
-            true => (self.low, self.high),
-            false => (self.lows[stretch], self.highs[stretch]),
-        };
-        stretches
-            .into_iter()
-            .map(of)
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |all, (low, high)| {
-                [all[0].min(low.lane(lane)), all[1].max(high.lane(lane))]
-            })
-    }
-
-    /// The lowest and the highest value of a lane over the whole run.
-    pub(crate) fn of_all(&self, lane: usize) -> [f64; 2] {
-        self.extremes(std::array::from_fn::<_, COUNT, _>(|stretch| stretch), lane)
+    pub(crate) fn extremes(&self, stretches: Range<usize>, lane: usize) -> [f64; 2] {
+        let [mut lowest, mut highest] = [f64::INFINITY, f64::NEG_INFINITY];
+        // A stretch to come has no extremes yet.
+        for stretch in stretches.start..stretches.end.min(self.stretch + 1) {
+            let (low, high) = match stretch == self.stretch {
+                true => (self.low, self.high),
+                false => (self.lows[stretch], self.highs[stretch]),
+            };
+            lowest = lowest.min(low.lane(lane));
+            highest = highest.max(high.lane(lane));
+        }
+        [lowest, highest]
     }
 }
 
@@ -123,7 +127,7 @@ mod tests {
             };
             assert_eq!(meter.extremes(SECOND, 0), rows(0.25, 0.5), "{last}");
             assert_eq!(meter.extremes(LAST_QUARTER, 0), rows(0.75, 1.0), "{last}");
-            assert_eq!(meter.of_all(0), [0.0, last as f64]);
+            assert_eq!(meter.extremes(ALL, 0), [0.0, last as f64]);
             if last >= 20 {
                 let start = (0..=last).find(|row| 10 * row >= 9 * last).unwrap();
                 assert_eq!(meter.extremes(LAST_TENTH, 0), [start as f64, last as f64], "{last}");

@@ -102,10 +102,13 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
     ];
     Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
         let (settling, bounded) = (survey.settling(index), survey.bounded(index));
+        // Where nothing has a place to rest at, a share of 0 would blame the stabilizer.
+        let can_settle = settling.cells > 0 || survey.by_speed() < survey.grid().cells();
+        let settles = settling.share.filter(|_| can_settle);
         let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         [
             survey.grid().stabilizers[index].name().into(),
-            settling.share.map(|share| percent(100.0 * share)).into(),
+            settles.map(|share| percent(100.0 * share)).into(),
             bounded.share.map(|share| percent(100.0 * share)).into(),
             bounded.cells.to_string().into(),
             survey.judged(index).to_string().into(),
