@@ -6,6 +6,7 @@ use approx::assert_relative_eq;
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::explain::Explanation;
 use lyapunov_lab::family::{Settings, StabilizerName};
+use lyapunov_lab::map::{Axis, Grid};
 use lyapunov_lab::scenes::text_of;
 use lyapunov_lab::{Rollout, Row, Scene, Summary};
 
@@ -122,5 +123,25 @@ fn a_cap_above_the_limit_of_the_delay_is_told() {
                 "{text}"
             );
         }
+    }
+}
+
+/// Each cell of a map takes the cap for its own delay, and a written one as it is.
+#[test]
+fn cells_of_a_map_take_the_cap_for_their_own_delay() {
+    let cells = |more: &str| {
+        let [x, y] = ["effects.delay.ticks=0..8:9", "environment.wall.stiffness=230..460:2"]
+            .map(|axis| axis.parse::<Axis>().unwrap());
+        let popc: StabilizerName = "popc".parse().unwrap();
+        Grid::new(press(1, more), x, y, [popc]).unwrap()
+    };
+    for cell in [0_u32, 3, 8, 17] {
+        let rule = 0.5 * (FRAC_PI_4 / (1.0 + f64::from(cell % 9))).tan();
+        for more in ["", "[stabilizer.popc]"] {
+            let cell = cells(more).scene_of(cell.into()).unwrap();
+            assert_relative_eq!(cell.damping_cap(), rule, max_relative = 1e-12);
+        }
+        let written = cells("[stabilizer.popc]\ndamping_cap = 0.3").scene_of(cell.into()).unwrap();
+        assert_eq!(written.damping_cap(), 0.3);
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use lyapunov_lab::family::StabilizerName;
+use lyapunov_lab::map::{Axis, Grid};
 use lyapunov_lab::scene::{Member, Parameter, Spacing};
 use lyapunov_lab::{Rollout, Row, SVector, Scene};
 
@@ -276,4 +277,28 @@ fn directed_damping_on_a_line_is_popc() {
         );
     }
     assert!(popc.iter().take(300).any(|row| row.alpha > 0.0));
+}
+
+/// An axis of a map: numbers of a table that the scene has, written or not, whole or not.
+#[test]
+fn a_number_of_a_table_makes_an_axis() {
+    let base = scene(&tabled(LOOP, "popc-spread".parse().unwrap()));
+    let axis = |text: &str| text.parse::<Axis>().unwrap();
+    let grid = |x: &str, y: &str| {
+        Grid::new(
+            base.clone(),
+            axis(x),
+            axis(y),
+            ["popc-spread".parse::<StabilizerName>().unwrap()],
+        )
+    };
+    let ticks = "stabilizer.popc-spread.ticks=2..6:3";
+    let cells = grid(ticks, "stabilizer.popc-spread.damping_cap=0.1..0.4:2").unwrap();
+    let written =
+        scene(&format!("{LOOP}stabilizer.popc-spread = {{ ticks = 4, damping_cap = 0.4 }}\n"));
+    assert_eq!(rows(&cells.scene_of(4).unwrap()), rows(&written));
+    let said = grid("stabilizer.popc-spread.ticks=2..3:3", "device.mass=0.1..0.2:2").unwrap_err();
+    assert!(said.to_string().contains("whole number"), "{said}");
+    let said = grid("stabilizer.tank.start=1e-4..1e-3:3", ticks).unwrap_err().to_string();
+    assert!(said.contains("stabilizer.tank.start"), "{said}");
 }

@@ -166,7 +166,7 @@ pub(crate) fn scenes(scalar: Scalar, longest: f64) -> impl Strategy<Value = Scen
     numbers.prop_map(move |(duration, rates, plant, stabilizer, effects)| {
         let (operator, device, initial, wall) = plant;
         let (encoder, delay, saturation, velocity, terse) = effects;
-        Scene {
+        let mut scene = Scene {
             duration,
             servo_rate: rates.0,
             hold: rates.1,
@@ -181,7 +181,13 @@ pub(crate) fn scenes(scalar: Scalar, longest: f64) -> impl Strategy<Value = Scen
             delay,
             saturation,
             terse,
+        };
+        // A cap of half is the default, whichever that is: a terse file leaves it out.
+        let default = scene.default_cap();
+        if let Some(stabilizer) = scene.stabilizer.as_mut().filter(|it| terse && it.cap == 0.5) {
+            stabilizer.cap = default;
         }
+        scene
     })
 }
 

@@ -154,6 +154,14 @@ impl Scene {
         (self.duration * self.servo_rate).round() as usize
     }
 
+    /// The damping cap where none is written: half of m / T, and less the later the force acts.
+    pub(crate) fn default_cap(&self) -> f64 {
+        match self.delay {
+            0 => 0.5,
+            ticks => 0.5 * (std::f64::consts::PI / (4.0 * (ticks as f64 + 1.0))).tan(),
+        }
+    }
+
     pub(crate) fn mass(&self) -> f64 {
         self.operator.mass + self.device.mass
     }

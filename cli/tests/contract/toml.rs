@@ -34,7 +34,7 @@ impl Scene {
         text.number("stiffness", self.wall.stiffness, None);
         text.number("damping", self.wall.damping, Some(0.0));
         if let Some(stabilizer) = &self.stabilizer {
-            text.stabilizer(stabilizer);
+            text.stabilizer(stabilizer, self.default_cap());
         }
         if let Some(resolution) = self.encoder {
             text.line("[effects.encoder]");
@@ -90,7 +90,7 @@ impl Text {
         }
     }
 
-    fn stabilizer(&mut self, stabilizer: &Stabilizer) {
+    fn stabilizer(&mut self, stabilizer: &Stabilizer, default_cap: f64) {
         let candidate = match stabilizer.kind {
             Kind::Popc => None,
             Kind::MassSpringDamper => Some("mass-spring-damper"),
@@ -108,6 +108,6 @@ impl Text {
         if let Some(candidate) = candidate {
             self.word("candidate", candidate, stabilizer.kind == Kind::MassSpringDamper);
         }
-        self.number("damping_cap", stabilizer.cap, Some(0.5));
+        self.number("damping_cap", stabilizer.cap, Some(default_cap));
     }
 }
