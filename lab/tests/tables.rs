@@ -64,21 +64,20 @@ fn a_default_is_the_number_that_a_table_may_write() {
     }
 }
 
-/// A number of the range to search, away from the default; without a range a share of the default, or little.
-fn other(parameter: &Parameter) -> f64 {
+/// Numbers below and above the middle of the range to search; without a range a share of the default, or little.
+fn others(parameter: &Parameter) -> [f64; 2] {
     let default = parameter.default.unwrap();
-    match parameter.search {
+    [0.3, 0.7].map(|share: f64| match parameter.search {
         Some(search) => {
-            // Defaults stand in the middle of some ranges, and at an end of others.
             let inner = match search.spacing {
-                Spacing::Linear => 0.3 * search.lower + 0.7 * search.upper,
-                Spacing::Logarithmic => search.lower.powf(0.3) * search.upper.powf(0.7),
+                Spacing::Linear => (1.0 - share) * search.lower + share * search.upper,
+                Spacing::Logarithmic => search.lower.powf(1.0 - share) * search.upper.powf(share),
             };
             if parameter.is_whole { inner.round() + 3.0 } else { inner }
         }
-        None if default > 0.0 => 0.4 * default,
-        None => 2e-4,
-    }
+        None if default > 0.0 => share * default,
+        None => share * 5e-4,
+    })
 }
 
 /// No key is read and then forgotten.
@@ -97,11 +96,14 @@ fn every_number_of_a_table_changes_the_run() {
             let base = scene(&tabled(text, name));
             let usual = rows(&base);
             for parameter in name.parameters(&base) {
-                let changed = [(parameter.name(), other(&parameter))];
-                // A tank that starts empty has no room for a floor.
-                let Ok(changed) = name.written_in(&base, &changed) else { continue };
-                if rows(&changed) != usual {
-                    dead.remove(parameter.name());
+                for number in others(&parameter) {
+                    // A tank that starts empty has no room for a floor.
+                    let Ok(changed) = name.written_in(&base, &[(parameter.name(), number)]) else {
+                        continue;
+                    };
+                    if rows(&changed) != usual {
+                        dead.remove(parameter.name());
+                    }
                 }
             }
         }
@@ -122,7 +124,8 @@ fn every_range_is_worth_a_search() {
             let is_off = default.is_infinite() || default == 0.0;
             let is_within = (search.lower..=search.upper).contains(&default);
             assert!(is_within || is_off, "{name}.{key}: {default} in {search:?}");
-            for value in [search.lower, other(&parameter), search.upper] {
+            let [below, above] = others(&parameter);
+            for value in [search.lower, below, above, search.upper] {
                 let value = if parameter.is_whole { value.round() } else { value };
                 let made = name.written_in(&base, &[(key, value)]);
                 assert!(made.is_ok(), "{name}.{key} = {value}: {made:?}");
@@ -297,7 +300,8 @@ fn a_number_of_a_table_makes_an_axis() {
     let written =
         scene(&format!("{LOOP}stabilizer.popc-spread = {{ ticks = 4, damping_cap = 0.4 }}\n"));
     assert_eq!(rows(&cells.scene_of(4).unwrap()), rows(&written));
-    let said = grid("stabilizer.popc-spread.ticks=2..3:3", "device.mass=0.1..0.2:2").unwrap_err();
+    let halves = grid("stabilizer.popc-spread.ticks=2..3:3", "device.mass=0.1..0.2:2").unwrap();
+    let said = halves.scene_of(1).unwrap_err();
     assert!(said.to_string().contains("whole number"), "{said}");
     let said = grid("stabilizer.tank.start=1e-4..1e-3:3", ticks).unwrap_err().to_string();
     assert!(said.contains("stabilizer.tank.start"), "{said}");

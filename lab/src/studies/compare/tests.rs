@@ -365,7 +365,7 @@ fn a_law_that_adds_no_damping_is_judged_by_energy_and_force() {
             "own" => None,
             // A port around the environment damps by its own motion, and tells of no damping.
             "none" | "iss" | "virtual-coupling" => Some(Judgement::Settling),
-            _ if score.active.unwrap() > 0.0 => Some(Judgement::Settling),
+            _ if score.active.is_some_and(|share| share > 0.0) => Some(Judgement::Settling),
             _ => Some(Judgement::EnergyAndForce),
         };
         assert_eq!(score.judged_by, judged, "{}", score.stabilizer);
