@@ -1,5 +1,6 @@
 //! Report pages, each one self-contained file.
 
+use lyapunov_figures::Figure;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("html.css");
@@ -30,11 +31,11 @@ pub(crate) fn maker(command: &str) -> Markup {
     html! { code { (command) } ", lyapunov " (env!("CARGO_PKG_VERSION")) }
 }
 
-/// A drawing, an element of SVG, with a caption.
-pub(crate) fn figure(id: Option<&str>, svg: String, caption: &Markup) -> Markup {
+/// A figure, drawn as SVG, with a caption.
+pub(crate) fn figure(id: Option<&str>, figure: &Figure, caption: &Markup) -> Markup {
     html! {
         figure id=[id] {
-            (PreEscaped(svg))
+            (PreEscaped(figure.to_svg()))
             figcaption { (caption) }
         }
     }

@@ -15,7 +15,7 @@ impl Study {
             @for sentence in self.sentences() { p { (sentence) } }
             @if let Some(metres) = target { (self.answer(metres)) }
             h2 { "Error against time" }
-            (html::figure(Some("accuracy"), self.figure().to_svg(), &html! { (caption) }))
+            (html::figure(Some("accuracy"), &self.figure(), &html! { (caption) }))
             h2 { "Settings" }
             p {
                 "The fastest first. The front is marked: no other is as fast and as accurate. A ~ stands before an error \

@@ -43,7 +43,7 @@ pub fn page<C: Compared>(sheets: &[Sheet], command: &str) -> String {
         @for sheet in sheets {
             h2 { (sheet.name) }
             p { (sheet.start) "." }
-            (html::figure(None, sheet.figure.to_svg(), &html! { (sheet.caption) }))
+            (html::figure(None, &sheet.figure, &html! { (sheet.caption) }))
             @for table in &sheet.tables { (table.to_html("short")) }
         }
     };

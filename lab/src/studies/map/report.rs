@@ -44,7 +44,7 @@ pub fn page(
             @let caption = html! {
                 (words) ". Of runs that grow only the first map tells."
             };
-            (html::figure(Some(name), figure.to_svg(), &caption))
+            (html::figure(Some(name), figure, &caption))
         }
         h2 { "Scene" }
         p {

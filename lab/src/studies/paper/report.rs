@@ -156,7 +156,7 @@ impl Report<'_> {
             }
             "."
         };
-        html::figure(Some(name), figure.to_svg(), &caption)
+        html::figure(Some(name), figure, &caption)
     }
 
     /// The section with the scene files of the figures and the commands to run them alone.
