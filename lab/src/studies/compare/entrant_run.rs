@@ -63,20 +63,23 @@ impl<V: Space> EntrantRun<V> {
     }
 }
 
-/// The score of `scene` under its own stabilizer, in its own scalar.
+/// The score of `scene` under the stabilizer of `told`, set for the loop of `told`, in the scalar of `scene`.
 ///
 /// # Errors
 /// [`RunError::Stopped`] if `watch` stops the run; a scene that was never checked.
-pub(crate) fn own_score(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+pub(crate) fn score_as_told(
+    scene: &Scene,
+    told: &Scene,
+    watch: &Watch<'_>,
+) -> Result<Score, RunError> {
     match scene.scalar {
-        Width::F64 => of_own::<f64>(scene, watch),
-        Width::F32 => of_own::<f32>(scene, watch),
+        Width::F64 => in_space::<f64>(scene, told, watch),
+        Width::F32 => in_space::<f32>(scene, told, watch),
     }
 }
 
-fn of_own<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
-    let own = Entrant::<V>::own(scene);
-    EntrantRun::of(scene, &own, watch).map(|run| run.score)
+fn in_space<V: Space>(scene: &Scene, told: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    EntrantRun::of(scene, &Entrant::<V>::of(told), watch).map(|run| run.score)
 }
 
 /// All measures along a run.

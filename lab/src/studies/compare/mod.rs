@@ -32,7 +32,7 @@ pub use compared::{Compared, RunError, Watch};
 pub use comparison::{CompareError, Comparison};
 pub use document::document;
 pub use energies::Energies;
-pub(crate) use entrant_run::own_score;
+pub(crate) use entrant_run::score_as_told;
 pub use entrants::Entrants;
 pub use score::{Score, StepTime};
 pub use sheet::{Sheet, page};
