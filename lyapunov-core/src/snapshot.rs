@@ -64,6 +64,7 @@ without_memory! {
     impl[T: crate::Scalar, G] crate::Dissipation<T, G>;
     impl[] crate::Differenced;
     impl[] crate::Measured;
+    impl[] crate::Positions;
     impl[] crate::Steady;
 }
 

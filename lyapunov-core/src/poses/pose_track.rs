@@ -1,8 +1,6 @@
 //! Track of poses: positions whose differences are displacements.
 
-use num_traits::Zero;
-
-use crate::{Angle, Axes, Pose, Screw, Signal, WithPose, WorldAxes};
+use crate::{Angle, Axes, Pose, Poses, Screw, Signal, WithPose, WorldAxes};
 
 /// Poses that are read, unrolled into positions that can be subtracted.
 ///
@@ -31,14 +29,15 @@ use crate::{Angle, Axes, Pose, Screw, Signal, WithPose, WorldAxes};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseTrack<T, F = WorldAxes> {
     at: WithPose<T, F>,
-    /// What the sum has rounded away.
-    left: Screw<T, F>,
+    known: bool,
+    steps: Poses<T, F>,
 }
 
 impl<T: Angle, F: Axes> From<Pose<T>> for PoseTrack<T, F> {
     /// The track that starts at `pose`.
     fn from(pose: Pose<T>) -> Self {
-        Self { at: WithPose::at(pose), left: Screw::zero() }
+        let known = Screw::<T, F>::between(&pose, &pose).finite();
+        Self { at: WithPose::at(pose), known, steps: Poses::new() }
     }
 }
 
@@ -46,14 +45,9 @@ impl<T: Angle, F: Axes> PoseTrack<T, F> {
     /// The position of the body in `pose`.
     #[inline]
     pub fn tell(&mut self, pose: &Pose<T>) -> WithPose<T, F> {
-        let known = self.at.pose.finite();
-        let moved = if known { Screw::between(&self.at.pose, pose) } else { Screw::zero() };
-        let step = moved + self.left;
-        let screw = self.at.screw + step;
-        let now = WithPose { screw, pose: *pose };
+        let (now, steps) = self.steps.step(&self.at, pose, self.known);
         if now.finite() {
-            self.left = step - (screw - self.at.screw);
-            self.at = now;
+            *self = Self { at: now, known: true, steps };
         }
         now
     }
