@@ -1,6 +1,6 @@
 //! Stabilizers: the trait, and a port with a stabilizer in front.
 
-use crate::{Correction, OnePort, PortSample, Signal};
+use crate::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot};
 
 /// Stabilizer: it watches a port and corrects its effort, so that the loop stays bounded.
 ///
@@ -65,5 +65,21 @@ impl<V: Signal, P: OnePort<V>, S: Stabilizer<V>> OnePort<V> for Stabilized<P, S,
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.correction
+    }
+}
+
+impl<P: Snapshot, S: Snapshot, V: Signal> Snapshot for Stabilized<P, S, V> {
+    /// The memory of the port, that of the stabilizer, and the last correction.
+    type State = (P::State, S::State, Correction<V>);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.stabilizer.state(), self.correction)
+    }
+
+    fn restored(self, (port, stabilizer, correction): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored effort", correction.effort)?;
+        Requirement::Finite.check("stored energy", correction.observed_energy)?;
+        let (port, stabilizer) = (self.port.restored(port)?, self.stabilizer.restored(stabilizer)?);
+        Ok(Self { port, stabilizer, correction })
     }
 }

@@ -1,6 +1,9 @@
 //! Track of poses: positions whose differences are displacements.
 
-use crate::{Angle, Axes, Pose, Poses, Screw, Signal, WithPose, WorldAxes};
+use crate::{
+    Angle, Axes, ParameterError, Pose, Poses, Requirement, Screw, Signal, Snapshot, WithPose,
+    WorldAxes,
+};
 
 /// Poses that are read, unrolled into positions that can be subtracted.
 ///
@@ -50,5 +53,19 @@ impl<T: Angle, F: Axes> PoseTrack<T, F> {
             *self = Self { at: now, known: true, steps };
         }
         now
+    }
+}
+
+impl<T: Angle, F: Axes> Snapshot for PoseTrack<T, F> {
+    /// The last position, whether its pose is sound, and what the sum has rounded away.
+    type State = (WithPose<T, F>, bool, Screw<T, F>);
+
+    fn state(&self) -> Self::State {
+        (self.at, self.known, self.steps.state())
+    }
+
+    fn restored(self, (at, known, left): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored position", at.screw)?;
+        Ok(Self { at, known, steps: self.steps.restored(left)? })
     }
 }

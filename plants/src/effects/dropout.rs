@@ -1,6 +1,8 @@
 //! Loss of answers.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot,
+};
 
 use crate::{Fallback, Random, Source};
 
@@ -50,5 +52,19 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
     #[inline]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for Dropout<P, V> {
+    /// The memory of the port inside, the calls of the random numbers, and the last answer.
+    type State = (P::State, u64, V);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.random.state(), self.arrived)
+    }
+
+    fn restored(self, (port, calls, arrived): Self::State) -> Result<Self, ParameterError> {
+        let random = self.random.restored(calls)?;
+        Ok(Self { port: self.port.restored(port)?, random, arrived, ..self })
     }
 }

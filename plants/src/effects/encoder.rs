@@ -1,6 +1,8 @@
 //! Positions in encoder counts.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 use super::retold::Retold;
 
@@ -33,5 +35,18 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Encoder<P, V> {
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for Encoder<P, V> {
+    /// The memory of the port inside, and the last position.
+    type State = (P::State, Option<V>);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.retold.last)
+    }
+
+    fn restored(self, (port, last): Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { port: self.port.restored(port)?, retold: Retold { last }, ..self })
     }
 }

@@ -1,7 +1,8 @@
 //! Velocities estimated in front of a port.
 
 use lyapunov_core::{
-    Correction, Differenced, LowPassed, OnePort, PortSample, Signal, VelocityEstimator, Windowed,
+    Correction, Differenced, LowPassed, OnePort, ParameterError, PortSample, Signal, Snapshot,
+    VelocityEstimator, Windowed,
 };
 
 /// A port whose velocities are estimated from positions and displacements. Positions, displacements and work stay as
@@ -43,5 +44,19 @@ impl<V: Signal, P: OnePort<V>, E: VelocityEstimator<V>> OnePort<V> for Estimated
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, E: Snapshot> Snapshot for Estimated<P, E> {
+    /// The memory of the port inside, and the estimator's.
+    type State = (P::State, E::State);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.velocity.state())
+    }
+
+    fn restored(self, (port, velocity): Self::State) -> Result<Self, ParameterError> {
+        let port = self.port.restored(port)?;
+        Ok(Self { port, velocity: self.velocity.restored(velocity)? })
     }
 }

@@ -1,6 +1,8 @@
 //! Measurement noise on positions.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 use super::retold::Retold;
 use crate::{Random, Source};
@@ -49,5 +51,19 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Noise<P, V> {
     #[inline]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for Noise<P, V> {
+    /// The memory of the port inside, the calls of the random numbers, and the last position.
+    type State = (P::State, u64, Option<V>);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.random.state(), self.retold.last)
+    }
+
+    fn restored(self, (port, calls, last): Self::State) -> Result<Self, ParameterError> {
+        let random = self.random.restored(calls)?;
+        Ok(Self { port: self.port.restored(port)?, random, retold: Retold { last }, ..self })
     }
 }

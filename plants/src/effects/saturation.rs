@@ -1,6 +1,8 @@
 //! Saturation of the actuator.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 /// A port whose effort is clipped to `±force` on each axis; a NaN stays one.
 ///
@@ -26,5 +28,17 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Saturation<P, V::Scalar> {
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, T: Scalar> Snapshot for Saturation<P, T> {
+    type State = P::State;
+
+    fn state(&self) -> Self::State {
+        self.port.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { port: self.port.restored(state)?, ..self })
     }
 }
