@@ -10,6 +10,19 @@ use crate::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal
 ///
 /// A stabilizer never fails in the loop. A sample that it cannot use gives a zero effort and `accepted` false.
 /// Check one of your own with [`laws::stabilizer`](crate::laws::stabilizer).
+///
+/// ```
+/// use lyapunov_core::{Correction, PortSample, Stabilizer};
+/// /// A damper of `0` N·s/m that is always on.
+/// struct Damper(f64);
+/// impl Stabilizer<f64> for Damper {
+///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+///         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }.checked()
+///     }
+/// }
+/// let braked = Damper(3.0).stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 1.0);
+/// assert!((braked.effort - 1.3).abs() < 1e-15);
+/// ```
 pub trait Stabilizer<V: Signal> {
     /// One tick: `sample` is what the other side did, `effort` the response of the port behind, N.
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V>;

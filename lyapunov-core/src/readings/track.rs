@@ -91,6 +91,16 @@ pub struct Poses<T, F = WorldAxes> {
 }
 
 /// Fastest motion of a rigid body, part by part, so that m/s and rad/s share no number.
+///
+/// ```
+/// use lyapunov_core::{PartSpeeds, Readings, WithPose};
+/// let hand = PartSpeeds { translation: 2.0, rotation: 20.0 };
+/// let readings = Readings::<WithPose<f64>>::every(1e-3)?.of_poses().no_faster_than(hand)?;
+/// assert_eq!(readings.fastest(), hand);
+/// let frozen = PartSpeeds { rotation: 0.0, ..hand };
+/// assert_eq!(readings.no_faster_than(frozen).unwrap_err().parameter, "fastest rotation");
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartSpeeds<T> {
     /// Of the reference point, m/s; infinity: no limit.

@@ -8,6 +8,15 @@ use nalgebra::SVector;
 /// A port whose effort acts a number of calls late; until the first arrives, no effort acts.
 ///
 /// `f_act(n) = f(n − ticks)`, 0 for `n < ticks`. The number is a field, limited by the capacity `N` of the type.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{OnePortExt, Spring};
+/// let mut late = Spring::new(500.0)?.delayed::<4>(2)?; // room for 4 ticks
+/// let efforts = [0.01, 0.02, 0.03].map(|x: f64| late.respond(&PortSample::starting(1e-3, x, 0.0)));
+/// assert_eq!(efforts, [0.0, 0.0, 5.0]);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Delay<P, V, const N: usize> {
     port: P,

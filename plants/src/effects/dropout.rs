@@ -13,6 +13,14 @@ use crate::{Fallback, Random, Source};
 /// another computer, so the loss stands between the environment and its hold,
 /// `wall.dropped(0.1, Fallback::Hold, |_| 7)?.held(10)?`. All axes of an answer are lost together. Each call draws one
 /// number per lane ([`Random`]), lost or not. A probability of 0 changes no bit. A NaN is an answer like any other.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Fallback, OnePortExt, Spring};
+/// let mut lost = Spring::new(500.0)?.dropped(1.0, Fallback::Zero, |_| 7)?; // every answer
+/// assert_eq!(lost.respond(&PortSample::starting(1e-3, 0.01_f64, 0.0)), 0.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dropout<P, V: Signal> {
     port: P,

@@ -14,6 +14,16 @@ pub struct Estimated<P, E> {
 }
 
 /// A port whose velocities are [backward differences](Differenced).
+///
+/// ```
+/// use lyapunov_core::{HeldTick, OnePort};
+/// use lyapunov_plants::{OnePortExt, Wall};
+/// let mut damper = Wall::new(0.0, 2.0)?.at(-1.0).differenced();
+/// let tick = HeldTick { period: 1e-3, position: 0.0, velocity: 9.0, displacement: 1e-4, applied: 0.0 };
+/// let effort: f64 = damper.respond(&tick.sample()); // of 0.1 m/s, and not of the 9 m/s that were told
+/// assert!((effort - 0.2).abs() < 1e-12);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 pub type BackwardDifference<P> = Estimated<P, Differenced>;
 
 /// A port whose velocities pass a [low pass](LowPassed).

@@ -23,6 +23,17 @@ use crate::Fallback;
 ///
 /// A gap is a length of time, and different gaps would put lanes out of step, so a guard stands on ports of one value
 /// at a time (`f32`, `f64` and vectors of them).
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Fallback, OnePortExt, Spring};
+/// let mut spring = Spring::new(500.0)?.guarded(Fallback::Hold);
+/// let at = |position: f64| PortSample::starting(1e-3, position, 0.0);
+/// assert_eq!(spring.respond(&at(0.01)), 5.0);
+/// assert_eq!(spring.respond(&at(f64::NAN)), 5.0); // rejected: the last effort is held
+/// assert!(!OnePort::<f64>::correction(&spring).accepted);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Guard<P, V: Signal> {
     port: P,

@@ -13,6 +13,16 @@ use crate::{Random, Source};
 /// is the difference of the noisy positions, 0 at the first call, and the work that of the applied effort over this
 /// displacement. The velocity stays as it is; take it from the noisy positions inside. The noise is the sensor's and
 /// comes before the encoder: `port.encoded(r)?.noisy(deviation, seed)?`. A deviation of 0 changes no bit.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{OnePortExt, Spring};
+/// let noisy = |seed| Spring::new(500.0)?.noisy(1e-4, move |_| seed); // m, standard deviation
+/// let still = PortSample::starting(1e-3, 0.0_f64, 0.0);
+/// let [one, again, other] = [noisy(1)?, noisy(1)?, noisy(2)?].map(|mut port| port.respond(&still));
+/// assert!(one == again && one != other && one.abs() < 0.5); // 10 deviations
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Noise<P, V: Signal> {
     port: P,

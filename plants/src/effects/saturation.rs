@@ -7,6 +7,14 @@ use lyapunov_core::{
 /// A port whose effort is clipped to `±force` on each axis; a NaN stays one.
 ///
 /// The sample reports the applied effort to a stabilizer inside, so its ledger is right without further care.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{OnePortExt, Spring};
+/// let mut motor = Spring::new(500.0)?.saturated(5.0)?;
+/// assert_eq!(motor.respond(&PortSample::starting(1e-3, -0.1_f64, 0.0)), -5.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturation<P, T> {
     port: P,

@@ -7,6 +7,15 @@ use lyapunov_core::{
 /// A port that is asked only on every `ticks`-th call, starting with the first; its effort is held in between.
 ///
 /// The port inside receives the sums over the calls that it missed, so its work stays exact, on each axis.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{OnePortExt, Spring};
+/// let mut slow = Spring::new(500.0)?.held(2)?; // asked on every second tick
+/// let efforts = [0.01, 0.02, 0.03].map(|x: f64| slow.respond(&PortSample::starting(1e-3, x, 0.0)));
+/// assert_eq!(efforts, [5.0, 5.0, 15.0]);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ZeroOrderHold<P, V: Signal> {
     port: P,
