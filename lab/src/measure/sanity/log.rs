@@ -16,8 +16,11 @@ const ROWS: u64 = 10;
 /// Partial correlation from which on, below 0, a force depends on the motion.
 const DEPENDS: f64 = -0.8;
 
+/// Partial correlation with the velocity above which a force that falls over the position comes late.
+const LATE: f64 = 0.5;
+
 /// The most that may go in, as a share of the most that came out, of a port with its sign turned.
-const INTO: f64 = 0.05;
+const INTO: f64 = 0.1;
 
 /// Contact threshold as a share of the largest force so far, where no threshold is given.
 pub(crate) const SHARE: f64 = 0.01;
@@ -129,9 +132,22 @@ impl LogSigns {
     /// The signs of a log of this median `period`, s, that in all `generated` so much energy, J.
     pub(crate) fn finish(&self, period: f64, generated: f64) -> Vec<Oddity> {
         // A loop that generates energy may end anywhere; what it did before is the hand's.
-        let sizes = if generated > 0.0 { &self.by_hand } else { &self.all };
-        let told = [time(period), motion(sizes), force(sizes), self.idle(), self.reversed()];
+        let reversed = self.reversed();
+        let gives = generated > 0.0 || reversed.is_some();
+        let sizes = if gives { &self.by_hand } else { &self.all };
+        let told =
+            [time(period), motion(sizes), strong(sizes), self.faint(), self.idle(), reversed];
         told.into_iter().flatten().collect()
+    }
+
+    /// A force that nobody feels.
+    fn faint(&self) -> Option<Oddity> {
+        let Largest { size, time } = self.all.force;
+        (size > 0.0 && size < GRAM).then(|| {
+            let (size, time) = (found(size), found(time));
+            let seen = format!("f reaches only {size} N at {time} s, less than a gram weighs");
+            Oddity::new(Sign::Unit, format!("{seen}: in kN, --scale f=1e3"))
+        })
     }
 
     /// A log without contact, or without motion.
@@ -154,8 +170,8 @@ impl LogSigns {
     fn reversed(&self) -> Option<Oddity> {
         let it = self.fit.dependence();
         let gives = self.lowest < 0.0 && self.highest <= -INTO * self.lowest;
-        // A force that comes late pushes along the motion too, but still grows with the depth.
-        let falls = it.with_position <= 0.0;
+        // A force that comes late pushes along the motion too: it grows with the depth or, later still, with the velocity.
+        let falls = it.with_position <= 0.0 && it.with_velocity <= LATE;
         if !(gives && falls && it.count >= ROWS) {
             return None;
         }
@@ -204,15 +220,11 @@ fn motion(sizes: &Sizes) -> Option<Oddity> {
     Some(Oddity::new(Sign::Unit, format!("{seen}: in {unit}")))
 }
 
-fn force(sizes: &Sizes) -> Option<Oddity> {
+fn strong(sizes: &Sizes) -> Option<Oddity> {
     let Largest { size, time } = sizes.force;
-    let seen = format!("{} N at {} s", found(size), found(time));
-    let text = if size > STRONGEST {
-        format!("f reaches {seen}, the weight of 200 kg and more: in mN, --scale f=1e-3")
-    } else if size > 0.0 && size < GRAM {
-        format!("f reaches only {seen}, less than a gram weighs: in kN, --scale f=1e3")
-    } else {
-        return None;
-    };
-    Some(Oddity::new(Sign::Unit, text))
+    (size > STRONGEST).then(|| {
+        let (size, time) = (found(size), found(time));
+        let seen = format!("f reaches {size} N at {time} s, the weight of 200 kg and more");
+        Oddity::new(Sign::Unit, format!("{seen}: in mN, --scale f=1e-3"))
+    })
 }

@@ -1,5 +1,7 @@
 //! Signs of a mistake in the numbers of a scene.
 
+use std::f64::consts::TAU;
+
 use lyapunov::environments::Time;
 
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
@@ -10,6 +12,9 @@ use crate::text::{found, given};
 
 /// Mass that no hand moves to and fro, kg.
 const HEAVY: f64 = 30.0;
+
+/// Time of a swing on the hand's spring, s, up to which a heavier mass is moved all the same.
+const SWING: f64 = 8.0;
 
 /// Mass that no device is below, kg: a gram.
 const LIGHT: f64 = 1e-3;
@@ -80,10 +85,13 @@ fn bounded(scene: &Scene) -> Vec<Bounded> {
     let (effects, operator) = (&scene.effects, &scene.operator);
     let up_to = |most: f64| [0.0, most];
     let (masses, lengths, forces) = (["g", "t"], ["mm", "km"], ["mN", "kN"]);
+    let mass = scene.device.mass.get() + operator.mass.get();
+    let is_slow = TAU * (mass / last_pull(scene)).sqrt() > SWING;
+    let heavy = if is_slow { HEAVY } else { f64::INFINITY };
     let mut all = vec![
         number("servo_rate", scene.servo_rate.get(), "Hz", [SLOWEST, FASTEST], ["mHz", "kHz"]),
-        number("device.mass", scene.device.mass.get(), "kg", [LIGHT, HEAVY], masses),
-        number("operator.mass", operator.mass.get(), "kg", up_to(HEAVY), masses),
+        number("device.mass", scene.device.mass.get(), "kg", [LIGHT, heavy], masses),
+        number("operator.mass", operator.mass.get(), "kg", up_to(heavy), masses),
         number(
             "operator.stiffness",
             operator.stiffness.get(),

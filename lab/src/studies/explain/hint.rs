@@ -27,7 +27,7 @@ impl<'a> Hint<'a> {
         match part.stable_stiffness() {
             _ if own < 0.0 && part.spectral_radius() >= 1.0 => {
                 let own = found(own);
-                format!("{own} N/m push away from where they rest, and nothing holds the loop")
+                format!("the environment pushes away by {own} N/m, and nothing holds it")
             }
             None => "no stiffness of the linear loop is stable".to_owned(),
             Some([_, most]) if own > most => {
