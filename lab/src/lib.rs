@@ -58,6 +58,7 @@ pub use simulate::row::Row;
 pub use simulate::tick::{OperatorMotion, Tick};
 
 // Measures and their presentation.
+pub use measure::sanity::{Oddity, Sign};
 pub use measure::summary::Summary;
 pub use measure::verdict::{Verdict, Yardstick};
 pub use show::csv::{COLUMNS, Csv};

@@ -1,6 +1,7 @@
 //! Summary of a run.
 
 use super::fate::Fate;
+use super::sanity::{Oddity, RunSigns};
 use super::settling::Settling;
 use super::verdict::{Verdict, Yardstick};
 use crate::files::Scene;
@@ -43,6 +44,7 @@ pub struct Summary {
     pub shortfall: f64,
     /// Ticks on which the controller was active.
     pub active: u64,
+    signs: RunSigns,
     axes: [Axis; 3],
 }
 
@@ -71,6 +73,7 @@ impl Summary {
             injected: 0.0,
             shortfall: 0.0,
             active: 0,
+            signs: RunSigns::new(scene),
             axes: Default::default(),
         }
     }
@@ -91,6 +94,7 @@ impl Summary {
             }
         }
         self.fate.add_tick(tick);
+        self.signs.add(tick);
         self.settling.add(row.x);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
@@ -116,6 +120,16 @@ impl Summary {
     /// The quantity that the run is judged by.
     pub fn verdict_by(&self) -> Yardstick {
         self.fate.verdict_by(0)
+    }
+
+    /// The signs of a mistake in the scene or its run; docs/sanity.md has the thresholds.
+    pub fn look_at(&self) -> Vec<Oddity> {
+        self.signs.finish(&self.scene)
+    }
+
+    /// Whether any force acted on the plant.
+    pub(crate) fn acts(&self) -> bool {
+        self.signs.acts()
     }
 
     /// The last time at which everything was finite, s, if the motion left the range of the scalar.

@@ -10,7 +10,7 @@ use super::cost::{KEPT, Samples};
 use super::entrants::Entrant;
 use super::score::Score;
 use crate::files::scene::{Scalar as Width, Scene};
-use crate::measure::{Chatter, Energies, Physical, Share, Summary, Trace, Verdict};
+use crate::measure::{Chatter, Energies, Oddity, Physical, Share, Summary, Trace, Verdict};
 use crate::simulate::family::Judgement;
 use crate::simulate::{Rollout, Space, Tick};
 
@@ -23,6 +23,7 @@ pub(super) struct EntrantRun<V: Space> {
     pub(super) score: Score,
     pub(super) curves: Curves,
     pub(super) samples: Samples<V>,
+    pub(super) look_at: Vec<Oddity>,
 }
 
 /// The curves of a run: time and position in m, observed energy in J, force on the plant in N.
@@ -55,11 +56,12 @@ impl<V: Space> EntrantRun<V> {
                 samples.push((tick.measured, tick.environment));
             }
         })?;
+        let look_at = meters.summary.look_at();
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
         let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
         let active = score.active.filter(|_| damps);
         let score = Score { active, judged_by: entrant.judgement, ..score };
-        Ok(Self { score, curves, samples })
+        Ok(Self { score, curves, samples, look_at })
     }
 }
 

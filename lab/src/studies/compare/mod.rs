@@ -13,6 +13,7 @@ mod document;
 mod energies;
 mod entrant_run;
 mod entrants;
+mod look_at;
 pub mod models;
 mod picture;
 mod score;

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::Comparison;
 use super::column::Column;
+use super::look_at::LookAt;
 use crate::files::Scene;
 use crate::show::described;
 use crate::show::table::{Heading, Table};
@@ -52,6 +53,9 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
     }
     if let Some(by) = by_speed(&comparison.scene) {
         writeln!(f, "judged {by}")?;
+    }
+    for sign in LookAt::of(comparison) {
+        writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
     }
     for columns in [&BEHAVIOUR[..], &FEEL, &PHYSICAL] {
         let headings = columns.iter().map(|column| match column {

@@ -18,6 +18,7 @@ impl fmt::Display for Report {
         write!(f, "{name}: {} rows over {} s", self.rows, found(self.duration))?;
         self.write_rows(f, &units)?;
         self.write_sums(f, &units)?;
+        self.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
         self.write_contacts(f, &units)
     }
 }
