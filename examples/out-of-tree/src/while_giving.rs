@@ -1,0 +1,66 @@
+//! An own stabilizer.
+
+use lyapunov::{
+    Correction, DampingLimit, Held, LyapunovCandidate, Observer, ParameterError, PortSample,
+    Scalar, Signal, Snapshot, Stabilizer, accumulators::Plain, stabilizers::Account,
+};
+
+/// Pays a debt only while the environment pushes along with the motion, so that free motion never feels it:
+/// `α = min(−L / (v² T), limit)` where `L < 0` and `f · v < 0`, else 0.
+#[derive(Clone, Copy, Debug)]
+pub struct WhileGiving<T, C> {
+    observer: Observer<C, Held, Plain<T>>,
+    limit: DampingLimit<T>,
+}
+
+impl<T: Scalar, C> WhileGiving<T, C> {
+    /// The stabilizer that watches `candidate` and injects at most `limit`.
+    pub fn new(candidate: C, limit: DampingLimit<T>) -> Self {
+        Self { observer: Observer::of(candidate), limit }
+    }
+
+    /// A debt of `debt` joules from before, as after a restart.
+    pub fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
+        self.observer.ledger.owe(debt)
+    }
+}
+
+impl<V: Signal, C: LyapunovCandidate<V>> Stabilizer<V> for WhileGiving<V::Scalar, C> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        let (zero, tiny) = (V::Scalar::of(0.0), V::Scalar::smallest_normal());
+        let sum = self.observer.observe(sample, effort);
+        let square = sample.velocity.inner(sample.velocity) * sample.period;
+        let sound = sample.finite() & effort.finite() & square.finite();
+        let velocity = V::choose(sound, sample.velocity, V::zero());
+        let effort = V::choose(sound, effort, V::zero());
+        let square = V::Scalar::choose(sound, square, zero);
+
+        let debt = (-sum).larger(zero);
+        let giving = effort.inner(velocity).below(zero) & square.above(tiny);
+        let wanted = (debt / square.larger(tiny)).smaller(self.limit.most());
+        let alpha = V::Scalar::choose(giving, wanted, zero);
+        Correction {
+            effort: effort + velocity.scale(alpha),
+            observed_energy: sum,
+            alpha,
+            shortfall: (debt - alpha * square).larger(zero),
+            accepted: sound,
+        }
+        .checked()
+    }
+}
+
+impl<T: Scalar, C: Snapshot> Snapshot for WhileGiving<T, C>
+where
+    Plain<T>: Snapshot,
+{
+    type State = <Observer<C, Held, Plain<T>> as Snapshot>::State;
+
+    fn state(&self) -> Self::State {
+        self.observer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { observer: self.observer.restored(state)?, ..self })
+    }
+}
