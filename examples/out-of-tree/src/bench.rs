@@ -28,13 +28,11 @@ impl OwnStabilizer for GivingEntrant {
 struct FrictionEntrant;
 
 /// The friction that the device surely has: none, unless a scene says so.
-const FORCE: OwnNumber = OwnNumber::new("force", "N", Allowed::NonNegative, sure)
-    .searched(|default, _| Search::up_to(2.0 * default));
-
-fn sure(on: &Loop<'_>) -> f64 {
+const FORCE: OwnNumber = OwnNumber::new("force", "N", Allowed::NonNegative, |on| {
     let friction = on.scene().and_then(|scene| scene.effects.friction);
     friction.map_or(0.0, |friction| friction.coulomb.get())
-}
+})
+.searched(|default, _| Search::up_to(2.0 * default));
 
 impl OwnCandidate for FrictionEntrant {
     const NAME: &'static str = "dry-friction";

@@ -1,21 +1,19 @@
 //! The loop of a six-axis device, whoever stabilizes it.
 
 use lyapunov::{
-    Correction, DampingLimit, ParameterError, Popc, PortEnergy, PortSample, Reading, Readings,
-    Snapshot, Stabilizer,
+    ParameterError, Popc,
     poses::{Pose, PoseTrack, Screw, WithPose},
-    stabilizers::{
-        AxisWeights, BodyInertia, DirectedDamping, Member, NoStabilizer, PartLimits, StabilizerExt,
-        Watchdog, WatchdogTimes,
-    },
+    prelude::*,
+    stabilizers::{AxisWeights, BodyInertia, DirectedDamping, Member, NoStabilizer, PartLimits},
+    stabilizers::{Watchdog, WatchdogTimes},
     telemetry::{EnergyMeter, TickRing},
 };
 
 use crate::{DryFriction, WhileGiving};
 
 const PERIOD: f32 = 1e-3; // s
-const INERTIA: BodyInertia<f32> = BodyInertia { mass: 0.4, moment: 2e-4 }; // kg, kg·m²: the least that moves
-const FASTEST: f32 = 20.0; // m/s and rad/s: no hand moves faster, so a reading that says so is wrong
+const LEAST: BodyInertia<f32> = BodyInertia { mass: 0.4, moment: 2e-4 }; // kg, kg·m²
+const FASTEST: f32 = 20.0; // m/s, rad/s: no hand moves faster, so such a reading is wrong
 const WALL: f32 = 4000.0; // N/m
 const FRICTION: f32 = 0.02; // N and N·m: less than the device has
 
@@ -31,26 +29,23 @@ pub fn own(start: Pose<f32>) -> Result<Control<Own>, ParameterError> {
     Control::on(DirectedDamping::within(law, limits(PERIOD)?), start)
 }
 
-/// A loop on a stabilizer that ships, chosen by its name while the program runs: one type, and no allocator.
+/// A loop on one that ships, chosen while the program runs: one type, and no allocator.
 pub fn shipped(name: &str, start: Pose<f32>) -> Result<Control<Member<Port>>, ParameterError> {
-    let popc = Popc::new(PortEnergy, limits(PERIOD)?.rotation);
-    let member = match name {
-        "popc" => Member::Popc(popc),
-        "popc-bounded" => Member::Bounded(popc.bounded(1e-3)?),
-        _ => Member::NoStabilizer(NoStabilizer),
-    };
+    let popc = Popc::new(PortEnergy, limits(PERIOD)?.rotation); // the smaller one, for all axes
+    let member =
+        if name == "popc" { Member::Popc(popc) } else { Member::NoStabilizer(NoStabilizer) };
     Control::on(member, start)
 }
 
 fn limits(period: f32) -> Result<PartLimits<f32>, ParameterError> {
-    PartLimits::of_body(0.5, INERTIA, period)
+    PartLimits::of_body(0.5, LEAST, period)
 }
 
-/// The loop: what it remembers from tick to tick.
+/// The loop, with all that it remembers.
 pub struct Control<S> {
     track: PoseTrack<f32>,
     readings: Readings<Port>,
-    /// What stabilizes it, to be read and changed between ticks.
+    /// What stabilizes it, to be read, changed, stored and restored between ticks.
     pub stabilizer: Watchdog<S, Port>,
     /// The last ticks; `log.csv()` is what `observe` reads.
     pub log: TickRing<Port, 64>,
@@ -70,7 +65,7 @@ impl<S: Stabilizer<Port> + StabilizerExt> Control<S> {
         })
     }
 
-    /// One tick: the pose, if there is a reading, and the wrench that acted since the last one; commands a wrench.
+    /// One tick: the pose, if it could be read, and the wrench that acted since the last; commands one.
     pub fn tick(&mut self, pose: Option<Pose<f32>>, applied: Screw<f32>) -> Screw<f32> {
         let applied = WithPose::of(applied);
         let checked = match pose {
@@ -78,13 +73,9 @@ impl<S: Stabilizer<Port> + StabilizerExt> Control<S> {
             None => self.readings.missed(applied),
         };
         let correction = self.stabilizer.stabilize(&checked.sample, wall(&checked.sample));
-        self.told(&checked.sample, &correction);
+        self.log.push(&checked.sample, &correction);
+        self.energies.add(&checked.sample, &correction);
         correction.effort.screw
-    }
-
-    fn told(&mut self, sample: &PortSample<Port>, correction: &Correction<Port>) {
-        self.log.push(sample, correction);
-        self.energies.add(sample, correction);
     }
 }
 
@@ -96,14 +87,9 @@ impl Control<Own> {
         *self.stabilizer.stabilizer_mut() = DirectedDamping::within(law, limits(period)?);
         Ok(())
     }
-
-    /// What the stabilizer remembers, to be stored and restored bit for bit.
-    pub fn state(&self) -> <Watchdog<Own, Port> as Snapshot>::State {
-        self.stabilizer.state()
-    }
 }
 
-/// The own controller: a wall below `z = 0`, felt at the handle. Efforts resist, so it is negative in there.
+/// The own controller: a wall below `z = 0`. Efforts resist motion, so it is negative in there.
 fn wall(sample: &PortSample<Port>) -> Port {
     let mut wrench = Screw::default();
     wrench.translation.z = WALL * sample.position.pose.position.z.min(0.0);

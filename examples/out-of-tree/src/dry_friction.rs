@@ -1,8 +1,6 @@
 //! An own candidate.
 
-use lyapunov::{
-    LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
-};
+use lyapunov::{ParameterError, Requirement, prelude::*};
 
 /// The port's energy, credited with what dry friction on every axis must have dissipated: `−ΔV = Σ fᵢ Δxᵢ + F |Δxᵢ|`.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +18,7 @@ impl<T: Scalar> DryFriction<T> {
 impl<V: Signal> LyapunovCandidate<V> for DryFriction<V::Scalar> {
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let credit = self.force * sample.displacement.map(Scalar::magnitude).sum();
-        let sound = credit.finite();
-        sample.work.sum() + V::Scalar::choose(sound, credit, V::Scalar::of(0.0))
+        sample.work.sum() + V::Scalar::choose(credit.finite(), credit, V::Scalar::of(0.0))
     }
 }
 

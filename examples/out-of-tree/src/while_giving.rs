@@ -1,15 +1,13 @@
 //! An own stabilizer.
 
-use lyapunov::{
-    Correction, DampingLimit, Held, LyapunovCandidate, Observer, ParameterError, PortSample,
-    Scalar, Signal, Snapshot, Stabilizer, accumulators::Plain, stabilizers::Account,
-};
+use lyapunov::{Correction, Held, Observer, ParameterError, accumulators::Plain, prelude::*};
 
-/// Pays a debt only while the environment pushes along with the motion, so that free motion never feels it:
+/// Pays a debt only while the environment pushes along, so that free motion never feels it:
 /// `α = min(−L / (v² T), limit)` where `L < 0` and `f · v < 0`, else 0.
 #[derive(Clone, Copy, Debug)]
 pub struct WhileGiving<T, C> {
-    observer: Observer<C, Held, Plain<T>>,
+    /// The account, whose `ledger` carries a debt over by `owe`.
+    pub observer: Observer<C, Held, Plain<T>>,
     limit: DampingLimit<T>,
 }
 
@@ -17,11 +15,6 @@ impl<T: Scalar, C> WhileGiving<T, C> {
     /// The stabilizer that watches `candidate` and injects at most `limit`.
     pub fn new(candidate: C, limit: DampingLimit<T>) -> Self {
         Self { observer: Observer::of(candidate), limit }
-    }
-
-    /// A debt of `debt` joules from before, as after a restart.
-    pub fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
-        self.observer.ledger.owe(debt)
     }
 }
 
@@ -50,10 +43,7 @@ impl<V: Signal, C: LyapunovCandidate<V>> Stabilizer<V> for WhileGiving<V::Scalar
     }
 }
 
-impl<T: Scalar, C: Snapshot> Snapshot for WhileGiving<T, C>
-where
-    Plain<T>: Snapshot,
-{
+impl<T: Scalar, C: Snapshot> Snapshot for WhileGiving<T, C> {
     type State = <Observer<C, Held, Plain<T>> as Snapshot>::State;
 
     fn state(&self) -> Self::State {
