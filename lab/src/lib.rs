@@ -49,6 +49,15 @@ pub mod teleoperation {
     pub use crate::studies::compare::teleoperation::Comparison;
 }
 
+/// Own stabilizers and candidates among those that ship.
+pub mod own {
+    pub use crate::files::scene::own::{Allowed, Loop, OwnNumber, OwnTable, Promise, RosterError};
+    #[doc(no_inline)]
+    pub use crate::files::scene::{Search, Spacing};
+    #[doc(inline)]
+    pub use crate::simulate::own::*;
+}
+
 // Simulation.
 pub use simulate::building::{AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Space};
 pub use simulate::ensemble::{Constant, Ensemble, Moves};

@@ -10,7 +10,7 @@ use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 use crate::output::Outputs;
 
 /// The file that `--json` prints.
@@ -77,7 +77,8 @@ impl Hard {
 
     fn command(&self, folder: &Folder<'_>) -> String {
         let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
-        format!("lyapunov hard{} --out {}", named.unwrap_or_default(), folder.path().display())
+        let named = named.unwrap_or_default();
+        format!("{} hard{named} --out {}", program(), folder.path().display())
     }
 
     fn progress(&self) -> ProgressBar {

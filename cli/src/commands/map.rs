@@ -15,7 +15,7 @@ use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
 
 use super::folder::Folder;
-use super::{End, heed_interrupts, shown, standard_output};
+use super::{End, heed_interrupts, program, shown, standard_output};
 use crate::output::{Output, Outputs};
 use crate::pictures::pictures;
 
@@ -191,7 +191,7 @@ impl Map {
 
     /// Command line that makes the same map.
     fn command(&self) -> String {
-        let mut text = String::from("lyapunov map");
+        let mut text = format!("{} map", program());
         if let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) {
             let _ = write!(text, " {} --x {x} --y {y}", scene.display());
         }
@@ -244,7 +244,7 @@ impl Merge {
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         End::if_interrupted()?;
         folder.keep();
-        fill(folder.path(), &survey, bounds.as_ref(), &text, "lyapunov map merge")?;
+        fill(folder.path(), &survey, bounds.as_ref(), &text, &format!("{} map merge", program()))?;
         output.keep().map_err(End::input)?;
         let mut out = io::stdout().lock();
         match (self.json, self.quiet) {

@@ -11,7 +11,7 @@ use lyapunov_lab::teleoperation::Teleoperator;
 
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
-use super::{End, standard_output};
+use super::{End, program, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
 
@@ -108,7 +108,8 @@ fn fill<C: Compared>(
         outputs.put(&format!("{name}.csv"), &sheet.csv).map_err(End::input)?;
     }
     let given: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
-    let command = format!("lyapunov compare {} --out {}", given.join(" "), folder.path().display());
+    let command =
+        format!("{} compare {} --out {}", program(), given.join(" "), folder.path().display());
     outputs.put("report.html", page::<C>(sheets, &command)).map_err(End::input)?;
     outputs.put(RESULTS, text).map_err(End::input)?;
     End::if_interrupted()?;

@@ -5,7 +5,8 @@ use super::sanity::{Oddity, RunSigns};
 use super::settling::Settling;
 use super::verdict::{Verdict, Yardstick};
 use crate::files::Scene;
-use crate::simulate::{Row, Space, Tick};
+use crate::files::scene::Draft;
+use crate::simulate::{Rollout, Row, Space, Stabilizing, Tick};
 
 /// Lengths and energies are reported in thousandths of their units.
 pub(crate) const MILLI: f64 = 1e3;
@@ -14,6 +15,7 @@ pub(crate) const MILLI: f64 = 1e3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     pub(crate) scene: Scene,
+    pub(crate) stabilizing: Stabilizing,
     /// Ticks summed up.
     pub rows: u64,
     /// The last tick.
@@ -49,7 +51,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// A summary without ticks.
+    /// A summary without ticks, of a run under the stabilizer that `scene` names.
     pub fn new(scene: &Scene) -> Self {
         let fate = Fate::of(scene);
         let (rest, band) = fate.criterion(0).rest();
@@ -58,6 +60,7 @@ impl Summary {
         let (equilibrium, band) = place.unzip();
         Self {
             scene: scene.clone(),
+            stabilizing: Stabilizing::Table(scene.stabilizer),
             rows: 0,
             last: None,
             equilibrium,
@@ -78,10 +81,18 @@ impl Summary {
         }
     }
 
-    /// The summary of all `ticks` of a `scene`.
-    pub fn of<V: Space>(scene: &Scene, ticks: impl IntoIterator<Item = Tick<V>>) -> Self {
-        let mut summary = Self::new(scene);
-        ticks.into_iter().for_each(|tick| summary.add(&tick));
+    /// The summary of all ticks of a `rollout` of a `scene`, under whatever stabilizes that.
+    pub fn of<V: Space>(scene: &Scene, rollout: Rollout<V>) -> Self {
+        let stabilizing = rollout.stabilizing;
+        let stabilizer = match stabilizing {
+            Stabilizing::Table(table) => table,
+            Stabilizing::Foreign(_) => None,
+        };
+        // What ran is told, and not what the scene names.
+        let told = Draft { stabilizer, ..scene.to_draft() }.check();
+        let told = told.unwrap_or_else(|_| scene.clone());
+        let mut summary = Self { stabilizing, scene: told, ..Self::new(scene) };
+        rollout.for_each(|tick| summary.add(&tick));
         summary
     }
 

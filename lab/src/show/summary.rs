@@ -50,7 +50,7 @@ impl Summary {
     pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
         let complete = self.left_range().is_none();
         let settling_time_s = self.settled.filter(|_| complete);
-        let stabilizer = self.scene.stabilizer.is_some().then(|| self.stabilizer());
+        let stabilizer = self.stabilizing.is_there().then(|| self.stabilizer());
         let document = Document {
             scene,
             rows: self.rows,
@@ -104,7 +104,7 @@ impl fmt::Display for Summary {
         if self.absorbed < 0.0 {
             f.write_str(": more came out than went in")?;
         }
-        if self.scene.stabilizer.is_some() {
+        if self.stabilizing.is_there() {
             self.write_stabilizer(f)?;
         }
         let mut signs = self.look_at().into_iter();
@@ -144,7 +144,7 @@ impl Summary {
             write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
         }
         write_list("operator", &described::operator(scene), f)?;
-        write!(f, "\n{}", described::stabilizer(scene))?;
+        write!(f, "\n{}", described::stabilizer(scene, self.stabilizing))?;
         if let Some(sentence) = described::exceeded_cap(scene) {
             write!(f, "\n  cap          {sentence}")?;
         }

@@ -20,7 +20,7 @@ pub use case::{Case, Outcome, Row, Verdicts};
 pub use looped::watch;
 pub use naive::Naive;
 pub use tally::Tally;
-pub use trial::{HardError, OwnStabilizer};
+pub use trial::{HardError, MakeStabilizer};
 
 use std::fmt;
 use std::ops::ControlFlow;

@@ -4,7 +4,7 @@ use lyapunov::{DampingLimit, ParameterError, Scalar};
 
 use super::directed_damping::Direction;
 use super::{Reference, Search};
-use crate::files::scene::Damping;
+use crate::files::scene::{Damping, Scene};
 
 /// Slots of a credit window.
 pub(super) const SLOTS: usize = 8;
@@ -45,6 +45,8 @@ pub(crate) struct Basis {
     pub(crate) normal: Direction,
     /// Position and velocity at the start, m and m/s.
     pub(crate) start: [f64; 2],
+    /// The scene, for an own stabilizer that looks there; none without one.
+    pub(crate) scene: Option<Box<Scene>>,
 }
 
 impl Basis {
