@@ -46,8 +46,23 @@ function traced(u, { trace, xs, y }) {
 function power(exponent) {
   const digits = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
   const raised = (letter) => (letter === "-" ? "\u207b" : digits[Number(letter)]);
-  if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return told(10 ** exponent, 2);
+  if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return told(10 ** exponent, 4);
   return `10${[...String(Math.round(exponent))].map(raised).join("")}`;
+}
+
+// Exponents of round numbers between two exponents.
+function decades(min, max) {
+  const width = max - min;
+  const within = (exponents) => exponents.filter((it) => it >= min - 1e-9 && it <= max + 1e-9);
+  const whole = Array.from({ length: Math.ceil(Math.min(width, 700)) + 2 }, (_, index) => Math.floor(min) + index);
+  const step = Math.ceil(width / 9);
+  if (width > 3) return within(whole.filter((it) => it % step === 0));
+  if (width > 0.6) return within(whole.flatMap((it) => [1, 2, 5].map((part) => it + Math.log10(part))));
+  const [low, high] = [10 ** min, 10 ** max];
+  const power = 10 ** Math.floor(Math.log10((high - low) / 5));
+  const even = power * [1, 2, 5, 10].find((part) => (high - low) / (part * power) <= 6);
+  const first = Math.ceil(low / even);
+  return Array.from({ length: 8 }, (_, index) => Math.log10((first + index) * even)).filter((it) => it <= max);
 }
 
 // An axis with its name, its numbers or the names of its rows.
@@ -72,7 +87,7 @@ function axis(panel, key) {
     values: (u, splits) => splits.map(written),
   };
   if (panel[key]) made.label = panel[key];
-  if (isLog) made.incrs = [0.1, 0.2, 0.5, 1, 2, 3, 5, 10, 20, 50, 100];
+  if (isLog) made.splits = (u, index, min, max) => decades(min, max);
   if (key === "x") return { ...made, size: 28, space: 56 };
   if (rows) {
     made.splits = () => rows.map((_, index) => -index);
@@ -108,6 +123,7 @@ function drawGuides(u, guides) {
     ctx.moveTo(...(way === "h" ? [bbox.left, place] : [place, bbox.top]));
     ctx.lineTo(...(way === "h" ? [bbox.left + bbox.width, place] : [place, bbox.top + bbox.height]));
     ctx.stroke();
+    ctx.textBaseline = "alphabetic";
     ctx.textAlign = way === "h" ? "right" : "left";
     ctx.fillText(label, ...(way === "h" ? [bbox.left + bbox.width - 4 * ratio, place - 4 * ratio] : [place + 4 * ratio, bbox.top + 12 * ratio]));
   }

@@ -14,8 +14,8 @@ class Plot {
     if (panel.title) this.box.append(element("p", "panel-title", panel.title));
     this.legend = element("div", "legend");
     this.at = element("span", "at");
-    this.legend.append(this.at);
     this.curves.forEach((curve) => this.name(curve));
+    this.legend.append(this.at);
     this.frame = element("div", "plot");
     this.frame.tabIndex = 0;
     this.frame.setAttribute("role", "group");
