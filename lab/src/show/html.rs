@@ -65,7 +65,7 @@ pub(crate) fn figure(id: Option<&str>, figure: &Figure, caption: &Markup) -> Mar
     let has_cells = figure.panels.iter().any(|panel| panel.heat.is_some());
     html! {
         figure class=(if has_cells { "cells" } else { "curves" }) id=[id] {
-            (PreEscaped(figure.to_svg()))
+            div.wide { (PreEscaped(figure.to_svg())) }
             script.data type="text/plain" { (figure.to_data()) }
             figcaption { (caption) }
         }
@@ -82,4 +82,43 @@ pub(crate) fn values(id: &str, values: &serde_json::Value) -> Markup {
 /// A verdict in the colour of its `class`: `yes`, `no` or `open`.
 pub(crate) fn verdict(class: &str, word: &str) -> Markup {
     html! { span class=(class) { (word) } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lyapunov_figures::{HeatMap, Panel, Series};
+
+    const HOSTILE: &str = "</script><script>alert(1)</script><figure class=\"curves\">";
+
+    fn drawn(panel: Panel) -> String {
+        let caption = html! { (HOSTILE) };
+        page(HOSTILE, &figure(Some(HOSTILE), &Figure::new(HOSTILE).with_panel(panel), &caption))
+    }
+
+    #[test]
+    fn the_library_is_in_pages_with_curves_and_only_there() {
+        let panel = || Panel::new(HOSTILE, HOSTILE, HOSTILE);
+        let curves = drawn(panel().with_series(Series::line(HOSTILE, 0, vec![(0.0, 1.0)])));
+        assert!(
+            curves.contains("var uPlot=") && curves.contains("Copyright (c) 2022 Leon Sorokin")
+        );
+        let cells = drawn(panel().with_heat(HeatMap::new(1, vec![1.0])));
+        assert!(!cells.contains("var uPlot=") && cells.contains("class Cells"));
+        let words = page(HOSTILE, &html! { p { (HOSTILE) } });
+        assert!(!words.contains("var uPlot=") && !words.contains("class Cells"));
+    }
+
+    #[test]
+    fn no_name_becomes_a_script() {
+        let panel = Panel::new(HOSTILE, HOSTILE, HOSTILE).with_series(Series::line(
+            HOSTILE,
+            0,
+            vec![(0.0, 1.0)],
+        ));
+        let named = values("axes", &serde_json::json!({ "command": HOSTILE })).into_string();
+        for text in [drawn(panel), named] {
+            assert!(!text.contains("<script>alert"), "{text}");
+        }
+    }
 }

@@ -106,26 +106,34 @@ function fitted(u, text) {
   return kept === text ? text : `${kept.slice(0, -1)}\u2026`;
 }
 
-// Guides, dashed, with their names at the edge.
-function drawGuides(u, guides) {
+// Guides, dashed; or their names at the edge, which stand above the curves.
+function drawGuides(u, guides, areNames) {
   const { ctx, bbox } = u;
   const ratio = devicePixelRatio;
   ctx.save();
   ctx.strokeStyle = ctx.fillStyle = css("--soft");
   ctx.lineWidth = ratio;
   ctx.font = FONT.replace("12", String(11 * ratio));
+  ctx.textBaseline = "alphabetic";
   for (const [way, at, label] of guides) {
     const place = u.valToPos(at, way === "h" ? "y" : "x", true);
     const [from, length] = way === "h" ? [bbox.top, bbox.height] : [bbox.left, bbox.width];
     if (!(place >= from && place <= from + length)) continue;
+    if (areNames) {
+      ctx.textAlign = way === "h" ? "right" : "left";
+      const corner = way === "h" ? [bbox.left + bbox.width - 4 * ratio, place - 4 * ratio] : [place + 4 * ratio, bbox.top + 12 * ratio];
+      ctx.strokeStyle = css("--paper");
+      ctx.lineWidth = 3 * ratio;
+      ctx.lineJoin = "round";
+      ctx.strokeText(label, ...corner);
+      ctx.fillText(label, ...corner);
+      continue;
+    }
     ctx.setLineDash([5 * ratio, 3 * ratio]);
     ctx.beginPath();
     ctx.moveTo(...(way === "h" ? [bbox.left, place] : [place, bbox.top]));
     ctx.lineTo(...(way === "h" ? [bbox.left + bbox.width, place] : [place, bbox.top + bbox.height]));
     ctx.stroke();
-    ctx.textBaseline = "alphabetic";
-    ctx.textAlign = way === "h" ? "right" : "left";
-    ctx.fillText(label, ...(way === "h" ? [bbox.left + bbox.width - 4 * ratio, place - 4 * ratio] : [place + 4 * ratio, bbox.top + 12 * ratio]));
   }
   ctx.restore();
 }

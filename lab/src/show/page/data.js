@@ -18,5 +18,7 @@ function element(tag, name, text) {
 
 // A number in its shortest form, "-" where there is none.
 function told(value, digits = 6) {
-  return Number.isFinite(value) ? String(Number(value.toPrecision(digits))) : "-";
+  if (!Number.isFinite(value)) return "-";
+  const rounded = Number(value.toPrecision(digits));
+  return rounded !== 0 && Math.abs(rounded) < 1e-3 ? rounded.toExponential() : String(rounded);
 }

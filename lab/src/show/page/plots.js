@@ -80,7 +80,8 @@ class Plot {
         },
       },
       hooks: {
-        drawAxes: [(u) => drawGuides(u, panel.guides)],
+        drawAxes: [(u) => drawGuides(u, panel.guides, false)],
+        draw: [(u) => drawGuides(u, panel.guides, true)],
         setCursor: [(u) => this.follow(u)],
         setScale: [(u, key) => key === "x" && this.u && this.figure.link(this)],
       },
