@@ -12,6 +12,7 @@ use super::table::Setting;
 use crate::measure::{Balance, Verdict};
 use crate::show::csv::{self, Field};
 use crate::simulate::{Rollout, Space};
+use crate::text::file_name;
 use lyapunov_figures::{Figure, Panel, Series};
 
 /// Height of an entrant's pair of bars, in pixels of the drawing.
@@ -66,7 +67,7 @@ impl Energies {
                 ControlFlow::Break(()) => Err(CompareError::Stopped),
             }
         });
-        let title = format!("{}: {}", comparison.name, Setting(scene));
+        let title = format!("{}: {}", file_name(&comparison.name), Setting(scene));
         Ok(Self { title, rows: rows.collect::<Result<_, _>>()? })
     }
 

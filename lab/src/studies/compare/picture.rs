@@ -5,6 +5,7 @@ use super::contacts::wall;
 use super::table::Setting;
 use crate::measure::Verdict;
 use crate::simulate::Criterion;
+use crate::text::file_name;
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
 /// Height of a panel with a single curve, in pixels of the drawing.
@@ -74,7 +75,7 @@ pub(super) fn forces(comparison: &Comparison) -> Figure {
 
 /// An empty figure of a comparison.
 fn empty(comparison: &Comparison) -> Figure {
-    let title = format!("{}: {}", comparison.name, Setting(&comparison.scene));
+    let title = format!("{}: {}", file_name(&comparison.name), Setting(&comparison.scene));
     Figure::new(title).with_width(960.0)
 }
 

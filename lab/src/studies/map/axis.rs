@@ -19,9 +19,9 @@ pub struct Axis {
     pub key: String,
     /// The first value.
     pub from: f64,
-    /// The last value, greater than the first.
+    /// The last value, greater than the first; with one value the same.
     pub to: f64,
-    /// The number of values, 2 or more.
+    /// The number of values.
     pub count: u64,
     /// The spacing of the values.
     pub spacing: Spacing,
@@ -89,17 +89,26 @@ impl FromStr for Axis {
             _ => Err(AxisError(format!("`{text}` is not a finite number"))),
         };
         let (from, to) = (number(from)?, number(to)?);
-        if from >= to {
-            let what = if from == to { "empty" } else { "reversed" };
-            return no(format!("the range {from}..{to} is {what}: FROM has to be less than TO"));
+        if from > to {
+            return no(format!("the range {from}..{to} is reversed: FROM has to be less than TO"));
         }
         let Some(count) = count else {
             return no(format!("the range {from}..{to} lacks the number of values"));
         };
-        let Some(count) = count.trim().parse().ok().filter(|count| (2..=MOST).contains(count))
+        let Some(count) = count.trim().parse().ok().filter(|count| (1..=MOST).contains(count))
         else {
-            return no(format!("`{count}` is not a number of values from 2 to {MOST}"));
+            return no(format!("`{count}` is not a number of values from 1 to {MOST}"));
         };
+        if from == to && count > 1 {
+            return no(format!(
+                "the range {from}..{to} is empty: it has room for one value, not {count}"
+            ));
+        }
+        if from < to && count == 1 {
+            return no(format!(
+                "one value is a range of its own, {from}..{from}:1, not {from}..{to}:1"
+            ));
+        }
         let spacing = match (word.map(str::trim), parts.next()) {
             (None, _) => Spacing::Linear,
             (Some("log"), None) => Spacing::Logarithmic,

@@ -84,7 +84,7 @@ fn figure(survey: &Survey, words: &str, curves: &[Curve], of: impl Fn(usize) -> 
 }
 
 /// Label of an axis.
-fn label(axis: &Axis) -> String {
+pub(super) fn label(axis: &Axis) -> String {
     match unit(&axis.key) {
         "" => axis.key.clone(),
         unit => format!("{}, {unit}", axis.key),
@@ -107,7 +107,16 @@ impl Shown {
         };
         let shown = Self { numbering, range: (0.0, 1.0), numbered: (0.0, 1.0) };
         let (from, to) = (shown.place(axis.from), shown.place(axis.to));
-        let half = 0.5 * (to - from) / (axis.count - 1) as f64;
+        let half = match axis.count {
+            1 => {
+                if from == 0.0 {
+                    0.5
+                } else {
+                    0.05 * from.abs()
+                }
+            }
+            count => 0.5 * (to - from) / (count - 1) as f64,
+        };
         Self { range: (from - half, to + half), numbered: (from, to), ..shown }
     }
 
