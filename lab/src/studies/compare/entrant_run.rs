@@ -26,7 +26,7 @@ pub(super) struct EntrantRun<V: Space> {
 }
 
 /// The curves of a run: time and position in m, observed energy in J, force on the plant in N.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct Curves {
     pub(super) position: Vec<(f64, f64)>,
     pub(super) observed_energy: Vec<(f64, f64)>,

@@ -1,9 +1,12 @@
 //! Entrants whose runs are equal.
 
+use super::column::Column;
 use super::comparison::Outcome;
+use super::entrant_run::Curves;
 use super::score::Score;
 
-/// Entrants whose runs are equal in every number and on every tick, in the order of the table: the first stands for all.
+/// Entrants whose runs are equal in every number that is shown and in every curve, in the order of the table: the first
+/// stands for all.
 #[derive(Clone, Debug)]
 pub(super) struct Equals<'a>(Vec<&'a Outcome>);
 
@@ -41,25 +44,53 @@ impl<'a> Equals<'a> {
         names.join(" = ")
     }
 
-    /// The name for a narrow place: all names, or the first and the number of the others.
+    /// All names for a narrow place.
     pub(super) fn short_name(&self, room: usize) -> String {
-        let names = self.names();
-        match self.0.len() {
-            1 => names,
-            _ if names.chars().count() <= room => names,
-            2 => format!("{} = 1 other", self.first().score.stabilizer),
-            many => format!("{} = {} others", self.first().score.stabilizer, many - 1),
-        }
+        let names: Vec<&str> = self.scores().map(|score| &score.stabilizer[..]).collect();
+        short(&names, room)
     }
+}
+
+/// Names of what is equal for a place of `room` characters: all, or the first and the number of the others.
+pub(super) fn short(names: &[&str], room: usize) -> String {
+    let all = names.join(" = ");
+    match names {
+        [_, _, ..] if all.chars().count() > room => match names.len() - 1 {
+            1 => format!("{} = 1 other", names[0]),
+            others => format!("{} = {others} others", names[0]),
+        },
+        _ => all,
+    }
+}
+
+/// Points of a curve.
+pub(super) type Points = Vec<(f64, f64)>;
+
+/// Curves that differ by less than this share of their range are drawn on the same pixels.
+const THIN: f64 = 1e-3;
+
+/// Whether two curves cannot be told apart.
+pub(super) fn is_same(one: &Points, other: &Points) -> bool {
+    let values = || one.iter().chain(other).map(|point| point.1);
+    let high = values().fold(f64::NEG_INFINITY, f64::max);
+    let low = values().fold(f64::INFINITY, f64::min);
+    let near = |(a, b): (&(f64, f64), &(f64, f64))| {
+        a == b || a.0 == b.0 && (a.1 - b.1).abs() <= THIN * (high - low)
+    };
+    one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
 /// Whether two runs are equal, but for the cost of their steps.
 fn is_equal(one: &Outcome, other: &Outcome) -> bool {
-    let behaviour = |outcome: &Outcome| Score {
-        stabilizer: String::new(),
-        step_time: None,
-        state_bytes: 0,
-        ..outcome.score.clone()
+    let behaves = |column: &Column| {
+        !matches!(column, Column::Stabilizer | Column::StepTime | Column::StateBytes)
     };
-    behaviour(one) == behaviour(other) && one.curves == other.curves
+    let told = |column: Column| column.cell(&one.score).text() == column.cell(&other.score).text();
+    let curves = |curves: &Curves| {
+        let Curves { position, observed_energy, force } = curves.clone();
+        [position, observed_energy, force]
+    };
+    let [one_curves, other_curves] = [one, other].map(|outcome| curves(&outcome.curves));
+    Column::ALL.into_iter().filter(behaves).all(told)
+        && one_curves.iter().zip(&other_curves).all(|(one, other)| is_same(one, other))
 }

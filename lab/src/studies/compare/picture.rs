@@ -2,6 +2,7 @@
 
 use super::comparison::{Comparison, Outcome};
 use super::contacts::wall;
+use super::equal::{Points, is_same, short};
 use super::table::Setting;
 use crate::measure::Verdict;
 use crate::measure::timing::quartiles;
@@ -12,14 +13,15 @@ use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 const SMALL: f64 = 96.0;
 const BESIDE: usize = 4;
 
+/// Characters of a title of a small panel.
+const ROOM: usize = 20;
+
 /// The shown range as a multiple of the starting swing, if every entrant grows.
 const SHOWN: f64 = 3.0;
 
 /// A curve this many times as large as the middle one, or as small, has a scale of its own among small panels; and of a
 /// run that nobody judges, it does not set the scale where all are overlaid.
-const APART: f64 = 4.0;
-
-type Points = Vec<(f64, f64)>;
+const APART: f64 = 2.5;
 
 type Range = (f64, f64);
 
@@ -31,6 +33,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let position = Drawing {
         comparison,
         what: "position",
+        label: "position",
         unit: "mm",
         scale: 1e3,
         guide: surface.map(|surface| (surface, "wall surface")),
@@ -39,6 +42,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let energy = Drawing {
         comparison,
         what: "observed energy",
+        label: "energy",
         unit: "mJ",
         scale: 1e3,
         guide: Some((0.0, "")),
@@ -61,6 +65,7 @@ pub(super) fn forces(comparison: &Comparison) -> Figure {
     let force = Drawing {
         comparison,
         what: "force on the plant",
+        label: "force",
         unit: "N",
         scale: 1.0,
         guide: None,
@@ -93,6 +98,8 @@ fn observes(outcome: &Outcome) -> bool {
 struct Drawing<'a> {
     comparison: &'a Comparison,
     what: &'static str,
+    /// Its name beside a small panel.
+    label: &'static str,
     unit: &'static str,
     /// Units of the label per unit of the curve.
     scale: f64,
@@ -104,19 +111,20 @@ struct Drawing<'a> {
 /// Outcomes with the same curve, the first of which is drawn, and their names.
 struct Shared<'a> {
     first: &'a Outcome,
-    names: String,
+    names: Vec<&'a str>,
 }
 
 /// The outcomes, those once that share all `curves`.
 fn shared<'a>(outcomes: &[&'a Outcome], curves: &[fn(&Outcome) -> &Points]) -> Vec<Shared<'a>> {
     let mut all: Vec<Shared<'a>> = Vec::new();
     for outcome in outcomes {
-        let name = &outcome.score.stabilizer;
-        let is_same =
-            |one: &&mut Shared<'_>| curves.iter().all(|curve| curve(one.first) == curve(outcome));
-        match all.iter_mut().find(is_same) {
-            Some(one) => one.names += &format!(" = {name}"),
-            None => all.push(Shared { first: outcome, names: name.clone() }),
+        let name = &outcome.score.stabilizer[..];
+        let has_same = |one: &&mut Shared<'_>| {
+            curves.iter().all(|curve| is_same(curve(one.first), curve(outcome)))
+        };
+        match all.iter_mut().find(has_same) {
+            Some(one) => one.names.push(name),
+            None => all.push(Shared { first: outcome, names: vec![name] }),
         }
     }
     all
@@ -137,13 +145,13 @@ impl Drawing<'_> {
         let panel = |(one, range): (&Shared<'_>, &Option<Range>)| {
             let is_apart = range.is_some_and(|range| !is_usual(&range));
             let shown = if is_apart { *range } else { common };
-            let note = if is_apart { ", own scale" } else { "" };
             let panel = Panel::new(
-                format!("{}{note}", one.names),
+                short(&one.names, ROOM),
                 "time, s",
-                format!("{}, {}", short(self.what), self.unit),
+                format!("{}, {}", self.label, self.unit),
             );
-            self.framed(panel, &[(one, "")], shown, false)
+            let note = if is_apart { "own scale" } else { "" };
+            self.framed(panel, &[(one, note.to_owned())], shown, false)
         };
         shared.iter().zip(&ranges).map(panel).collect()
     }
@@ -156,7 +164,7 @@ impl Drawing<'_> {
         let setting = self.setting(&outcomes);
         let some_leave = setting.len() < outcomes.len() || outcomes.iter().all(|it| grows(it));
         let range = self.range(&setting, shared).filter(|_| some_leave);
-        let named: Vec<_> = shared.iter().map(|one| (one, &one.names[..])).collect();
+        let named: Vec<_> = shared.iter().map(|one| (one, one.names.join(" = "))).collect();
         self.framed(panel, &named, range, true)
     }
 
@@ -193,7 +201,7 @@ impl Drawing<'_> {
     fn framed(
         &self,
         panel: Panel,
-        named: &[(&Shared<'_>, &str)],
+        named: &[(&Shared<'_>, String)],
         range: Option<Range>,
         has_names: bool,
     ) -> Panel {
@@ -226,15 +234,6 @@ impl Drawing<'_> {
             }
             None => panel,
         }
-    }
-}
-
-/// A name that fits beside a small panel.
-fn short(what: &str) -> &str {
-    match what {
-        "observed energy" => "energy",
-        "force on the plant" => "force",
-        other => other,
     }
 }
 

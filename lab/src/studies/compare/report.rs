@@ -58,10 +58,10 @@ fn section(index: usize, comparison: &Comparison, figures: &[(&Figure, &str)]) -
             @if let Some(by) = by_speed(&comparison.scene) { " Judged " (by) "." }
         }
         @if !equal.is_empty() {
-            p { "Equal in every number and on every tick, and shown once:" }
+            p { "Equal in every number and every curve as they are shown, and shown once:" }
             ul { @for names in &equal { li { (names) } } }
         }
-        @for table in tables(comparison, None) { (table.to_html("short")) }
+        @for table in tables(comparison) { (table.to_html("short")) }
         @for (figure, caption) in figures { (html::figure(None, figure, &html! { (caption) })) }
     }
 }

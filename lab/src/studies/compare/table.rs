@@ -55,9 +55,9 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
         writeln!(f, "judged {by}")?;
     }
     for names in equal_names(comparison) {
-        writeln!(f, "{}", folded("equal in every number, shown once: ", &names))?;
+        writeln!(f, "{}", folded("equal as shown, shown once: ", &names))?;
     }
-    tables(comparison, Some(ROOM)).iter().try_for_each(|table| write!(f, "\n{table}"))
+    tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
 }
 
 /// Room for a name in the first column, in characters.
@@ -69,8 +69,8 @@ pub(super) fn equal_names(comparison: &Comparison) -> Vec<String> {
     groups.filter(Equals::are_many).map(|group| group.names()).collect()
 }
 
-/// The tables, with equal rows once; a name of several entrants is shortened to `room`.
-pub(super) fn tables(comparison: &Comparison, room: Option<usize>) -> Vec<Table> {
+/// The tables, with equal rows once.
+pub(super) fn tables(comparison: &Comparison) -> Vec<Table> {
     let groups = Equals::of(&comparison.outcomes);
     let of = |columns: &[Column]| {
         let headings = columns.iter().map(|column| match column {
@@ -80,7 +80,7 @@ pub(super) fn tables(comparison: &Comparison, room: Option<usize>) -> Vec<Table>
             _ => Heading::number(column.heading()),
         });
         let rows = groups.iter().map(|group| {
-            let cell = |column: &Column| cell(*column, group, room);
+            let cell = |column: &Column| cell(*column, group);
             columns.iter().map(cell).collect::<Vec<_>>()
         });
         Table::new(headings).with_rows(rows)
@@ -89,7 +89,7 @@ pub(super) fn tables(comparison: &Comparison, room: Option<usize>) -> Vec<Table>
 }
 
 /// The cell of a group; what a step costs differs within it.
-fn cell(column: Column, group: &Equals<'_>, room: Option<usize>) -> Cell {
+fn cell(column: Column, group: &Equals<'_>) -> Cell {
     let several = |of: &dyn Fn(&super::Score) -> Option<f64>, decimals: usize| {
         let values: Vec<f64> = group.scores().filter_map(of).collect();
         let low = values.iter().copied().reduce(f64::min);
@@ -101,10 +101,7 @@ fn cell(column: Column, group: &Equals<'_>, room: Option<usize>) -> Cell {
         Cell::from(told)
     };
     match column {
-        Column::Stabilizer => match room {
-            Some(room) => group.short_name(room).into(),
-            None => group.names().into(),
-        },
+        Column::Stabilizer => group.short_name(ROOM).into(),
         Column::StepTime if group.are_many() => {
             several(&|score| score.step_time.map(|time| time.median), 2)
         }

@@ -61,7 +61,7 @@ impl Bounds {
         let (which, other) = if upwards { (0, &grid.x) } else { (1, &grid.y) };
         let count = other.count.min(SAMPLES);
         let sample = |number: u64| {
-            let index = number * (other.count - 1) / (count - 1);
+            let index = number * (other.count - 1) / (count - 1).max(1);
             let value = other.value(index);
             let scene: Scene = grid.with(which, value).ok()?;
             Some((index, value, Limits::of(&scene)))
