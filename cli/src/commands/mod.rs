@@ -7,9 +7,12 @@ mod effects;
 mod explain;
 mod folder;
 mod hard;
+mod left_out;
 mod map;
 mod observe;
 mod paper;
+mod progress;
+mod results;
 mod run;
 mod scenes;
 mod schema;
@@ -119,10 +122,10 @@ pub(crate) fn program() -> &'static str {
 /// Template of a progress bar whose length is known.
 const BAR: &str = "{bar:40} {percent:>3} %, {eta} left";
 
-/// The bar in this form, hidden unless standard output and standard error are both a terminal.
+/// The bar in this form; a line now and then unless standard output and standard error are both a terminal.
 pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
-    if !io::stdout().is_terminal() {
-        return ProgressBar::hidden();
+    if !io::stdout().is_terminal() || !io::stderr().is_terminal() {
+        return progress::in_lines(bar);
     }
     let style = ProgressStyle::with_template(template);
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

@@ -16,6 +16,14 @@ pub enum Judgement {
 }
 
 impl Judgement {
+    /// The word in JSON.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Settling => "settling",
+            Self::EnergyAndForce => "energy-and-force",
+        }
+    }
+
     /// The numbers in words.
     pub(crate) fn words(self) -> &'static str {
         match self {

@@ -173,7 +173,7 @@ impl Column {
     }
 
     /// The number that sorts the column.
-    fn value(self, score: &Score) -> Option<f64> {
+    pub(super) fn value(self, score: &Score) -> Option<f64> {
         match self {
             Self::Stabilizer | Self::Verdict | Self::JudgedBy => None,
             Self::SettlingTime => score.settling_time,

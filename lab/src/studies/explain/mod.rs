@@ -3,7 +3,9 @@
 mod document;
 mod groups;
 mod hint;
+mod picture;
 mod remedy;
+mod report;
 mod words;
 
 use std::fmt;

@@ -15,8 +15,7 @@ const MILLI: f64 = 1e3;
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write_verdict(f)?;
-        self.write_groups(f)?;
+        write!(f, "{}", Heads(self))?;
         writeln!(f)?;
         self.write_balances(f)?;
         if self.remedies.is_empty() {
@@ -41,6 +40,16 @@ impl fmt::Display for Explanation {
             )?;
         }
         Ok(())
+    }
+}
+
+/// Lines above the balance: the verdict, what is broken, and the groups.
+pub(super) struct Heads<'a>(pub(super) &'a Explanation);
+
+impl fmt::Display for Heads<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write_verdict(f)?;
+        self.0.write_groups(f)
     }
 }
 
@@ -93,6 +102,18 @@ impl Explanation {
             writeln!(f, "  the environment was never touched")?;
             return Ok(());
         };
+        f.write_str(&textwrap::indent(&self.balances(first).to_string(), "  "))?;
+        let (leak, energy) = first.largest_leak();
+        if -first.wall > energy.max(0.0) {
+            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
+        } else if energy > 0.0 {
+            writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
+        }
+        Ok(())
+    }
+
+    /// The energies of the `first` contact and of the whole run, line by line.
+    pub(super) fn balances(&self, first: &Balance) -> Table {
         let stretch =
             |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
         let headings = [
@@ -105,15 +126,7 @@ impl Explanation {
             let [first, whole] = values.map(|value| Cell::from(MILLI * value));
             [name.into(), first, whole]
         });
-        let table = Table::new(headings).with_rows(rows).to_string();
-        f.write_str(&textwrap::indent(&table, "  "))?;
-        let (leak, energy) = first.largest_leak();
-        if -first.wall > energy.max(0.0) {
-            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
-        } else if energy > 0.0 {
-            writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
-        }
-        Ok(())
+        Table::new(headings).with_rows(rows)
     }
 }
 
@@ -139,7 +152,7 @@ const LINES: [(&str, Of); 15] = [
 ];
 
 /// Remedy in a line.
-struct Told<'a>(&'a Remedy);
+pub(super) struct Told<'a>(pub(super) &'a Remedy);
 
 impl fmt::Display for Told<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

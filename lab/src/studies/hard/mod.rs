@@ -28,6 +28,7 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::show::csv::{self, Field};
 use crate::simulate::family::StabilizerName;
 
 /// Results of the whole catalogue: `hard.json`.
@@ -84,6 +85,18 @@ impl Catalogue {
     /// A self-contained HTML page; `command` is the command that made it.
     pub fn report(&self, command: &str) -> String {
         report::page(self, command)
+    }
+
+    /// A row for each case as comma-separated values.
+    pub fn csv(&self) -> String {
+        let rows = self.rows.iter().map(|row| {
+            let naive = row.naive.as_ref().map(|naive| naive.measured);
+            let words = [row.case, row.theme, row.quantity, row.unit].map(Field::Text);
+            let numbers = [Some(row.bound), Some(row.measured), naive].map(Field::from);
+            words.into_iter().chain(numbers).chain([Field::Text(row.verdict())])
+        });
+        let names = ["case", "theme", "quantity", "unit", "bound", "measured", "naive", "verdict"];
+        csv::text(names, rows)
     }
 
     /// The results as JSON.

@@ -16,6 +16,7 @@ mod shard;
 mod single;
 mod survey;
 mod table;
+mod varied;
 mod vary;
 
 pub use crate::simulate::family::BasicName;
