@@ -1,5 +1,6 @@
 //! Figure of one or several panels.
 
+use super::data;
 use super::page;
 use super::panel::Panel;
 
@@ -67,5 +68,16 @@ impl Figure {
     #[must_use]
     pub fn to_svg(&self) -> String {
         page::compose(self)
+    }
+
+    /// The figure's data for a page that draws it once more: JSON, deflated (RFC 1950), in base64.
+    ///
+    /// Panels with their ranges, guides and curves; `x` of a curve is an index into the lists of abscissae at the end. A
+    /// coordinate that is not finite is null. Abscissae have nine digits, ordinates six; beyond 40 000 points together all
+    /// curves are thinned by the same share, and `thinned` is true. The elements of heat maps have four to two digits, the
+    /// fewer the more there are; a ramp of very many has none.
+    #[must_use]
+    pub fn to_data(&self) -> String {
+        data::packed(self)
     }
 }

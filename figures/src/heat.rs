@@ -115,7 +115,7 @@ impl HeatMap {
             if value.is_finite() { colour(value) } else { NOTHING }
         });
         if let Some(link) = link {
-            markup.picture(area, &link);
+            markup.cells(area, &link);
         }
     }
 
@@ -149,7 +149,10 @@ impl HeatMap {
 
 /// Shade of the ramp.
 fn shade(value: f64, span: Span) -> [u8; 3] {
-    let place = span.fraction(value).clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
+    // Few enough shades for a bitmap of one byte for each element.
+    const SHADES: f64 = 250.0;
+    let share = (SHADES * span.fraction(value).clamp(0.0, 1.0)).round() / SHADES;
+    let place = share * (RAMP.len() - 1) as f64;
     let step = (place as usize).min(RAMP.len() - 2);
     let share = place - step as f64;
     std::array::from_fn(|part| {

@@ -26,6 +26,7 @@
 
 mod axes;
 mod curve;
+mod data;
 mod figure;
 mod geometry;
 mod guide;

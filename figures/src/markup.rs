@@ -67,8 +67,17 @@ impl Markup {
 
     /// Draws a bitmap over an area, with sharp edges between its pixels; `link` is a `data:` link.
     pub(super) fn picture(&mut self, area: Rect, link: &str) {
+        self.bitmap(area, link, "");
+    }
+
+    /// Draws the bitmap of a heat map, which a page finds by its class.
+    pub(super) fn cells(&mut self, area: Rect, link: &str) {
+        self.bitmap(area, link, " class=\"cells\"");
+    }
+
+    fn bitmap(&mut self, area: Rect, link: &str, class: &str) {
         self.push(format_args!(
-            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+            "<image{class} x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
              style=\"image-rendering:pixelated\" href=\"{link}\"/>\n",
             number(area.left),
             number(area.top),

@@ -44,8 +44,18 @@ struct Grid<'a> {
     frame_height: f64,
 }
 
+/// Number of panels side by side, and height of a frame.
+pub(super) fn layout(figure: &Figure) -> (usize, f64) {
+    let grid = Grid::of(figure, width(figure));
+    (grid.columns, grid.frame_height)
+}
+
+fn width(figure: &Figure) -> f64 {
+    if figure.width.is_nan() { 720.0 } else { figure.width.clamp(320.0, 4000.0) }
+}
+
 pub(super) fn compose(figure: &Figure) -> String {
-    let width = if figure.width.is_nan() { 720.0 } else { figure.width.clamp(320.0, 4000.0) };
+    let width = width(figure);
     let grid = Grid::of(figure, width);
     let mut markup = Markup::default();
     let left = MARGIN + grid.gutter(0);

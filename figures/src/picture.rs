@@ -1,5 +1,7 @@
 //! Bitmap as a PNG within a link, a hundredth of the size of the same elements as rectangles.
 
+use std::collections::BTreeSet;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -18,21 +20,36 @@ pub(super) fn link(
     if size.contains(&0) {
         return None;
     }
+    let colours: Vec<[u8; 3]> =
+        (0..rows * columns).map(|index| colour(index % columns, index / columns)).collect();
+    let palette: Vec<[u8; 3]> =
+        colours.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+    let is_small = palette.len() <= 256;
     let mut lines = Vec::with_capacity(rows * (3 * columns + 1));
-    for row in 0..rows {
+    for line in colours.chunks(columns) {
         // The filter of the line is none.
         lines.push(0);
-        (0..columns).for_each(|column| lines.extend(colour(column, row)));
+        for colour in line {
+            match palette.binary_search(colour) {
+                Ok(index) if is_small => lines.push(index as u8),
+                _ => lines.extend(colour),
+            }
+        }
     }
-    Some(format!("data:image/png;base64,{}", STANDARD.encode(png(size, &lines))))
+    let palette = is_small.then(|| palette.concat());
+    Some(format!("data:image/png;base64,{}", STANDARD.encode(png(size, palette, &lines))))
 }
 
-/// PNG (ISO/IEC 15948) of `lines` of red, green and blue, 8 bits each, every line after its filter byte.
-fn png([columns, rows]: [u32; 2], lines: &[u8]) -> Vec<u8> {
+/// PNG (ISO/IEC 15948) of `lines`, every line after its filter byte: of 8-bit indices into the `palette`, or else of red,
+/// green and blue, 8 bits each.
+fn png([columns, rows]: [u32; 2], palette: Option<Vec<u8>>, lines: &[u8]) -> Vec<u8> {
     let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
-    // 8 bits per channel, colour type RGB, and 0 for compression, filter and interlace methods.
-    let form = [8, 2, 0, 0, 0];
+    // 8 bits, the colour type, and 0 for compression, filter and interlace methods.
+    let form = [8, if palette.is_some() { 3 } else { 2 }, 0, 0, 0];
     chunk(&mut bytes, b"IHDR", &[&columns.to_be_bytes()[..], &rows.to_be_bytes(), &form].concat());
+    if let Some(palette) = palette {
+        chunk(&mut bytes, b"PLTE", &palette);
+    }
     chunk(&mut bytes, b"IDAT", &compress_to_vec_zlib(lines, LEVEL));
     chunk(&mut bytes, b"IEND", &[]);
     bytes
@@ -75,16 +92,25 @@ mod tests {
     #[cfg(feature = "png")]
     #[test]
     fn another_reader_finds_every_pixel() {
+        let few = |column: usize, row: usize| [7 * column as u8, 11 * row as u8, 200];
+        // More colours than a palette holds.
+        let many =
+            |column: usize, row: usize| [7 * column as u8, 11 * row as u8, (column * row) as u8];
+        read_back(9, 20, few);
+        read_back(30, 20, many);
+    }
+
+    #[cfg(feature = "png")]
+    fn read_back(columns: usize, rows: usize, colour: impl Fn(usize, usize) -> [u8; 3]) {
         use resvg::tiny_skia::Pixmap;
 
-        let colour = |column: usize, row: usize| [7 * column as u8, 11 * row as u8, 200];
-        let link = link(9, 20, colour).unwrap();
+        let link = link(columns, rows, &colour).unwrap();
         let text = link.strip_prefix("data:image/png;base64,").unwrap();
         let picture = Pixmap::decode_png(&STANDARD.decode(text).unwrap()).unwrap();
-        assert_eq!((picture.width(), picture.height()), (9, 20));
+        assert_eq!((picture.width(), picture.height()), (columns as u32, rows as u32));
         for (index, pixel) in picture.pixels().iter().enumerate() {
             let found = [pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()];
-            let [red, green, blue] = colour(index % 9, index / 9);
+            let [red, green, blue] = colour(index % columns, index / columns);
             assert_eq!(found, [red, green, blue, 255], "{index}");
         }
     }

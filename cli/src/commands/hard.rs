@@ -11,7 +11,7 @@ use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
 use super::results::Results;
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 
 /// The file that `--json` prints.
 const RESULTS: &str = "hard.json";
@@ -79,7 +79,8 @@ impl Hard {
 
     fn command(&self, folder: &Folder<'_>) -> String {
         let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
-        format!("lyapunov hard{} --out {}", named.unwrap_or_default(), folder.path().display())
+        let named = named.unwrap_or_default();
+        format!("{} hard{named} --out {}", program(), folder.path().display())
     }
 
     fn progress(&self) -> ProgressBar {

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 use super::folder::Folder;
 use super::results::{Results, command_line};
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 use crate::output::{Output, Outputs};
 use crate::pictures::pictures;
 
@@ -26,6 +26,9 @@ const RESULTS: &str = "map.json";
 
 /// The file that `--json` prints of a sweep.
 const SWEEP: &str = "sweep.json";
+
+/// The file of the scene that the page of merged shards shows, as its commands name it.
+const MERGED: &str = "scene.toml";
 
 const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
 
@@ -140,7 +143,8 @@ impl Map {
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
         if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
             if shard == Shard::WHOLE {
-                fill(folder.path(), &survey, bounds.as_ref(), &text, &self.command())?;
+                let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
+                fill(folder.path(), &survey, bounds.as_ref(), &text, [&self.command(), &file])?;
             }
             checkpoint.finish().map_err(End::input)?;
         }
@@ -239,7 +243,7 @@ impl Map {
 
     /// Command line that makes the same map.
     fn command(&self) -> String {
-        let mut text = String::from("lyapunov map");
+        let mut text = format!("{} map", program());
         if let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) {
             let _ = write!(text, " {} --x {x} --y {y}", scene.display());
         }
@@ -292,7 +296,8 @@ impl Merge {
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         End::if_interrupted()?;
         folder.keep();
-        fill(folder.path(), &survey, bounds.as_ref(), &text, "lyapunov map merge")?;
+        let command = format!("{} map merge", program());
+        fill(folder.path(), &survey, bounds.as_ref(), &text, [&command, MERGED])?;
         output.keep().map_err(End::input)?;
         let mut out = io::stdout().lock();
         match (self.json, self.quiet) {
@@ -334,13 +339,13 @@ impl Merge {
     }
 }
 
-/// Writes all files beside the table before the first appears under its name.
+/// Writes all files beside the table before the first appears under its name; `command` made them of the file `scene`.
 fn fill(
     folder: &Path,
     survey: &Survey,
     bounds: Option<&Bounds>,
     text: &str,
-    command: &str,
+    [command, scene]: [&str; 2],
 ) -> Result<(), End> {
     let mut outputs = Outputs::of(folder);
     let figures = figures(survey, bounds);
@@ -348,7 +353,9 @@ fn fill(
         figures.par_iter().map(|drawn| pictures(drawn.name, &drawn.figure)).collect();
     let drawn = drawn.map_err(End::internal)?.into_iter().flatten();
     outputs.put_all(drawn).map_err(End::input)?;
-    outputs.put("report.html", page(survey, bounds, &figures, command)).map_err(End::input)?;
+    outputs
+        .put("report.html", page(survey, bounds, &figures, command, scene))
+        .map_err(End::input)?;
     outputs.put(RESULTS, text).map_err(End::input)?;
     outputs.keep().map_err(End::input)
 }

@@ -13,7 +13,7 @@ use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
 use super::left_out::LeftOut;
 use super::results::Results;
-use super::{End, standard_output};
+use super::{End, program, standard_output};
 
 /// Files to compare, each under the path as it was given.
 pub(super) enum Subjects {
@@ -108,7 +108,8 @@ fn fill<C: Compared>(
     text: &str,
 ) -> Result<(), End> {
     let given: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
-    let command = format!("lyapunov compare {} --out {}", given.join(" "), folder.path().display());
+    let command =
+        format!("{} compare {} --out {}", program(), given.join(" "), folder.path().display());
     let mut results = Results::new(page::<C>(sheets, &command), RESULTS, text);
     for (name, sheet) in names(sheets.iter().map(|sheet| &sheet.name[..])).iter().zip(sheets) {
         End::if_interrupted()?;

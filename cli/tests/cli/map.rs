@@ -169,6 +169,7 @@ fn bad_arguments_are_refused_and_change_nothing() {
     with("environment.wall.damping=2..2:3", &["2..2 is empty"]);
     with("environment.wall.damping=3..2:3", &["3..2 is reversed"]);
     with("environment.wall.damping=1..2:0", &["`0` is not a number of values"]);
+    with("environment.wall.damping=1..2:1", &["one value is a range of its own, 1..1:1"]);
     with("environment.wall.damping=1..2", &["lacks the number of values"]);
     with("environment.wall.damping=0..2:3:log", &["begins above 0"]);
     with("environment.wall.damping=a..2:3", &["`a` is not a finite number"]);
@@ -181,6 +182,28 @@ fn bad_arguments_are_refused_and_change_nothing() {
     place.refuses(axes(&["--shard", "0/3"]), &["--out"]);
     place.refuses(axes(&["--threads", "0"]), &["--threads"]);
     place.refuses(["map", "merge", "scene.toml", "--out", "out"], &["not the table of a map"]);
+}
+
+/// The command that the page tells of a cell.
+#[test]
+fn a_map_of_one_cell_is_that_cell_of_a_larger_map() {
+    let place = place();
+    place.put("a scene's.toml", place.text("scene.toml"));
+    place.run(axes(&["--out", "whole"])).ended(0, &[]);
+    let (x, y) = ("environment.wall.stiffness=2937.5", "environment.wall.damping=5.0");
+    let alone = |text: &str, value: &str| format!("{text}..{value}:1");
+    let (x, y) = (alone(x, "2937.5"), alone(y, "5.0"));
+    let cell = ["map", "a scene's.toml", "--x", &x, "--y", &y, "--out", "cell"];
+    place.run(cell).ended(0, &["none", "popc", "lolc"]);
+    let rows = |file: &str| -> Vec<String> {
+        let text = place.text(file);
+        text.lines().filter(|line| line.starts_with("2937.5,5.0,")).map(str::to_owned).collect()
+    };
+    assert_eq!(rows("cell/map.csv"), rows("whole/map.csv"));
+    assert_eq!(rows("cell/map.csv").len(), 3);
+    // The page's own command names the file as a shell reads it.
+    let page = place.text("cell/report.html");
+    assert!(page.contains(r"lyapunov map 'a scene'\\''s.toml'"), "{page}");
 }
 
 #[test]

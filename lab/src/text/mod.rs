@@ -1,12 +1,14 @@
 //! The ground floor: text helpers for every other floor, independent of the subject of the text.
 
 pub(crate) mod excerpt;
+mod file_name;
 pub(crate) mod names;
 pub(crate) mod numbers;
 pub(crate) mod suggest;
 pub(crate) mod words;
 
 pub(crate) use excerpt::{printable, shorten};
+pub(crate) use file_name::file_name;
 pub(crate) use numbers::{found, given};
 pub(crate) use suggest::nearest;
 pub(crate) use words::{folded, listed};

@@ -44,9 +44,6 @@ impl StabilizerName {
 
     /// Whether it takes energy out of a motion by a damper, and not only by smaller forces.
     pub fn adds_damping(self) -> bool {
-        match self {
-            Self::Basic(_) => true,
-            Self::Member(member) => member.table().kind().adds_damping(),
-        }
+        self.bare_table().is_none_or(|table| table.kind().adds_damping())
     }
 }

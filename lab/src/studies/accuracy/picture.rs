@@ -3,6 +3,7 @@
 use super::Study;
 use super::setting::Number;
 use super::study::Row;
+use crate::text::file_name;
 use lyapunov_figures::{Figure, Numbering, Panel, Series};
 
 /// The propagators, in the order of their colours.
@@ -13,7 +14,7 @@ impl Study {
     /// Error against time, both as powers of ten: one panel per scalar.
     pub fn figure(&self) -> Figure {
         let (x, y) = (span(self.points(|point| point.0)), span(self.points(|point| point.1)));
-        let mut figure = Figure::new(format!("{}: error against time", self.name))
+        let mut figure = Figure::new(format!("{}: error against time", file_name(&self.name)))
             .with_width(960.0)
             .with_panel_height(320.0);
         for number in [Number::F64, Number::F32, Number::F32WithWideLedger] {

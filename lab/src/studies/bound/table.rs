@@ -38,16 +38,19 @@ impl Limits {
             Heading::number("at most N/m"),
             Heading::word("the scene's own is"),
         ];
-        let rows = self.named().into_iter().map(|(_, name, limit)| {
-            [name.into(), limit.into(), limit.map(|limit| self.place(limit)).into()]
+        let rows = self.named().into_iter().map(|(key, name, limit)| {
+            [name.into(), limit.into(), limit.map(|limit| self.place(key, limit)).into()]
         });
         Table::new(headings).with_rows(rows)
     }
 
     /// The scene's own stiffness, as compared with a limit.
-    fn place(&self, limit: f64) -> String {
+    fn place(&self, key: &str, limit: f64) -> String {
+        let from = self.exact_from.filter(|_| key == "exact_max_stiffness").unwrap_or(0.0);
         match self.stiffness {
             None => "-".to_owned(),
+            Some(own) if own < 0.0 => "below 0: only the radius tells".to_owned(),
+            Some(own) if own < from => format!("too soft: stable from {} N/m on", found(from)),
             Some(own) if own <= limit => {
                 format!("within it, at {} % of it", found(100.0 * own / limit))
             }

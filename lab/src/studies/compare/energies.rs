@@ -13,6 +13,7 @@ use crate::measure::{Balance, Verdict};
 use crate::show::csv::{self, Field};
 use crate::show::energy_bars;
 use crate::simulate::{Rollout, Space};
+use crate::text::file_name;
 use lyapunov_figures::Figure;
 
 /// The energies by cause of each entrant's whole run; docs/explain.md has the equations.
@@ -55,7 +56,7 @@ impl Energies {
                 ControlFlow::Break(()) => Err(CompareError::Stopped),
             }
         });
-        let title = format!("{}: {}", comparison.name, Setting(scene));
+        let title = format!("{}: {}", file_name(&comparison.name), Setting(scene));
         Ok(Self { title, rows: rows.collect::<Result<_, _>>()? })
     }
 

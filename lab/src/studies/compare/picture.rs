@@ -7,6 +7,7 @@ use super::table::Setting;
 use crate::measure::Verdict;
 use crate::measure::timing::quartiles;
 use crate::simulate::Criterion;
+use crate::text::file_name;
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
 /// Height of a small panel, in pixels of the drawing, and how many stand side by side.
@@ -80,7 +81,7 @@ pub(super) fn forces(comparison: &Comparison) -> Figure {
 
 /// An empty figure of a comparison.
 fn empty(comparison: &Comparison) -> Figure {
-    let title = format!("{}: {}", comparison.name, Setting(&comparison.scene));
+    let title = format!("{}: {}", file_name(&comparison.name), Setting(&comparison.scene));
     Figure::new(title).with_width(960.0)
 }
 

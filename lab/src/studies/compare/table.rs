@@ -5,6 +5,7 @@ use std::fmt;
 use super::Comparison;
 use super::column::Column;
 use super::equal::Equals;
+use super::look_at::LookAt;
 use crate::files::Scene;
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
@@ -53,6 +54,9 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
     }
     if let Some(by) = by_speed(&comparison.scene) {
         writeln!(f, "judged {by}")?;
+    }
+    for sign in LookAt::of(comparison) {
+        writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
     }
     for names in equal_names(comparison) {
         writeln!(f, "{}", folded("equal as shown, shown once: ", &names))?;

@@ -13,7 +13,7 @@ use crate::measure::timing::quartiles;
 use crate::show::csv::{self, Field};
 use crate::simulate::family::BasicName;
 use crate::simulate::{Criterion, Space};
-use crate::text::{found, given};
+use crate::text::{file_name, found, given};
 use lyapunov_figures::{Figure, Panel, Series};
 
 /// The number of values of the wall's stiffness, and of its damping.
@@ -89,7 +89,7 @@ impl TradeOff {
         };
         let errors: Result<Vec<_>, _> = walls.par_iter().map(of_wall).collect();
         let names = comparison.scores().map(|score| score.stabilizer.clone()).collect();
-        let title = format!("{}: {}", comparison.name, range(&walls));
+        let title = format!("{}: {}", file_name(&comparison.name), range(&walls));
         Ok(Some(Self::told(title, names, &errors?)))
     }
 

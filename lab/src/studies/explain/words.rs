@@ -8,7 +8,7 @@ use crate::measure::{Balance, Verdict};
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
-use crate::text::{found, given};
+use crate::text::{folded, found, given};
 
 /// Energies are reported in thousandths of a joule.
 const MILLI: f64 = 1e3;
@@ -20,7 +20,13 @@ impl fmt::Display for Explanation {
         self.write_balances(f)?;
         if self.remedies.is_empty() {
             let grows = self.verdict == Verdict::Grows;
-            return if grows { writeln!(f, "\n  nothing that was tried helps") } else { Ok(()) };
+            return match self.peak_force != 0.0 {
+                true if grows => writeln!(f, "\n  nothing that was tried helps"),
+                true => Ok(()),
+                false => {
+                    writeln!(f, "\n  no force acts in this run, so no change of the loop was tried")
+                }
+            };
         }
         writeln!(f, "\n  what helps, each by itself; all were run, and none grows")?;
         for remedy in &self.remedies {
@@ -75,7 +81,8 @@ impl Explanation {
         if let Some(sentence) = described::exceeded_cap(&self.scene) {
             writeln!(f, "  cap          {sentence}")?;
         }
-        Ok(())
+        let mut signs = self.look_at.iter();
+        signs.try_for_each(|it| writeln!(f, "{}", folded("  look at      ", &it.text)))
     }
 
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -20,7 +20,7 @@ pub use case::{Case, Outcome, Row, Verdicts};
 pub use looped::watch;
 pub use naive::Naive;
 pub use tally::Tally;
-pub use trial::{HardError, OwnStabilizer};
+pub use trial::{HardError, MakeStabilizer};
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -111,5 +111,36 @@ impl Catalogue {
 impl fmt::Display for Catalogue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         table::write(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::Scene;
+    use crate::measure::Summary;
+    use crate::simulate::{Rollout, Space};
+
+    fn look_at<V: Space>(scene: &Scene) -> Vec<String> {
+        let signs = Summary::of(scene, Rollout::<V>::of(scene).unwrap()).look_at();
+        signs.into_iter().map(|it| it.text).collect()
+    }
+
+    /// A hard case is hard on purpose: nothing in it looks like a mistake.
+    #[test]
+    fn no_hard_case_shows_a_sign_of_a_mistake() {
+        let mut scenes = 0;
+        for case in Catalogue::cases() {
+            let Some(text) = case.trial.scene() else { continue };
+            let scene = Scene::parse(text, case.name).unwrap();
+            let signs = match scene.dimensions() {
+                1 => look_at::<f64>(&scene),
+                2 => look_at::<nalgebra::SVector<f64, 2>>(&scene),
+                _ => look_at::<nalgebra::SVector<f64, 3>>(&scene),
+            };
+            assert_eq!(signs, [""; 0], "{}", case.name);
+            scenes += 1;
+        }
+        assert!(scenes > 20, "{scenes}");
     }
 }

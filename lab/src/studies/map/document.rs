@@ -6,7 +6,7 @@ use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
 use super::run::{Method, Run, Workload};
 use super::survey::Survey;
-use crate::measure::Verdict;
+use crate::measure::{Oddity, Verdict};
 use crate::simulate::family::{Judgement, StabilizerName};
 
 /// Method and cost of a map's computation.
@@ -63,6 +63,7 @@ struct Document<'a> {
     #[serde(flatten)]
     computation: Option<&'a Computation>,
     areas: Vec<Line>,
+    look_at: Vec<Oddity>,
 }
 
 /// An axis.
@@ -164,6 +165,7 @@ pub fn document(
         cells_by_speed: survey.by_speed(),
         computation,
         areas: grid.stabilizers.iter().enumerate().map(line).collect(),
+        look_at: survey.look_at().into_iter().collect(),
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

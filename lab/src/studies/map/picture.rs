@@ -108,7 +108,8 @@ impl Shown {
         let shown = Self { numbering, range: (0.0, 1.0), numbered: (0.0, 1.0) };
         let (from, to) = (shown.place(axis.from), shown.place(axis.to));
         let half = match axis.count {
-            1 => 0.05 * from.abs().max(1e-9),
+            1 if from == 0.0 => 0.5,
+            1 => 0.05 * from.abs(),
             count => 0.5 * (to - from) / (count - 1) as f64,
         };
         Self { range: (from - half, to + half), numbered: (from, to), ..shown }

@@ -1,24 +1,27 @@
 //! The table of areas by verdict, and the self-contained report page of a map.
 
-use maud::html;
+use maud::{Markup, html};
+use serde_json::json;
 
+use super::axis::Axis;
 use super::bounds::Bounds;
-use super::picture::NamedFigure;
+use super::picture::{NamedFigure, label};
 use super::survey::Survey;
 use crate::measure::Verdict;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::show::verdict::by_speed;
 
-/// The page of a map with its `figures`, as HTML; `command` made the map.
+/// The page of a map with its `figures`, as HTML; `command` made the map of the file `scene`.
 pub fn page(
     survey: &Survey,
     bounds: Option<&Bounds>,
     figures: &[NamedFigure],
     command: &str,
+    scene: &str,
 ) -> String {
     let grid = survey.grid();
-    let scene = toml::to_string(&grid.scene).unwrap_or_default();
+    let text = toml::to_string(&grid.scene).unwrap_or_default();
     let body = html! {
         p {
             (grid.x.count) " by " (grid.y.count) " cells, computed by " (html::maker(command)) "."
@@ -51,9 +54,50 @@ pub fn page(
             "Every number, with its default in place; the two axes stand at the scene's own values. All cells are in "
             a href="map.csv" { "map.csv" } "."
         }
-        pre { (scene) }
+        pre { (text) }
+        (axes(survey, scene))
     };
     html::page(&format!("Map of {} by {}", grid.y.key, grid.x.key), &body)
+}
+
+/// The values of the axes, and the command to which a cell's own values are added.
+fn axes(survey: &Survey, scene: &str) -> Markup {
+    let grid = survey.grid();
+    let (columns, rows) = survey.size();
+    let of = |axis: &Axis, elements: usize| {
+        let values: Vec<String> = (0..elements)
+            .map(|element| format!("{:?}", axis.value(middle(axis, element, elements))))
+            .collect();
+        json!({ "key": axis.key, "name": label(axis), "values": values })
+    };
+    let several = columns as u64 != grid.x.count || rows as u64 != grid.y.count;
+    let command = format!("lyapunov map {}", word_of_a_shell(scene));
+    html::values(
+        "axes",
+        &json!({
+            "x": of(&grid.x, columns),
+            "y": of(&grid.y, rows),
+            "command": command,
+            "several": several,
+        }),
+    )
+}
+
+/// The middle one of the values of `axis` that share an element of the picture.
+fn middle(axis: &Axis, element: usize, elements: usize) -> u64 {
+    let first = |element: u64| (element * axis.count).div_ceil(elements as u64);
+    let element = element as u64;
+    first(element).midpoint(first(element + 1) - 1)
+}
+
+/// The path as one word of a shell.
+fn word_of_a_shell(path: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-./".contains(letter);
+    let path = if path.starts_with('-') { format!("./{path}") } else { path.to_owned() };
+    if !path.is_empty() && path.chars().all(is_plain) {
+        return path;
+    }
+    format!("'{}'", path.replace('\'', "'\\''"))
 }
 
 /// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.
@@ -84,7 +128,8 @@ fn notes(survey: &Survey) -> Vec<String> {
         Some(by) if survey.by_speed() == all => Some(format!("judged {by}")),
         _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
     };
-    by_speed.into_iter().chain(told(short, "are too short to judge")).collect()
+    let sign = survey.look_at().map(|it| format!("look at: {}", it.text));
+    by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
 }
 
 /// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, the stiffness over the exact

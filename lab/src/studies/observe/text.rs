@@ -34,6 +34,7 @@ impl fmt::Display for Lines<'_> {
         write!(f, "{name}: {} rows over {} s", report.rows, found(report.duration))?;
         report.write_rows(f, &units)?;
         report.write_sums(f, &units)?;
+        report.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
         report.write_contacts(f)
     }
 }

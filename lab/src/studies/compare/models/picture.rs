@@ -4,6 +4,7 @@ use super::comparison::Comparison;
 use super::table::setting;
 use crate::measure::Verdict;
 use crate::measure::models::BOUND;
+use crate::text::file_name;
 use crate::text::names::Named;
 use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 
@@ -33,7 +34,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
         panel = panel.with_series(Series::line(name, index, points));
     }
     panel = panel.with_y_range(low.max(-DECADES), high.min(DECADES));
-    Figure::new(format!("{}: {}", comparison.name, setting(comparison)))
+    Figure::new(format!("{}: {}", file_name(&comparison.name), setting(comparison)))
         .with_width(960.0)
         .with_panel_height(320.0)
         .with_panel(panel)

@@ -4,6 +4,7 @@ use super::comparison::Comparison;
 use super::table::setting;
 use crate::measure::Verdict;
 use crate::measure::teleoperation::Outcome;
+use crate::text::file_name;
 use lyapunov_figures::{Figure, Guide, Panel, Series};
 
 /// Millimetres per metre.
@@ -18,7 +19,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let seen = others.flat_map(|it| it.curves.master.iter().chain(&it.curves.slave));
     let start = MILLI * file.master.start.get().abs();
     let largest = seen.fold(1.5 * start, |most, (_, x)| most.max(1.05 * MILLI * x.abs()));
-    let mut figure = Figure::new(format!("{}: {}", comparison.name, setting(file)))
+    let mut figure = Figure::new(format!("{}: {}", file_name(&comparison.name), setting(file)))
         .with_columns(2)
         .with_width(1000.0)
         .with_panel_height(200.0);
