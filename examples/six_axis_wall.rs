@@ -1,17 +1,18 @@
 //! A six-axis device that meets a stiff wall with an edge: the force at the edge is a torque about the handle.
 //!
 //! ```text
-//! pose ──▶ wall at eight corners ── wrench ──▶ one sum, or one each for translation and rotation ── effort ──▶ device
+//! pose ──▶ readings ──▶ wall at eight corners ── wrench ──▶ one sum, or one each for the parts ── effort ──▶ device
 //! ```
 //!
 //! The handle is a box in a hand that presses it against the wall with 4 N. Its numbers are made up.
 
 use lyapunov::{
-    DampingLimit, OnePort, ParameterError, Plant, Popc, PortEnergy, PortSample, Signal, Stabilizer,
+    DampingLimit, OnePort, ParameterError, Plant, Popc, PortEnergy, PortSample, Reading, Readings,
+    Signal, Stabilizer,
     bodies::{PlantExt, RigidBody, RigidParts},
-    effects::OnePortExt,
     environments::{BodyPoints, Contact, Plane},
     poses::{BodyAxes, Pose, Screw, WithPose},
+    readings::PartSpeeds,
     stabilizers::{BodyInertia, DirectedDamping, NoStabilizer, PartLimits, PerPart},
 };
 use nalgebra::{Isometry3, Vector3};
@@ -45,14 +46,13 @@ fn kinetic(sample: &Sample) -> f64 {
     0.5 * (MASS * twist.translation.norm_squared() + turning)
 }
 
-fn run(stabilizer: impl Stabilizer<WithPose<f64>>) -> Result<Seen, ParameterError> {
+fn run(mut stabilizer: impl Stabilizer<WithPose<f64>>) -> Result<Seen, ParameterError> {
     let side = |corner: usize, bit: usize| if corner & bit == 0 { -1.0 } else { 1.0 };
     let corners: [Vector3<f64>; 8] = core::array::from_fn(|corner| {
         HALF.component_mul(&Vector3::new(side(corner, 1), side(corner, 2), side(corner, 4)))
     });
     let floor = Plane::new(Vector3::zeros(), Vector3::z())?;
-    let wall = BodyPoints::of(Contact::with(floor, STIFFNESS, 0.0)?, corners);
-    let mut port = wall.stabilized(stabilizer).differenced();
+    let mut wall = BodyPoints::of(Contact::with(floor, STIFFNESS, 0.0)?, corners);
 
     let parts =
         RigidParts { mass: MASS, moments: moments(), damping: 1.0, rotational_damping: 5e-4 };
@@ -62,15 +62,22 @@ fn run(stabilizer: impl Stabilizer<WithPose<f64>>) -> Result<Seen, ParameterErro
         .starting(Pose::from(leaning), Screw::default())
         .pushed(move |_| pressing);
 
-    let (mut sample, mut seen, mut taken) = (device.start(), Seen::default(), 0.0);
+    let fastest = PartSpeeds { translation: 5.0, rotation: 100.0 }; // m/s, rad/s
+    let mut readings = Readings::every(PERIOD)?.of_poses().no_faster_than(fastest)?;
+    let (mut now, mut applied) = (device.start(), WithPose::default());
+    let (mut seen, mut taken) = (Seen::default(), 0.0);
     for tick in 0..2000 {
-        taken += sample.work.sum();
+        // All that the controller has: the pose that is read and the wrench that acted.
+        let reading = Reading { position: now.position.pose, applied };
+        let sample = readings.read(reading).sample;
+        applied = stabilizer.stabilize(&sample, wall.respond(&sample)).effort;
+
+        taken += now.work.sum();
         seen.given = seen.given.max(-1e3 * taken);
-        let effort = port.respond(&sample);
-        seen.torque = seen.torque.max(effort.screw.rotation.norm());
+        seen.torque = seen.torque.max(applied.screw.rotation.norm());
         let most = &mut seen.kinetic[tick / 250];
-        *most = most.max(1e3 * kinetic(&sample));
-        sample = device.advance(effort);
+        *most = most.max(1e3 * kinetic(&now));
+        now = device.advance(applied);
     }
     Ok(seen)
 }

@@ -97,8 +97,8 @@ pub mod candidates {
 /// Velocities of [`Readings`], and their time.
 pub mod readings {
     pub use lyapunov_core::{
-        CheckedSample, Clocked, Differenced, LowPassed, Measured, MovingReading, Reading, Readings,
-        Steady, VelocityEstimator, Windowed,
+        CheckedSample, Clocked, Differenced, LowPassed, Measured, MovingReading, PartSpeeds, Poses,
+        Positions, Reading, Readings, Steady, Track, VelocityEstimator, Windowed,
     };
 }
 

@@ -1,9 +1,11 @@
 //! Instructions per tick of loops composed by type, against the same loops written by hand, and the bytes of both: an
-//! absent effect must cost nothing. Fails where a ratio is above [`MARK`], or where bytes or positions differ.
+//! absent effect must cost nothing. Fails where a ratio is above [`MARK`], or where bytes or positions differ. Then what each
+//! part around a stabilizer adds; fails where docs/telemetry.md has other numbers of the same compiler.
 //!
 //! `cargo bench --bench instructions`. `valgrind --tool=callgrind` counts the instructions, the same on every run;
 //! without valgrind the benchmark prints SKIPPED.
 
+mod features;
 mod hand;
 mod numbers;
 mod typed;
@@ -120,9 +122,14 @@ fn contests() -> impl Iterator<Item = Contest> {
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     if let [name, side, ticks] = &arguments[..] {
+        let ticks: usize = ticks.parse().expect("a number of ticks");
+        if let Some(feature) = features::features().into_iter().find(|it| it.name == name) {
+            black_box(feature.runs[usize::from(side == "f32")](ticks));
+            return ExitCode::SUCCESS;
+        }
         let contest = contests().find(|it| it.name == name).expect("a contest");
         let run = if side == "hand" { contest.hand } else { contest.typed };
-        black_box(run(ticks.parse().expect("a number of ticks")));
+        black_box(run(ticks));
         return ExitCode::SUCCESS;
     }
     let counting = Command::new("valgrind").arg("--version").output().is_ok();
@@ -135,6 +142,10 @@ fn main() -> ExitCode {
         if counting {
             fair &= counted(&contest);
         }
+    }
+    fair &= features::alike(TICKS[0]);
+    if counting {
+        fair &= features::told(per_tick);
     }
     if fair { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -1,13 +1,9 @@
 //! The command `lyapunov`.
 
-mod commands;
-mod output;
-mod pictures;
-
 use std::process::ExitCode;
 
-use clap::Parser;
+use lyapunov_cli::Bench;
 
 fn main() -> ExitCode {
-    commands::Command::parse().run()
+    Bench::new().main()
 }

@@ -115,6 +115,15 @@ impl<'a> Outputs<'a> {
         Ok(())
     }
 
+    /// Adds a file that has been written already.
+    ///
+    /// # Errors
+    /// A full device.
+    pub(crate) fn add(&mut self, output: Output) -> Result<(), OutputError> {
+        self.written.push(output.written()?);
+        Ok(())
+    }
+
     /// Writes several files, each given by name and bytes.
     ///
     /// # Errors

@@ -49,6 +49,15 @@ pub mod teleoperation {
     pub use crate::studies::compare::teleoperation::Comparison;
 }
 
+/// Own stabilizers and candidates among those that ship.
+pub mod own {
+    pub use crate::files::scene::own::{Allowed, Loop, OwnNumber, OwnTable, Promise, RosterError};
+    #[doc(no_inline)]
+    pub use crate::files::scene::{Search, Spacing};
+    #[doc(inline)]
+    pub use crate::simulate::own::*;
+}
+
 // Simulation.
 pub use simulate::building::{AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Space};
 pub use simulate::ensemble::{Constant, Ensemble, Moves};
@@ -58,6 +67,7 @@ pub use simulate::row::Row;
 pub use simulate::tick::{OperatorMotion, Tick};
 
 // Measures and their presentation.
+pub use measure::sanity::{Oddity, Sign};
 pub use measure::summary::Summary;
 pub use measure::verdict::{Verdict, Yardstick};
 pub use show::csv::{COLUMNS, Csv};
@@ -65,7 +75,7 @@ pub use show::output_error::OutputError;
 
 // Studies, one for each command.
 pub use studies::{
-    accuracy, bound, compare, effects, explain, hard, map, observe, paper, scenes, tune,
+    accuracy, bound, compare, effects, explain, hard, map, observe, paper, run, scenes, tune,
 };
 
 // Names of other crates that the interface above uses.

@@ -12,6 +12,7 @@ mod integrators;
 mod late_cap;
 mod map;
 mod models;
+mod sanity;
 mod shipped;
 mod tables;
 mod telemetry;

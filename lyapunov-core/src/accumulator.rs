@@ -81,6 +81,19 @@ impl<T: Scalar> Snapshot for Plain<T> {
 
 /// Two numbers of the port's own scalar: the sum and its accumulated rounding error, by the error-free sum
 /// of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B).
+///
+/// ```
+/// use lyapunov_core::{Accumulator, Compensated, Plain};
+/// let (mut plain, mut compensated) = (Plain::<f32>::zero(), Compensated::<f32>::zero());
+/// plain.add(1.0);
+/// compensated.add(1.0);
+/// for _ in 0..1000 {
+///     plain.add(1e-8); // lost beside 1 J
+///     compensated.add(1e-8);
+/// }
+/// assert_eq!(plain.value(), 1.0);
+/// assert!((f64::from(compensated.value()) - 1.00001).abs() < 1e-7);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensated<T> {
     sum: T,
@@ -179,6 +192,13 @@ widen!(f32 => f64, AutoF32x4 => AutoF64x4, AutoF32x8 => AutoF64x8, f64 => Double
 
 /// One number wider than the port's: an `f64` sum under an `f32` port costs little and is as good as `f64`; under an
 /// `f64` port the sum is a [`DoubleDouble`].
+///
+/// ```
+/// use lyapunov_core::{Accumulator, Wide};
+/// let mut sum = Wide::<f32>::zero(); // an `f64` inside
+/// (0..1000).for_each(|_| sum.add(1e-3));
+/// assert_eq!(sum.value(), 1.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wide<T: Widen> {
     sum: Plain<T::Wide>,

@@ -60,6 +60,12 @@ where
 
 /// The port's own energy, `−ΔV = Σ fᵢ Δxᵢ`: the candidate of the passivity observer, and of the paper's
 /// example 1 (equations 10 to 12), whose spring stores exactly what crosses its port.
+///
+/// ```
+/// use lyapunov_core::{HeldTick, LyapunovCandidate, PortEnergy};
+/// let tick = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: -2.0 };
+/// assert_eq!(PortEnergy.decrease(&tick.sample()), -2e-4); // the port gave 0.2 mJ
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PortEnergy;
 

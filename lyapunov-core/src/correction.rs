@@ -4,6 +4,15 @@ use crate::scalar::same_lanes;
 use crate::{Mask, Scalar, Signal};
 
 /// Correction of one tick: the effort to command, and what the stabilizer did to it, as numbers.
+///
+/// ```
+/// use lyapunov_core::Correction;
+/// let damped = Correction { alpha: 3.0, ..Correction::none(1.0 + 3.0 * 0.1) };
+/// assert!(damped.accepted && damped.shortfall == 0.0);
+/// // An effort that went out of range is rejected, with an effort of 0.
+/// let rejected = Correction::none(f64::INFINITY).checked();
+/// assert!(!rejected.accepted && rejected.effort == 0.0);
+/// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

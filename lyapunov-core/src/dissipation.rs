@@ -3,6 +3,19 @@
 use crate::{LyapunovCandidate, Mask, ParameterError, PortSample, Requirement, Scalar, Signal};
 
 /// Condition under which a term counts.
+///
+/// ```
+/// use lyapunov_core::{Gate, InContact, PortSample, Scalar};
+/// /// Open beyond the surface, and only inwards.
+/// struct Pressing(InContact<f64>);
+/// impl Gate<f64> for Pressing {
+///     fn open(&self, sample: &PortSample<f64>) -> bool {
+///         self.0.open(sample) & sample.velocity.above(0.0)
+///     }
+/// }
+/// let gate = Pressing(InContact { position: 0.0 });
+/// assert!(!gate.open(&PortSample::starting(1e-3, 0.01, -0.1)));
+/// ```
 pub trait Gate<V: Signal> {
     /// Whether the term counts for this sample, lane by lane.
     fn open(&self, sample: &PortSample<V>) -> <V::Scalar as Scalar>::Mask;
@@ -43,6 +56,15 @@ impl<T: Scalar> Gate<T> for InContact<T> {
 ///
 /// A velocity that is not finite credits nothing. The work of that tick did happen and is booked without the credit;
 /// a credit of NaN would erase a debt.
+///
+/// ```
+/// use lyapunov_core::{Dissipation, InContact, LyapunovCandidate, PortSample};
+/// let mut device = Dissipation::of(0.5)?; // N·s/m
+/// let mut wall = Dissipation::of(0.5)?.gated(InContact { position: 0.0 });
+/// let outside = PortSample::starting(1e-3, -0.01, 0.2);
+/// assert_eq!((device.decrease(&outside), wall.decrease(&outside)), (0.5 * 0.2 * 0.2 * 1e-3, 0.0));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dissipation<T, G = Always> {
     damping: T,

@@ -78,7 +78,10 @@ pub use port_sample::{HeldTick, PortSample};
 pub use poses::{
     Angle, Axes, BodyAxes, Jacobian, Pose, PoseTrack, Screw, Spatial, TaskPort, WithPose, WorldAxes,
 };
-pub use readings::{CheckedSample, Clocked, Measured, MovingReading, Reading, Readings, Steady};
+pub use readings::{
+    CheckedSample, Clocked, Measured, MovingReading, PartSpeeds, Poses, Positions, Reading,
+    Readings, Steady, Track,
+};
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;
 pub use snapshot::Snapshot;

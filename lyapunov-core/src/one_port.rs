@@ -6,6 +6,20 @@ use crate::{Correction, PortSample, Signal, Stabilized, Stabilizer};
 ///
 /// A wall, a spring, a hold, a delay, a saturation, a stabilized port are all one-ports. An effect on a port owns that
 /// port and is a one-port again, so effects chain like iterator adaptors, innermost first.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// /// Springs that face each other, `width` m apart.
+/// struct Slot { stiffness: f64, width: f64 }
+/// impl OnePort<f64> for Slot {
+///     fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+///         let beyond = sample.position.abs() - 0.5 * self.width;
+///         self.stiffness * beyond.max(0.0) * sample.position.signum()
+///     }
+/// }
+/// let effort = Slot { stiffness: 1e3, width: 0.02 }.respond(&PortSample::starting(1e-3, -0.012, 0.0));
+/// assert!((effort + 2.0).abs() < 1e-12); // pushes back inwards
+/// ```
 pub trait OnePort<V: Signal> {
     /// The effort in response to the sample, N, positive against motion into the environment.
     fn respond(&mut self, sample: &PortSample<V>) -> V;

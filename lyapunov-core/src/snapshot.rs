@@ -10,7 +10,7 @@ use crate::ParameterError;
 /// and checked them; a stored memory is given to a value that was made with the same ones. States are tuples, numbers
 /// and vectors, so with the feature `serde` they can be stored in any of its formats, as long as the scalar is `f32`,
 /// `f64` or [`DoubleDouble`](crate::DoubleDouble). Take a format that keeps every bit and NaN, such as CBOR; JSON knows
-/// no NaN, and its readers may round.
+/// no NaN, and its readers may round (`serde_json` does not with its feature `float_roundtrip`).
 ///
 /// What is restored is checked: a sum that is not finite is refused. A sum that is finite and wrong cannot be told from
 /// a right one: more than there was is credit that nobody earned, and it weakens every bound by as much. Check
@@ -64,6 +64,7 @@ without_memory! {
     impl[T: crate::Scalar, G] crate::Dissipation<T, G>;
     impl[] crate::Differenced;
     impl[] crate::Measured;
+    impl[] crate::Positions;
     impl[] crate::Steady;
 }
 

@@ -1,6 +1,6 @@
 //! Stabilizers: the trait, and a port with a stabilizer in front.
 
-use crate::{Correction, OnePort, PortSample, Signal};
+use crate::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot};
 
 /// Stabilizer: it watches a port and corrects its effort, so that the loop stays bounded.
 ///
@@ -10,6 +10,19 @@ use crate::{Correction, OnePort, PortSample, Signal};
 ///
 /// A stabilizer never fails in the loop. A sample that it cannot use gives a zero effort and `accepted` false.
 /// Check one of your own with [`laws::stabilizer`](crate::laws::stabilizer).
+///
+/// ```
+/// use lyapunov_core::{Correction, PortSample, Stabilizer};
+/// /// A damper of `0` N·s/m that is always on.
+/// struct Damper(f64);
+/// impl Stabilizer<f64> for Damper {
+///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+///         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }.checked()
+///     }
+/// }
+/// let braked = Damper(3.0).stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 1.0);
+/// assert!((braked.effort - 1.3).abs() < 1e-15);
+/// ```
 pub trait Stabilizer<V: Signal> {
     /// One tick: `sample` is what the other side did, `effort` the response of the port behind, N.
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V>;
@@ -65,5 +78,21 @@ impl<V: Signal, P: OnePort<V>, S: Stabilizer<V>> OnePort<V> for Stabilized<P, S,
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.correction
+    }
+}
+
+impl<P: Snapshot, S: Snapshot, V: Signal> Snapshot for Stabilized<P, S, V> {
+    /// The memory of the port, that of the stabilizer, and the last correction.
+    type State = (P::State, S::State, Correction<V>);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.stabilizer.state(), self.correction)
+    }
+
+    fn restored(self, (port, stabilizer, correction): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored effort", correction.effort)?;
+        Requirement::Finite.check("stored energy", correction.observed_energy)?;
+        let (port, stabilizer) = (self.port.restored(port)?, self.stabilizer.restored(stabilizer)?);
+        Ok(Self { port, stabilizer, correction })
     }
 }

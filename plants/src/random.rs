@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use lyapunov_core::{Scalar, Signal};
+use lyapunov_core::{ParameterError, Scalar, Signal, Snapshot};
 
 /// A user of random numbers. Each has a stream of its own, so one seed serves all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,6 +105,19 @@ impl<T: Scalar> Random<T> {
         let [a, b, c, d] = self.seeds.map(|part| part.lane(lane) as u32);
         let counter = [self.calls as u32, (self.calls >> 32) as u32, self.source as u32, axis];
         philox(counter, [a | b << 16, c | d << 16])
+    }
+}
+
+impl<T: Scalar> Snapshot for Random<T> {
+    /// The number of calls.
+    type State = u64;
+
+    fn state(&self) -> u64 {
+        self.calls
+    }
+
+    fn restored(self, calls: u64) -> Result<Self, ParameterError> {
+        Ok(self.from_call(calls))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use lyapunov_core::{
     Correction, HeldTick, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal,
+    Snapshot,
 };
 
 /// Spring and dampers of a [`CoupledPort`].
@@ -19,6 +20,14 @@ pub struct VirtualCoupling<T> {
 lyapunov_core::approximate!(impl[T: PartialEq] VirtualCoupling<T>, of T { stiffness, damping, drag });
 
 impl<T: Scalar> VirtualCoupling<T> {
+    /// This coupling, if it can be one.
+    fn checked(self) -> Result<Self, ParameterError> {
+        Requirement::Positive.check("coupling stiffness", self.stiffness)?;
+        Requirement::NonNegative.check("coupling damping", self.damping)?;
+        Requirement::NonNegative.check("proxy drag", self.drag)?;
+        Ok(self)
+    }
+
     /// The least viscous damping of a device that renders this coupling passively, N·s/m: `K T / 2 + B`.
     pub fn device_damping(self, period: T) -> T {
         T::of(0.5) * self.stiffness * period + self.damping
@@ -94,10 +103,31 @@ impl<P, V: Signal> CoupledPort<P, V> {
     /// # Errors
     /// A stiffness not above 0 and finite; a damping or drag below 0, infinite or NaN.
     pub fn new(port: P, coupling: VirtualCoupling<V::Scalar>) -> Result<Self, ParameterError> {
-        Requirement::Positive.check("coupling stiffness", coupling.stiffness)?;
-        Requirement::NonNegative.check("coupling damping", coupling.damping)?;
-        Requirement::NonNegative.check("proxy drag", coupling.drag)?;
+        let coupling = coupling.checked()?;
         Ok(Self { port, coupling, deflection: V::zero(), answer: V::zero() })
+    }
+
+    /// The coupling.
+    pub fn coupling(&self) -> VirtualCoupling<V::Scalar> {
+        self.coupling
+    }
+
+    /// Changes the coupling between ticks. The deflection stays, so a stiffer spring holds more energy at once: as
+    /// `Δk / 2` times its square, and the device may get that back.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); the old one stays.
+    pub fn set_coupling(
+        &mut self,
+        coupling: VirtualCoupling<V::Scalar>,
+    ) -> Result<(), ParameterError> {
+        self.coupling = coupling.checked()?;
+        Ok(())
+    }
+
+    /// The port inside, to be changed between ticks.
+    pub fn port_mut(&mut self) -> &mut P {
+        &mut self.port
     }
 
     /// Distance of the device ahead of the proxy, m.
@@ -138,5 +168,20 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for CoupledPort<P, V> {
     #[inline]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for CoupledPort<P, V> {
+    /// The memory of the port inside, the deflection, and the last answer.
+    type State = (P::State, V, V);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.deflection, self.answer)
+    }
+
+    fn restored(self, (port, deflection, answer): Self::State) -> Result<Self, ParameterError> {
+        let deflection = Requirement::Finite.check_axes("stored deflection", deflection)?;
+        let answer = Requirement::Finite.check_axes("stored answer", answer)?;
+        Ok(Self { port: self.port.restored(port)?, deflection, answer, ..self })
     }
 }

@@ -10,6 +10,15 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 /// most `m v² / 2`, at `α = m / T`, and adds energy above `2 m / T`. Hence the limit is a share of `m / T`:
 /// 0.5 by default in the scenes, less where the force is delayed ([`delayed`](Self::delayed)), 0 for a pure
 /// observer.
+///
+/// ```
+/// use lyapunov_stabilizers::DampingLimit;
+/// let limit = DampingLimit::of_mass(0.5, 0.2, 1e-3)?; // half of m / T, the least mass that moves
+/// assert_eq!(limit.most(), 100.0); // N·s/m
+/// assert!(limit.delayed(2).most() < 100.0); // forces that act two ticks late
+/// assert!(DampingLimit::of_mass(0.5, 0.2, 0.0).is_err());
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampingLimit<T> {
     most: T,

@@ -2,6 +2,7 @@
 
 use lyapunov_core::{
     Correction, HeldTick, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal,
+    Snapshot,
 };
 
 /// The input-to-state stable approach, as in Jafari and Ryu (IEEE International Conference on Robotics and Automation,
@@ -140,5 +141,25 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
     #[inline]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for InputToState<P, V> {
+    /// The memory of the port inside, the slope, the last answer, the position it was asked at, and the shift.
+    type State = (P::State, V::Scalar, V, Option<V>, V);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.slope, self.answer, self.asked, self.shift)
+    }
+
+    fn restored(
+        self,
+        (port, slope, answer, asked, shift): Self::State,
+    ) -> Result<Self, ParameterError> {
+        let slope = Requirement::Limit.check("stored slope", slope)?;
+        let answer = Requirement::Finite.check_axes("stored answer", answer)?;
+        Requirement::Finite.check_axes("stored position", asked.unwrap_or(answer))?;
+        let shift = Requirement::Finite.check_axes("stored shift", shift)?;
+        Ok(Self { port: self.port.restored(port)?, slope, answer, asked, shift, ..self })
     }
 }

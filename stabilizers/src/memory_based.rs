@@ -6,6 +6,7 @@ use lyapunov_core::{
 };
 
 use crate::StabilizerExt;
+use crate::account::account_in_sum;
 use crate::booked::book;
 use nalgebra::SVector;
 
@@ -116,6 +117,8 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
         }
     }
 }
+
+account_in_sum!(impl[T: Scalar, const N: usize] MemoryBased<T, N>, in T, is energy);
 
 impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
     /// The last depth, m, the forces in the cells, N, and the energy, J.

@@ -5,6 +5,7 @@ use lyapunov_core::{
 };
 
 use crate::StabilizerExt;
+use crate::account::owed;
 use nalgebra::SVector;
 
 /// A memory of energies: what pressing in took is kept place by place, and letting go gives no more there. One axis,
@@ -134,6 +135,39 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
             shortfall: self.debt,
             accepted,
         }
+    }
+}
+
+/// It remembers debts alone, and no credit: there is nothing to grant.
+impl<T: Scalar, const N: usize> PathMemory<T, N> {
+    /// What it owes, J.
+    pub fn debt(&self) -> T {
+        self.debt
+    }
+
+    /// Adds a `debt` of as many joules, carried over from another controller or an earlier run: the way out gives as
+    /// much less.
+    ///
+    /// ```
+    /// use lyapunov_stabilizers::PathMemory;
+    /// let mut path = PathMemory::<f64, 16>::beyond(0.0, 0.02)?;
+    /// path.owe(1e-3)?;
+    /// assert_eq!(path.debt(), 1e-3);
+    /// path.reset();
+    /// assert_eq!(path.debt(), 0.0);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `debt` below 0, infinite or NaN, or more than there is room for; nothing is changed.
+    pub fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
+        self.debt -= owed(-self.debt, debt)?;
+        Ok(())
+    }
+
+    /// Forgives the debt; what was given is given for good. The forces of the path stay.
+    pub fn reset(&mut self) {
+        self.debt = T::of(0.0);
     }
 }
 

@@ -6,6 +6,7 @@ use lyapunov_core::{
 };
 
 use crate::StabilizerExt;
+use crate::account::account_in_sum;
 
 /// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector
 /// of a largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
@@ -88,7 +89,9 @@ impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
     /// # Errors
     /// `rate` below 0, infinite or NaN.
     pub fn creeping(self, rate: V::Scalar) -> Result<Self, ParameterError> {
-        Ok(Self { creep: Requirement::NonNegative.check("creep", rate)?, ..self })
+        let mut creeping = self;
+        creeping.set_creep(rate)?;
+        Ok(creeping)
     }
 
     /// The same bound with its energies summed in a `B`.
@@ -131,6 +134,38 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
             shortfall: (-sum).larger(zero),
             accepted,
         }
+    }
+}
+
+account_in_sum!(impl[V: Signal, A: Accumulator<V::Scalar>] SlopeBound<V, A>, in V::Scalar, is energy);
+
+impl<V: Signal, A> SlopeBound<V, A> {
+    /// The slope, N/m.
+    pub fn slope(&self) -> V::Scalar {
+        self.slope
+    }
+
+    /// Changes the slope between ticks; what is held back stays, and is given as the device moves.
+    ///
+    /// # Errors
+    /// `slope` not above 0 and finite; the old one stays.
+    pub fn set_slope(&mut self, slope: V::Scalar) -> Result<(), ParameterError> {
+        self.slope = Requirement::Positive.check("slope", slope)?;
+        Ok(())
+    }
+
+    /// The creep, N/s.
+    pub fn creep(&self) -> V::Scalar {
+        self.creep
+    }
+
+    /// Changes the creep between ticks.
+    ///
+    /// # Errors
+    /// `rate` below 0, infinite or NaN; the old one stays.
+    pub fn set_creep(&mut self, rate: V::Scalar) -> Result<(), ParameterError> {
+        self.creep = Requirement::NonNegative.check("creep", rate)?;
+        Ok(())
     }
 }
 

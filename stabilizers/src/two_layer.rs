@@ -78,8 +78,7 @@ impl<T: Scalar> TwoLayer<T> {
     /// As [`slave`](Self::slave); `level` or `gain` below 0, infinite or NaN.
     pub fn master(sharing: Sharing<T>, level: T, gain: T) -> Result<Self, ParameterError> {
         let start = Requirement::NonNegative.check("tank start", sharing.start)?;
-        let share = Requirement::NonNegative.check("shared part", sharing.share)?;
-        let share = Requirement::AtMost(1.0).check("shared part", share)?;
+        let share = shared(sharing.share)?;
         let level = Requirement::NonNegative.check("tank level", level)?;
         let gain = Requirement::NonNegative.check("tank gain", gain)?;
         let (mut tank, zero) = (Plain::zero(), T::of(0.0));
@@ -141,6 +140,43 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
 }
 
 account_in_sum!(impl[T: Scalar, A: Accumulator<T>] TwoLayer<T, A>, in T, is tank);
+
+impl<T: Scalar, A> TwoLayer<T, A> {
+    /// The part of the tank's energy that is sent on each tick.
+    pub fn share(&self) -> T {
+        self.share
+    }
+
+    /// Changes the part that is sent, between ticks; the tank stays.
+    ///
+    /// # Errors
+    /// `share` below 0, above 1 or NaN; the old one stays.
+    pub fn set_share(&mut self, share: T) -> Result<(), ParameterError> {
+        self.share = shared(share)?;
+        Ok(())
+    }
+
+    /// The level, J, below which the damper of a master fills the tank, and its gain, N·s/(m·J).
+    pub fn filling(&self) -> (T, T) {
+        (self.level, self.gain)
+    }
+
+    /// Changes level and gain between ticks, as in [`master`](TwoLayer::master).
+    ///
+    /// # Errors
+    /// Either below 0, infinite or NaN; the old ones stay.
+    pub fn set_filling(&mut self, level: T, gain: T) -> Result<(), ParameterError> {
+        let level = Requirement::NonNegative.check("tank level", level)?;
+        self.gain = Requirement::NonNegative.check("tank gain", gain)?;
+        self.level = level;
+        Ok(())
+    }
+}
+
+fn shared<T: Scalar>(share: T) -> Result<T, ParameterError> {
+    let share = Requirement::NonNegative.check("shared part", share)?;
+    Requirement::AtMost(1.0).check("shared part", share)
+}
 
 impl<T: Scalar, A: Snapshot> Snapshot for TwoLayer<T, A> {
     /// The tank, and the energies received, booked and sent, J.

@@ -7,6 +7,7 @@ mod inertia;
 mod logarithm;
 mod orientation_spring;
 mod parts;
+mod readings;
 mod rigid_body;
 mod scaled;
 mod support;

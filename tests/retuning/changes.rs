@@ -1,12 +1,15 @@
 //! What a change between ticks does to the sum, the correction and the bound.
 
-use nalgebra::Vector2;
+use nalgebra::{Matrix1, Vector2};
 
 use lyapunov::{
-    DampingLimit, Dissipation, Lolc, PortEnergy, Scalar, Stabilizer,
+    Correction, DampingLimit, Dissipation, Lolc, PortEnergy, PortSample, Scalar, Snapshot,
+    Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
+    laws::Samples,
     stabilizers::{
-        Account, AxisWeights, DirectedDamping, ForceBound, LeastNorm, PerAxis, Sharing,
+        Account, AxisWeights, DirectedDamping, EnergyBounding, ForceBound, Inertia, InertiaLimit,
+        JointInertia, LeastNorm, MemoryBased, PathMemory, PerAxis, Sharing, SlopeBound,
         StabilizerExt, Tank, TankLimits, TwoLayer, TwoPortSide, WatchdogTimes, WindowedCredit,
     },
 };
@@ -43,6 +46,11 @@ fn accounts() {
     keeps_account(TwoLayer::<f64>::slave(sharing).expect("one"));
     keeps_account(TwoPortSide::<f64>::new(limit()));
     keeps_account(popc.bounded(10.0).expect("one"));
+    keeps_account(EnergyBounding::<f64>::new(500.0, 250.0).expect("one"));
+    keeps_account(SlopeBound::<f64>::new(1e3).expect("one"));
+    keeps_account(MemoryBased::<f64, 8>::beyond(0.0, 0.1).expect("one"));
+    let inertia = JointInertia::new(Matrix1::new(0.2)).expect("one");
+    keeps_account(InertiaLimit::new(popc, inertia, 0.5, PERIOD).expect("one"));
     keeps_account(popc.above_velocity(0.1).expect("one"));
     let times = WatchdogTimes { hold: 0.0, rise: 0.0 };
     keeps_account(popc.spread_over::<f64>(3).expect("one").watched::<f64>(times).expect("one"));
@@ -168,4 +176,120 @@ fn adaptors_lend_what_is_inside() {
     let mut port = lyapunov::OnePort::<f64>::stabilized(&mut port, popc());
     port.stabilizer_mut().grant(1.0).expect("a credit");
     assert_eq!(port.stabilizer().observed_energy(), f64::of(1.0));
+}
+
+/// What was changed acts as what was made so: from the same state, the same corrections to the bit.
+fn becomes<S>(mut changed: S, made: S, change: impl FnOnce(&mut S))
+where
+    S: Stabilizer<f64> + Snapshot + Clone,
+{
+    let mut samples = Samples::<f64>::new(PERIOD);
+    for (sample, effort) in samples.by_ref().take(300) {
+        changed.stabilize(&sample, effort);
+    }
+    let mut made = made.restored(changed.state()).expect("a state");
+    let mut as_it_was = changed.clone();
+    change(&mut changed);
+    let mut acted = false;
+    for (sample, effort) in samples.take(300) {
+        let [one, other] = [&mut changed, &mut made].map(|it| it.stabilize(&sample, effort));
+        assert_eq!(format!("{one:?}"), format!("{other:?}"));
+        acted |= format!("{:?}", as_it_was.stabilize(&sample, effort)) != format!("{one:?}");
+    }
+    assert!(acted, "the change changes something");
+}
+
+#[test]
+fn what_was_changed_acts_as_what_was_made_so() {
+    let popc = popc::<f64>();
+    let store = TankLimits { start: 2e-3, floor: 0.0, ceiling: 5e-3, power: 3.0 };
+    let tank = |store| Tank::new(PortEnergy, store).expect("one");
+    becomes(tank(store), tank(TankLimits { ceiling: 2e-3, ..store }), |it| {
+        it.set_room(2e-3).expect("a room");
+    });
+    becomes(tank(store), tank(TankLimits { power: 0.5, ..store }), |it| {
+        it.set_power(0.5).expect("a power");
+    });
+    let filter = |decay| LeastNorm::new(PortEnergy, limit(), decay).expect("one");
+    becomes(filter(1.0), filter(0.01), |it| it.set_decay(0.01).expect("a decay"));
+    let [one, other] = [3, 9].map(|ticks| popc.rising_over::<f64>(ticks).expect("one"));
+    becomes(one, other, |it| it.set_ticks(9).expect("ticks"));
+    let [one, other] = [3, 9].map(|ticks| popc.spread_over::<f64>(ticks).expect("one"));
+    becomes(one, other, |it| it.set_ticks(9).expect("ticks"));
+    let [one, other] = [1e-3, 0.5].map(|speed| popc.above_velocity(speed).expect("one"));
+    becomes(one, other, |it| it.set_velocity(0.5).expect("a speed"));
+    let limited = |cap| InertiaLimit::new(NoLimit, Mass(1e-3), cap, PERIOD).expect("one");
+    becomes(limited(0.5), limited(0.01), |it| it.set_cap(0.01, PERIOD).expect("a cap"));
+    let slope = |slope, creep| {
+        SlopeBound::<f64>::new(slope).and_then(|it| it.creeping(creep)).expect("one")
+    };
+    becomes(slope(1e3, 0.0), slope(10.0, 5.0), |it| {
+        it.set_slope(10.0).expect("a slope");
+        it.set_creep(5.0).expect("a creep");
+    });
+    let side = TwoPortSide::<f64>::new;
+    let small = DampingLimit::at(0.1).expect("a limit");
+    becomes(side(limit()), side(small), |it| it.set_limit(small));
+    let layer = |share, level, gain| {
+        TwoLayer::master(Sharing { start: 1e-3, share }, level, gain).expect("one")
+    };
+    becomes(layer(0.1, 1e-3, 500.0), layer(0.4, 2e-3, 100.0), |it| {
+        it.set_share(0.4).expect("a share");
+        it.set_filling(2e-3, 100.0).expect("a level");
+    });
+}
+
+/// A mass along one axis, kg.
+#[derive(Clone)]
+struct Mass(f64);
+
+impl Inertia<f64> for Mass {
+    fn inverse_square(&self, effort: f64) -> f64 {
+        effort * effort / self.0
+    }
+}
+
+/// A damper of 50 N·s/m that has no limit of its own.
+#[derive(Clone)]
+struct NoLimit;
+
+impl Stabilizer<f64> for NoLimit {
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        let alpha = 50.0;
+        Correction { alpha, ..Correction::none(effort + alpha * sample.velocity) }.checked()
+    }
+}
+
+impl Snapshot for NoLimit {
+    type State = ();
+
+    fn state(&self) {}
+
+    fn restored(self, _state: ()) -> Result<Self, lyapunov::ParameterError> {
+        Ok(self)
+    }
+}
+
+/// What is read is what was set, and what is refused is not.
+#[test]
+fn what_is_read_is_what_was_set() {
+    let popc = popc::<f64>();
+    let mut slow = popc.above_velocity(0.05).expect("one");
+    assert_eq!(slow.velocity(), 0.05);
+    assert!(slow.set_velocity(1e200).is_err() && slow.set_velocity(-1.0).is_err());
+    assert_eq!(slow.velocity(), 0.05);
+    let mut spread = popc.spread_over::<f64>(4).expect("one");
+    assert!(spread.set_ticks(0).is_err() && spread.ticks() == 4.0);
+    let mut filter = LeastNorm::new(PortEnergy, limit(), 0.5).expect("one");
+    assert!(filter.set_decay(1.5).is_err() && filter.decay() == 0.5);
+    let mut slope = SlopeBound::<f64>::new(1e3).expect("one");
+    assert!(slope.set_slope(0.0).is_err() && slope.set_creep(f64::NAN).is_err());
+    assert_eq!((slope.slope(), slope.creep()), (1e3, 0.0));
+    let mut layer = TwoLayer::master(Sharing { start: 0.0, share: 0.1 }, 1.0, 2.0).expect("one");
+    assert!(layer.set_share(1.1).is_err() && layer.set_filling(3.0, -1.0).is_err());
+    assert_eq!((layer.share(), layer.filling()), (0.1, (1.0, 2.0)));
+    let mut path = PathMemory::<f64, 8>::beyond(0.0, 0.1).expect("one");
+    path.owe(2e-3).expect("a debt");
+    assert!(path.owe(f64::NAN).is_err() && path.debt() == 2e-3);
+    assert_eq!(path.stabilize(&tick(0.0, 0.0), 1.0).observed_energy, -2e-3);
 }

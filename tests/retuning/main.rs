@@ -1,6 +1,7 @@
 //! State and parameters of stabilizers between ticks: stored, restored, changed.
 
 mod changes;
+mod ports;
 mod readings;
 mod refused;
 mod snapshots;

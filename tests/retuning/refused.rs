@@ -35,8 +35,8 @@ fn counters_out_of_range_are_refused() {
     assert!(window.restored((sum, slots, slot, 8)).is_err());
     let windowed = lyapunov::Readings::<f64>::every(1e-3).expect("one").windowed::<8>(5, 1e-4);
     let windowed = windowed.expect("one");
-    let (memory, (past, _), clock) = windowed.state();
-    assert!(windowed.restored((memory, (past, 6), clock)).is_err());
+    let (memory, (past, _), clock, track) = windowed.state();
+    assert!(windowed.restored((memory, (past, 6), clock, track)).is_err());
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Snapshots of every stabilizer, bit for bit after arbitrary sequences.
 
-use nalgebra::Vector2;
+use std::cell::Cell;
+
+use nalgebra::{Matrix2, Vector2};
 use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::test_runner::{Config, TestRunner};
@@ -12,15 +14,16 @@ use lyapunov::{
     accumulators::{Compensated, DoubleDouble, Plain, Wide},
     candidates::InContact,
     laws::{self, Samples},
+    poses::Screw,
     stabilizers::{
         AlongDirection, DirectedDamping, DriftCompensated, EnergyBounding, ForceBound,
-        ForceBounding, LeastNorm, MemoryBased, NoStabilizer, PathMemory, PerAxis, ReferenceDamper,
-        ReferenceFollowing, Sharing, SlopeBound, StabilizerExt, Tank, TankLimits, TwoLayer,
-        TwoPortSide, WatchdogTimes, WindowedCredit,
+        ForceBounding, InertiaLimit, JointInertia, LeastNorm, MemoryBased, NoStabilizer,
+        PathMemory, PerAxis, PerPart, ReferenceDamper, ReferenceFollowing, Sharing, SlopeBound,
+        StabilizerExt, Tank, TankLimits, TwoLayer, TwoPortSide, WatchdogTimes, WindowedCredit,
     },
 };
 
-use crate::support::{PERIOD, limit, loaded, popc, stored};
+use crate::support::{PERIOD, has_a_text, limit, loaded, popc, read, stored, written};
 
 /// The numbers of a correction, bit by bit.
 fn bits<V: Signal>(correction: &Correction<V>) -> String {
@@ -28,17 +31,18 @@ fn bits<V: Signal>(correction: &Correction<V>) -> String {
 }
 
 /// What is stored at any tick of any sequence, bad samples among them, goes on as the one that was not interrupted.
-fn goes_on<V, S>(stabilizer: S)
+pub(crate) fn goes_on<V, S>(stabilizer: S)
 where
     V: Signal,
     S: Stabilizer<V> + Snapshot<State: Serialize + DeserializeOwned> + Clone,
 {
     let ticks = vec((0usize..2000, 0u8..24), 2..40);
     let mut runner = TestRunner::new(Config { cases: 24, ..Config::default() });
+    let texts = Cell::new(0);
     let tried = runner.run(&(ticks, any::<u64>(), 0usize..40), |(ticks, seed, cut)| {
         let samples: Vec<_> = Samples::<V>::new(V::Scalar::of(PERIOD)).seeded(seed).collect();
         let mut running = stabilizer.clone();
-        let mut resumed = None;
+        let mut resumed = Vec::new();
         for (at, (pick, flaw)) in ticks.iter().enumerate() {
             let (sample, effort) = samples[*pick];
             let (sample, effort) = flawed(sample, effort, *flaw);
@@ -46,18 +50,28 @@ where
                 let bytes = stored(&running.state());
                 let state: S::State = loaded(&bytes);
                 assert_eq!(stored(&state), bytes);
-                resumed = Some(stabilizer.clone().restored(state).expect("a state"));
+                resumed.push(stabilizer.clone().restored(state).expect("a state"));
+                if has_a_text(&bytes) {
+                    let text = written(&running.state());
+                    let state: S::State = read(&text);
+                    assert_eq!(stored(&state), bytes, "{text}");
+                    resumed.push(stabilizer.clone().restored(state).expect("a state"));
+                    texts.set(texts.get() + 1);
+                }
             }
             let correction = running.stabilize(&sample, effort);
-            if let Some(resumed) = &mut resumed {
+            for resumed in &mut resumed {
                 assert_eq!(bits(&resumed.stabilize(&sample, effort)), bits(&correction));
             }
         }
-        let resumed = resumed.expect("a cut");
-        assert_eq!(stored(&resumed.state()), stored(&running.state()));
+        assert!(!resumed.is_empty());
+        for resumed in resumed {
+            assert_eq!(stored(&resumed.state()), stored(&running.state()));
+        }
         Ok(())
     });
     tried.expect("every sequence");
+    assert!(texts.get() > 5, "{} texts", texts.get());
 }
 
 /// A sample and an effort of which one number may be bad.
@@ -74,7 +88,7 @@ fn flawed<V: Signal>(sample: PortSample<V>, effort: V, flaw: u8) -> (PortSample<
 }
 
 /// Both, and the law.
-fn resumes<V, S>(stabilizer: S)
+pub(crate) fn resumes<V, S>(stabilizer: S)
 where
     V: Signal,
     S: Stabilizer<V> + Snapshot<State: Serialize + DeserializeOwned> + Clone,
@@ -128,6 +142,9 @@ fn adaptors() {
     let normal = AlongDirection::new(Vector2::new(0.0, 1.0)).expect("one");
     resumes::<Vector2<f64>, _>(DirectedDamping::new(popc, normal, limit()));
     resumes::<Vector2<f64>, _>(PerAxis::of([popc; 2]));
+    let inertia = JointInertia::new(Matrix2::new(0.3, 0.1, 0.1, 0.2)).expect("one");
+    resumes::<Vector2<f64>, _>(InertiaLimit::new(popc, inertia, 0.5, PERIOD).expect("one"));
+    resumes::<Screw<f64>, _>(PerPart::of(popc, popc.spread_over::<f64>(3).expect("one")));
     let chain = popc.bounded(1e-2).and_then(|it| it.spread_over(4));
     let chain = chain.and_then(|it| it.rate_limited::<f64>(2000.0)).expect("one");
     resumes::<f64, _>(chain.watched::<f64>(times).expect("one"));

@@ -1,5 +1,6 @@
 //! Storing, and samples to try.
 
+use ciborium::Value;
 use serde::{Serialize, de::DeserializeOwned};
 
 use lyapunov::{DampingLimit, HeldTick, Popc, PortEnergy, PortSample, Scalar};
@@ -23,6 +24,29 @@ pub(crate) fn stored(state: &impl Serialize) -> Vec<u8> {
 
 pub(crate) fn loaded<S: DeserializeOwned>(bytes: &[u8]) -> S {
     ciborium::from_reader(bytes).expect("a state that was stored")
+}
+
+/// Whether every number that was stored is finite, as those of JSON are.
+pub(crate) fn has_a_text(bytes: &[u8]) -> bool {
+    fn finite(value: &Value) -> bool {
+        match value {
+            Value::Float(number) => number.is_finite(),
+            Value::Array(values) => values.iter().all(finite),
+            Value::Map(values) => values.iter().all(|(_, value)| finite(value)),
+            _ => true,
+        }
+    }
+    finite(&loaded(bytes))
+}
+
+/// The text of a state in JSON: `serde_json` reads back every finite number to the bit, as its feature
+/// `float_roundtrip` says.
+pub(crate) fn written(state: &impl Serialize) -> String {
+    serde_json::to_string(state).expect("a state that can be written")
+}
+
+pub(crate) fn read<S: DeserializeOwned>(text: &str) -> S {
+    serde_json::from_str(text).expect("a state that was written")
 }
 
 /// A tick that does `work` J of work at `velocity` m/s.

@@ -10,9 +10,8 @@ use lyapunov_lab::accuracy::{AccuracyError, Study};
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
+use super::results::Results;
 use super::{BAR, End, heed_interrupts, shown, standard_output};
-use crate::output::Outputs;
-use crate::pictures::pictures;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "accuracy.json";
@@ -31,12 +30,12 @@ pub(crate) struct Accuracy {
     /// The scene file, TOML.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Write report.html, accuracy.json and the plot (SVG and PNG) into this folder; made if not there.
+    /// Write report.html, accuracy.json, accuracy.csv and the plot (SVG and PNG) into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Say which setting is the fastest that is off by no more than this, as keys for the scene.
-    #[arg(long, value_name = "METRES", value_parser = metres, allow_negative_numbers = true)]
-    target: Option<f64>,
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    target: Option<String>,
     /// Print accuracy.json instead of tables.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -45,24 +44,16 @@ pub(crate) struct Accuracy {
     quiet: bool,
 }
 
-fn metres(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(metres) if metres > 0.0 && metres.is_finite() => Ok(metres),
-        _ => {
-            Err("give a length in m that is greater than 0 and finite, for example 1e-9".to_owned())
-        }
-    }
-}
-
 impl Accuracy {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
+        let target = self.target()?;
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let study = self.study(&scene)?;
-        let text = study.document(self.target).map_err(End::internal)?;
+        let text = study.document(target).map_err(End::internal)?;
         if let Some(folder) = folder {
-            self.fill(&folder, &study, &text)?;
+            self.fill(&folder, &study, target, &text)?;
         }
         let mut out = io::stdout().lock();
         if self.json {
@@ -72,9 +63,21 @@ impl Accuracy {
             return Ok(());
         }
         write!(out, "{study}").map_err(standard_output)?;
-        match self.target {
+        match target {
             None => Ok(()),
             Some(metres) => write!(out, "\n{}", study.advice(metres)).map_err(standard_output),
+        }
+    }
+
+    /// The error that a setting is asked for, m.
+    fn target(&self) -> Result<Option<f64>, End> {
+        let Some(text) = &self.target else { return Ok(None) };
+        match text.parse::<f64>() {
+            Ok(metres) if metres > 0.0 && metres.is_finite() => Ok(Some(metres)),
+            _ => Err(End::input(format!(
+                "--target {text}: an error is a length in m that is greater than 0 and finite\n  \
+                 = give one, for example --target 1e-9"
+            ))),
         }
     }
 
@@ -99,22 +102,20 @@ impl Accuracy {
         Ok(study)
     }
 
-    /// Writes all files before the first appears under its name.
-    fn fill(&self, folder: &Folder<'_>, study: &Study, text: &str) -> Result<(), End> {
+    fn fill(
+        &self,
+        folder: &Folder<'_>,
+        study: &Study,
+        target: Option<f64>,
+        text: &str,
+    ) -> Result<(), End> {
         let command = format!("lyapunov accuracy {}", self.scene.display());
-        let command = match self.target {
+        let command = match target {
             None => command,
             Some(metres) => format!("{command} --target {metres:e}"),
         };
-        let drawn = pictures("accuracy", &study.figure()).map_err(End::internal)?;
-        let mut outputs = Outputs::of(folder.path());
-        outputs
-            .put("report.html", study.to_html(&command, self.target))
-            .and_then(|()| outputs.put_all(drawn))
-            .and_then(|()| outputs.put(RESULTS, text))
-            .map_err(End::input)?;
-        End::if_interrupted()?;
-        folder.keep();
-        outputs.keep().map_err(End::input)
+        let page = study.to_html(&command, target);
+        let results = Results::new(page, RESULTS, text).with_file("accuracy.csv", study.csv());
+        folder.fill(results.with_figure("accuracy", &study.figure())?)
     }
 }

@@ -4,10 +4,15 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::bound::Limits;
+use lyapunov_lab::bound::{self, Limits, RadiusCurve};
 use lyapunov_lab::scene::Scene;
 
+use super::folder::Folder;
+use super::results::{Results, command_line};
 use super::{End, heed_interrupts, standard_output};
+
+/// The file that `--json` prints.
+const RESULTS: &str = "bound.json";
 
 /// Say how stiff the environment of a scene may be, by formula.
 ///
@@ -20,6 +25,10 @@ use super::{End, heed_interrupts, standard_output};
 pub(crate) struct Bound {
     /// The scene file, TOML.
     scene: PathBuf,
+    /// Write report.html, bound.json and the spectral radius over the stiffness (SVG, PNG and CSV) into this folder; made
+    /// if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -30,12 +39,24 @@ pub(crate) struct Bound {
 
 impl Bound {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(false);
+        heed_interrupts(self.out.is_some());
         let scene = Scene::load(&self.scene).map_err(End::input)?;
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let limits = Limits::of(&scene);
-        let name = self.scene.display();
+        let name = self.scene.display().to_string();
+        let json = limits.to_json(&name).map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let curve = RadiusCurve::of(&scene, &limits);
+            let page = bound::page(&name, &scene, &limits, curve.as_ref(), &command_line());
+            let mut results = Results::new(page, RESULTS, &json);
+            if let Some(curve) = &curve {
+                results = results.with_figure("bound", &curve.figure(&name))?;
+                results = results.with_file("bound.csv", curve.csv());
+            }
+            folder.fill(results)?;
+        }
         let text = match (self.json, self.quiet) {
-            (true, _) => limits.to_json(&name.to_string()).map_err(End::internal)?,
+            (true, _) => json,
             (_, true) => return Ok(()),
             _ => format!("{name}\n{limits}"),
         };

@@ -3,14 +3,14 @@
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_figures::Figure;
 use lyapunov_lab::compare::{
-    Broken, Column, CompareError, Comparison, Energies, Entrants, TradeOff, document,
+    Broken, Column, CompareError, Comparison, Energies, Entrants, TradeOff, csv, document, report,
 };
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::{Scalar, Scene};
@@ -18,11 +18,11 @@ use lyapunov_lab::tune::{Objective, Tuned, Tuning};
 use lyapunov_lab::{Space, models, teleoperation};
 
 use super::folder::Folder;
+use super::left_out::LeftOut;
+use super::results::{Results, command_line};
 use super::subjects::{self, Subjects};
 use super::tune::tune;
 use super::{BAR, End, heed_interrupts, shown, standard_output};
-use crate::output::Outputs;
-use crate::pictures::pictures;
 
 /// Ticks in all from which on a progress bar is worth showing.
 const LONG: u64 = 1 << 20;
@@ -50,10 +50,10 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "TERMS", num_args = 0..=1, require_equals = true,
         default_missing_value = "settling")]
     tuned: Option<Objective>,
-    /// Write compare.json and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
+    /// Write report.html, compare.json, compare.csv and figures of each file (SVG, PNG and CSV) into this folder; made if not there.
     ///
     /// Of each scene: positions and sums over time, forces over time, energy by cause, and on how many walls the run stays
-    /// bounded against how transparent they are, which takes 144 further runs of each stabilizer. Of others one figure, and report.html.
+    /// bounded against how transparent they are, which takes 144 further runs of each stabilizer. Of others one figure.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
@@ -72,30 +72,38 @@ pub(crate) struct Compare {
 impl Compare {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
-        let scenes = match Subjects::load(&self.scenes)? {
+        let mut left_out = LeftOut::of(self.scenes.len());
+        let scenes = match Subjects::load(&self.scenes, &mut left_out)? {
             Subjects::Scenes(scenes) => scenes,
             _ if self.tuned.is_some() => {
                 let remedy = "leave it away for files of models and of teleoperators";
                 return Err(End::input(format!("--tuned is for scenes\n  = {remedy}")));
             }
-            Subjects::Models(models) => return subjects::run::<models::Comparison>(self, &models),
+            Subjects::Models(models) => {
+                return subjects::run::<models::Comparison>(self, &models, left_out);
+            }
             Subjects::Teleoperators(them) => {
-                return subjects::run::<teleoperation::Comparison>(self, &them);
+                return subjects::run::<teleoperation::Comparison>(self, &them, left_out);
             }
         };
         let named = self.entrants()?.unwrap_or_else(StabilizerNames::standard);
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-        let compared = self.compare(&scenes, &named)?;
+        let compared = self.compare(&scenes, &named, &mut left_out)?;
         let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let text = document(&comparisons).map_err(End::internal)?;
         if let Some(folder) = folder {
-            fill(&folder, &self.scenes, comparisons.iter().zip(&answers), &text)?;
+            fill(&folder, &comparisons, &answers, &left_out, &text)?;
         }
+        self.tell(&comparisons, &text)?;
+        left_out.end()
+    }
+
+    fn tell(&self, comparisons: &[Comparison], text: &str) -> Result<(), End> {
         let mut out = io::stdout().lock();
         if self.json {
             return out.write_all(text.as_bytes()).map_err(standard_output);
         }
-        let shown = if self.quiet { &[][..] } else { &comparisons[..] };
+        let shown = if self.quiet { &[][..] } else { comparisons };
         for (index, comparison) in shown.iter().enumerate() {
             let gap = if index == 0 { "" } else { "\n" };
             write!(out, "{gap}{comparison}").map_err(standard_output)?;
@@ -116,30 +124,37 @@ impl Compare {
         named.map_err(|error| End::input(format!("--stabilizers: {error}")))
     }
 
+    /// The comparison on each of `scenes` that it fits.
     fn compare(
         &self,
         scenes: &[(String, Scene)],
         named: &StabilizerNames,
+        left_out: &mut LeftOut,
     ) -> Result<Vec<(Comparison, Answers)>, End> {
         let ticks = |scene: &Scene| {
             let once = scene.ticks() + 1;
             let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
             once + self.out.as_ref().map_or(0, |_| drawn)
         };
-        let tuned: Result<Vec<_>, End> =
-            scenes.iter().map(|(name, scene)| self.tuned(name, scene, named)).collect();
-        let tuned = tuned?;
+        let mut met = Vec::new();
+        for (name, scene) in scenes {
+            let tuned = self.tuned(name, scene, named);
+            met.extend(left_out.unless(tuned)?.map(|tuned| (name, scene, tuned)));
+        }
         let entrants = |tuned: &[Tuned]| (named.len() + tuned.len()) as u64;
-        let each = scenes.iter().zip(&tuned);
-        let bar =
-            self.progress(each.clone().map(|(it, tuned)| entrants(tuned) * ticks(&it.1)).sum());
-        let met = each.map(|((name, scene), tuned)| match scene.scalar {
-            Scalar::F64 => self.meet(name, scene, &entered::<f64>(named, scene, tuned), &bar),
-            Scalar::F32 => self.meet(name, scene, &entered::<f32>(named, scene, tuned), &bar),
-        });
-        let met = met.collect();
+        let ticks = met.iter().map(|(_, scene, tuned)| entrants(tuned) * ticks(scene));
+        let bar = self.progress(ticks.sum());
+        let mut compared = Vec::new();
+        for (name, scene, tuned) in &met {
+            bar.set_message(format!("{name}: "));
+            let one = match scene.scalar {
+                Scalar::F64 => self.meet(name, scene, &entered::<f64>(named, scene, tuned), &bar),
+                Scalar::F32 => self.meet(name, scene, &entered::<f32>(named, scene, tuned), &bar),
+            };
+            compared.extend(left_out.unless(one)?);
+        }
         bar.finish_and_clear();
-        met
+        left_out.unless_all(compared)
     }
 
     /// The tuned stabilizers that take part: those with a number to tune.
@@ -184,10 +199,10 @@ impl Compare {
         let mut answers = Answers::default();
         if self.out.is_some() {
             let energies = Energies::of(&comparison, entrants, &watch).map_err(refused)?;
-            answers.push("energy", &energies.figure(), energies.csv())?;
+            answers.0.push(("energy", energies.figure(), energies.csv()));
             let trade_off = TradeOff::of(&comparison, entrants, &watch).map_err(refused)?;
             if let Some(trade_off) = trade_off {
-                answers.push("trade-off", &trade_off.figure(), trade_off.csv())?;
+                answers.0.push(("trade-off", trade_off.figure(), trade_off.csv()));
             }
         }
         Ok((comparison, answers))
@@ -206,51 +221,69 @@ fn entered<T: lyapunov::Scalar + Space>(
     })
 }
 
-/// Files of the figures that take runs of their own: the end of each file's name, and its text or picture.
+/// Figures that take runs of their own: the question that each answers, and its rows.
 #[derive(Default)]
-struct Answers(Vec<(String, Vec<u8>)>);
+struct Answers(Vec<(&'static str, Figure, String)>);
 
-impl Answers {
-    fn push(&mut self, question: &str, figure: &Figure, csv: String) -> Result<(), End> {
-        self.0.extend(pictures(&format!(".{question}"), figure).map_err(End::internal)?);
-        self.0.push((format!(".{question}.csv"), csv.into_bytes()));
-        Ok(())
-    }
-}
-
-/// Writes all files before the first appears under its name.
-fn fill<'a>(
+fn fill(
     folder: &Folder<'_>,
-    scenes: &[PathBuf],
-    comparisons: impl Iterator<Item = (&'a Comparison, &'a Answers)>,
+    comparisons: &[Comparison],
+    answers: &[Answers],
+    left_out: &LeftOut,
     text: &str,
 ) -> Result<(), End> {
-    let mut outputs = Outputs::of(folder.path());
-    for (name, (comparison, answers)) in names(scenes).iter().zip(comparisons) {
-        End::if_interrupted()?;
-        for (name, figure) in
-            [(name.clone(), comparison.figure()), (format!("{name}.force"), comparison.forces())]
-        {
-            let drawn = pictures(&name, &figure).map_err(End::internal)?;
-            outputs.put_all(drawn).map_err(End::input)?;
+    let of = |(one, answers): (&Comparison, &Answers)| {
+        let own = [("", one.figure()), ("force", one.forces())];
+        let others = answers.0.iter().map(|(question, figure, _)| (*question, figure.clone()));
+        own.into_iter().chain(others).collect()
+    };
+    let drawn: Vec<Vec<(&str, Figure)>> = comparisons.iter().zip(answers).map(of).collect();
+    let told = comparisons.iter().zip(&drawn).map(|(one, figures)| {
+        let figures = figures.iter().map(|(question, figure)| (figure, caption(question)));
+        (one, figures.collect::<Vec<_>>())
+    });
+    let page = report(&told.collect::<Vec<_>>(), left_out.reasons(), &command_line());
+    let mut results = Results::new(page, RESULTS, text).with_file("compare.csv", csv(comparisons));
+    let files = names(comparisons.iter().map(|one| &one.name[..]));
+    for ((name, figures), answers) in files.iter().zip(&drawn).zip(answers) {
+        for (question, figure) in figures {
+            End::if_interrupted()?;
+            let gap = if question.is_empty() { "" } else { "." };
+            results = results.with_figure(&format!("{name}{gap}{question}"), figure)?;
         }
-        for (end, bytes) in &answers.0 {
-            outputs.put(&format!("{name}{end}"), bytes).map_err(End::input)?;
+        for (question, _, csv) in &answers.0 {
+            results = results.with_file(format!("{name}.{question}.csv"), &csv[..]);
         }
     }
-    outputs.put(RESULTS, text).map_err(End::input)?;
-    End::if_interrupted()?;
-    folder.keep();
-    outputs.keep().map_err(End::input)
+    folder.fill(results)
+}
+
+/// The sentence under the figure that answers a question.
+fn caption(question: &str) -> &'static str {
+    match question {
+        "force" => "What the hand feels: the forces on the plant.",
+        "energy" => {
+            "Where the energy came from, and where it went: two bars of one length for each run that does not grow."
+        }
+        "trade-off" => {
+            "What boundedness costs in transparency: the share of walls on which the run stays bounded, and the force \
+             error on the walls that all hold."
+        }
+        _ => {
+            "Whether it settles. Equal curves are drawn once; that of a run that grows ends where it leaves the range of \
+             the others."
+        }
+    }
 }
 
 /// Names that the files of each scene begin with: the scene file's own, with a number where two are equal.
 ///
 /// They contain no dot, since the name of a figure follows one; so no two files get the same name.
-pub(super) fn names(scenes: &[PathBuf]) -> Vec<String> {
+pub(super) fn names<'a>(scenes: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for scene in scenes {
-        let stem = scene.file_stem().unwrap_or_default().to_string_lossy().replace('.', "-");
+        let stem =
+            Path::new(scene).file_stem().unwrap_or_default().to_string_lossy().replace('.', "-");
         let numbered = (2..).map(|number| format!("{stem}-{number}"));
         let free = std::iter::once(stem.clone()).chain(numbered).find(|name| !names.contains(name));
         names.push(free.unwrap_or(stem));

@@ -1,23 +1,36 @@
 //! The command `lyapunov effects`.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lyapunov_lab::effects::{Costs, CostsError};
+use lyapunov_lab::scene::Scene;
 
-use super::{End, heed_interrupts, standard_output};
+use super::folder::Folder;
+use super::results::{Results, command_line};
+use super::{BAR, End, heed_interrupts, shown, standard_output};
+
+/// The file that `--json` prints.
+const RESULTS: &str = "effects.json";
 
 /// Measure what each effect costs per step, on this machine.
 ///
 /// Prints the nanoseconds that a step takes longer with an effect than without, alone and with all other effects, for one
 /// rollout (f64) and for eight at once (f64x8). Environments and axes replace the wall, so their cost is the
-/// difference to it. docs/effects/costs.md says how to read the table.
+/// difference to it. With a scene: the same for the effects that it names, in its own loop. docs/effects/costs.md says how
+/// to read the table.
 ///
-/// Exit status: 0 done, 1 internal error, 130 interrupted.
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Effects {
+    /// The scene file, TOML, whose effects are measured; by default all effects, on a hand that runs into a wall.
+    scene: Option<PathBuf>,
+    /// Write report.html, effects.json, effects.csv and a plot (SVG and PNG) into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     /// Print JSON instead of tables.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -29,7 +42,9 @@ pub(crate) struct Effects {
 impl Effects {
     pub(crate) fn run(&self) -> Result<(), End> {
         heed_interrupts(true);
-        let bar = self.progress()?;
+        let scene = self.scene.as_deref().map(Scene::load).transpose().map_err(End::input)?;
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let bar = self.progress(scene.as_ref())?;
         let watch = || {
             bar.inc(1);
             match End::if_interrupted() {
@@ -37,29 +52,43 @@ impl Effects {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let costs = Costs::measured(&watch).map_err(|error| match error {
-            CostsError::Stopped => End::Interrupted,
-            error => End::internal(error),
-        })?;
+        let costs = match (&self.scene, &scene) {
+            (Some(path), Some(scene)) => Costs::of(&path.display().to_string(), scene, &watch),
+            _ => Costs::measured(&watch),
+        };
+        let costs = costs.map_err(|error| self.blame(error))?;
         bar.finish_and_clear();
+        let json = costs.document().map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let results = Results::new(costs.to_html(&command_line()), RESULTS, &json);
+            let results = results.with_figure("effects", &costs.figure())?;
+            folder.fill(results.with_file("effects.csv", costs.csv()))?;
+        }
         if self.quiet {
             return Ok(());
         }
         let text = match self.json {
-            true => costs.document().map_err(End::internal)?,
+            true => json,
             false => costs.to_string(),
         };
         io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
     }
 
-    /// Progress bar, hidden without a terminal.
-    fn progress(&self) -> Result<ProgressBar, End> {
-        if self.quiet || !io::stdout().is_terminal() {
+    /// End for an error: of a scene that was given, bad input.
+    fn blame(&self, error: CostsError) -> End {
+        match (error, &self.scene) {
+            (CostsError::Stopped, _) => End::Interrupted,
+            (error, Some(path)) => End::input(format!("{}: {error}", path.display())),
+            (error, None) => End::internal(error),
+        }
+    }
+
+    fn progress(&self, scene: Option<&Scene>) -> Result<ProgressBar, End> {
+        if self.quiet {
             return Ok(ProgressBar::hidden());
         }
-        let loops = Costs::loops().map_err(End::internal)? as u64;
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        Ok(ProgressBar::new(loops).with_style(style))
+        let loops = scene.map_or_else(Costs::loops, Costs::loops_of);
+        let loops = loops.map_err(|error| self.blame(error))?;
+        Ok(shown(ProgressBar::new(loops as u64), BAR))
     }
 }

@@ -7,7 +7,12 @@ use clap::Args;
 use lyapunov_lab::explain::Explanation;
 use lyapunov_lab::scene::{Scalar, Scene};
 
+use super::folder::Folder;
+use super::results::{Results, command_line};
 use super::{End, heed_interrupts, standard_output};
+
+/// The file that `--json` prints.
+const RESULTS: &str = "explain.json";
 
 /// Say why the run of a scene settles, swings or grows, and what helps.
 ///
@@ -19,6 +24,9 @@ use super::{End, heed_interrupts, standard_output};
 pub(crate) struct Explain {
     /// The scene file, TOML.
     scene: PathBuf,
+    /// Write report.html, explain.json and the energies by cause (SVG, PNG and CSV) into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -29,17 +37,24 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(false);
+        heed_interrupts(self.out.is_some());
         let scene = Scene::load(&self.scene).map_err(End::input)?;
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let explanation = match scene.scalar {
             Scalar::F64 => Explanation::of::<f64>(&scene),
             Scalar::F32 => Explanation::of::<f32>(&scene),
         };
-        let name = self.scene.display();
+        let name = self.scene.display().to_string();
         let explanation =
             explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;
+        let json = explanation.to_json(&name).map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let results = Results::new(explanation.to_html(&name, &command_line()), RESULTS, &json);
+            let results = results.with_figure("explain", &explanation.figure(&name))?;
+            folder.fill(results.with_file("explain.csv", explanation.csv()))?;
+        }
         let text = match (self.json, self.quiet) {
-            (true, _) => explanation.to_json(&name.to_string()).map_err(End::internal)?,
+            (true, _) => json,
             (_, true) => return Ok(()),
             _ => format!("{name}\n{explanation}"),
         };

@@ -8,7 +8,8 @@ use std::path::Path;
 use lyapunov_lab::OutputError;
 
 use super::End;
-use crate::output::Output;
+use super::results::Results;
+use crate::output::{Output, Outputs};
 
 /// Folder for results. A folder that had to be made is removed again unless it is [kept](Folder::keep).
 pub(crate) struct Folder<'a> {
@@ -34,6 +35,16 @@ impl<'a> Folder<'a> {
 
     pub(crate) fn path(&self) -> &'a Path {
         self.path
+    }
+
+    /// Writes all results before the first appears under its name, and lets the folder stay.
+    pub(crate) fn fill(&self, results: Results) -> Result<(), End> {
+        let mut outputs = Outputs::of(self.path);
+        outputs.put_all(results.files).map_err(End::input)?;
+        results.streamed.map_or(Ok(()), |rows| outputs.add(rows)).map_err(End::input)?;
+        End::if_interrupted()?;
+        self.keep();
+        outputs.keep().map_err(End::input)
     }
 
     /// Lets the folder stay.

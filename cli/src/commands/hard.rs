@@ -10,8 +10,8 @@ use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
-use super::{BAR, End, heed_interrupts, shown, standard_output};
-use crate::output::Outputs;
+use super::results::Results;
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 
 /// The file that `--json` prints.
 const RESULTS: &str = "hard.json";
@@ -30,7 +30,7 @@ pub(crate) struct Hard {
     /// A bound that it does not promise may be passed: the case is then reported as over, and is no failure.
     #[arg(long, value_name = "NAME")]
     stabilizer: Option<StabilizerName>,
-    /// Write hard.json and report.html into this folder; made if not there.
+    /// Write report.html, hard.json and hard.csv into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print hard.json instead of the table.
@@ -65,7 +65,9 @@ impl Hard {
         bar.finish_and_clear();
         let text = catalogue.document().map_err(End::internal)?;
         if let Some(folder) = folder {
-            fill(&folder, &catalogue, &text, &self.command(&folder))?;
+            let page = catalogue.report(&self.command(&folder));
+            let results = Results::new(page, RESULTS, &text);
+            folder.fill(results.with_file("hard.csv", catalogue.csv()))?;
         }
         if !self.quiet {
             let shown = if self.json { text } else { catalogue.to_string() };
@@ -77,7 +79,8 @@ impl Hard {
 
     fn command(&self, folder: &Folder<'_>) -> String {
         let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
-        format!("lyapunov hard{} --out {}", named.unwrap_or_default(), folder.path().display())
+        let named = named.unwrap_or_default();
+        format!("{} hard{named} --out {}", program(), folder.path().display())
     }
 
     fn progress(&self) -> ProgressBar {
@@ -86,15 +89,4 @@ impl Hard {
         }
         shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR)
     }
-}
-
-/// Writes all files before the first appears under its name.
-fn fill(folder: &Folder<'_>, catalogue: &Catalogue, text: &str, command: &str) -> Result<(), End> {
-    let page = catalogue.report(command);
-    let mut outputs = Outputs::of(folder.path());
-    outputs.put("report.html", page).map_err(End::input)?;
-    outputs.put(RESULTS, text).map_err(End::input)?;
-    End::if_interrupted()?;
-    folder.keep();
-    outputs.keep().map_err(End::input)
 }

@@ -7,9 +7,12 @@ mod effects;
 mod explain;
 mod folder;
 mod hard;
+mod left_out;
 mod map;
 mod observe;
 mod paper;
+mod progress;
+mod results;
 mod run;
 mod scenes;
 mod schema;
@@ -17,17 +20,26 @@ mod source;
 mod subjects;
 mod tune;
 
+use std::borrow::Cow;
+use std::env;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use lyapunov_lab::OutputError;
+
+/// End of the help of all commands.
+const EXIT_STATUS: &str = "Exit status: 0 done, 1 internal error or a hard case that failed, 2 bad input, 130 interrupted.";
+
+/// The commands that take names of stabilizers.
+const NAMING: [&str; 4] = ["compare", "map", "tune", "hard"];
 
 /// Simulate sampled loops under stabilizers that watch a Lyapunov candidate.
 #[derive(Debug, Parser)]
@@ -35,9 +47,9 @@ use lyapunov_lab::OutputError;
     name = "lyapunov",
     version,
     max_term_width = 100,
-    after_help = "Exit status: 0 done, 1 internal error or a hard case that failed, 2 bad input, 130 interrupted."
+    after_help = EXIT_STATUS
 )]
-pub(crate) enum Command {
+enum Command {
     Run(run::Run),
     Compare(compare::Compare),
     Map(Box<map::Map>),
@@ -54,7 +66,7 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    pub(crate) fn run(self) -> ExitCode {
+    fn run(self) -> ExitCode {
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
@@ -72,18 +84,48 @@ impl Command {
         };
         match end {
             Ok(()) => ExitCode::SUCCESS,
-            Err(end) => ExitCode::from(end.report()),
+            Err(end) => end.exit(),
         }
     }
+}
+
+/// Runs the command that the arguments ask for, in a program whose own stabilizers are called `own`.
+pub(crate) fn run(own: &[&str]) -> ExitCode {
+    let mut command = Command::command();
+    if !own.is_empty() {
+        let told = format!("Own stabilizers of this program: {}", own.join(", "));
+        for name in NAMING {
+            command = command.mut_subcommand(name, |it| it.after_help(told.clone()));
+        }
+        command = command.after_help(format!("{told}\n\n{EXIT_STATUS}"));
+        let path = env::args_os().next().map(PathBuf::from);
+        let name = path.as_deref().and_then(Path::file_stem).map(|it| it.to_string_lossy());
+        // It is set once, here.
+        let _ = PROGRAM.set(name.map_or_else(|| SHIPPED.to_owned(), Cow::into_owned));
+    }
+    match Command::from_arg_matches(&command.clone().get_matches()) {
+        Ok(asked) => asked.run(),
+        Err(error) => error.format(&mut command).exit(),
+    }
+}
+
+/// The name of the binary that ships.
+const SHIPPED: &str = "lyapunov";
+
+static PROGRAM: OnceLock<String> = OnceLock::new();
+
+/// The name of this program, for the command lines that reports tell.
+pub(crate) fn program() -> &'static str {
+    PROGRAM.get().map_or(SHIPPED, String::as_str)
 }
 
 /// Template of a progress bar whose length is known.
 const BAR: &str = "{bar:40} {percent:>3} %, {eta} left";
 
-/// The bar in this form, hidden unless standard output and standard error are both a terminal.
+/// The bar in this form; a line now and then unless standard output and standard error are both a terminal.
 pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
-    if !io::stdout().is_terminal() {
-        return ProgressBar::hidden();
+    if !io::stdout().is_terminal() || !io::stderr().is_terminal() {
+        return progress::in_lines(bar);
     }
     let style = ProgressStyle::with_template(template);
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
@@ -146,6 +188,11 @@ impl End {
     /// Error that ends an interrupted command. Long work calls this now and then.
     pub(crate) fn if_interrupted() -> Result<(), Self> {
         if INTERRUPTED.load(Ordering::Relaxed) { Err(Self::Interrupted) } else { Ok(()) }
+    }
+
+    /// Prints the reason and returns the status that the program exits with.
+    pub(crate) fn exit(self) -> ExitCode {
+        ExitCode::from(self.report())
     }
 
     /// Prints the reason and returns the exit status.

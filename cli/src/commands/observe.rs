@@ -1,17 +1,18 @@
 //! The command `lyapunov observe`.
 
-use std::fs;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use lyapunov_lab::OutputError;
 use lyapunov_lab::observe::{self, Candidate, Columns, Observed, Scale, Settings};
 
+use super::folder::Folder;
+use super::results::{Results, command_line};
 use super::source::Source;
 use super::{End, heed_interrupts, standard_output};
-use crate::output::Outputs;
-use crate::pictures::pictures;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "observe.json";
 
 /// Observe a recorded log of any device: when energy was generated, how much and by which contact.
 ///
@@ -47,7 +48,7 @@ pub(crate) struct Observe {
     /// The force above which there is contact, N [default: 1 % of the largest so far].
     #[arg(long, value_name = "NEWTON", allow_negative_numbers = true)]
     contact: Option<f64>,
-    /// Write observe.json, observe.svg and observe.png into this folder, which is made if it is not there.
+    /// Write report.html, observe.json, the contacts (CSV) and the plot (SVG and PNG) into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print the report as JSON, in SI units.
@@ -75,13 +76,13 @@ impl Observe {
             candidate: self.candidate()?,
             contact: self.contact,
         };
-        if let Some(folder) = &self.out {
-            reachable(folder).map_err(End::input)?;
-        }
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let observed = self.observe(&settings)?;
-        // The figure is drawn before anything is written, so that a failure leaves no file behind.
-        if let Some(folder) = &self.out {
-            write(folder, &observed)?;
+        if let Some(folder) = folder {
+            let results =
+                Results::new(observed.to_html(&command_line()), RESULTS, &json(&observed)?);
+            let results = results.with_figure("observe", &observed.figure())?;
+            folder.fill(results.with_file("observe.csv", observed.csv()))?;
         }
         self.tell(&observed)
     }
@@ -128,7 +129,7 @@ impl Observe {
     fn tell(&self, observed: &Observed) -> Result<(), End> {
         let mut out = io::stdout().lock();
         let told = if self.json {
-            out.write_all(&json(observed)?)
+            out.write_all(json(observed)?.as_bytes())
         } else if self.quiet {
             Ok(())
         } else {
@@ -141,31 +142,7 @@ impl Observe {
     }
 }
 
-fn json(observed: &Observed) -> Result<Vec<u8>, End> {
-    let mut text = serde_json::to_vec_pretty(&observed.report).map_err(End::internal)?;
-    text.push(b'\n');
-    Ok(text)
-}
-
-/// Checks before a long log is read that the folder exists or can be made.
-fn reachable(folder: &Path) -> Result<(), OutputError> {
-    match fs::metadata(folder) {
-        Ok(found) if !found.is_dir() => {
-            Err(OutputError::new(folder, ErrorKind::NotADirectory.into()))
-        }
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(OutputError::new(folder, error)),
-        _ => Ok(()),
-    }
-}
-
-/// Writes report and picture into `folder`: all of them, or none.
-fn write(folder: &Path, observed: &Observed) -> Result<(), End> {
-    let report = json(observed)?;
-    let drawn = pictures("observe", &observed.figure()).map_err(End::internal)?;
-    let refused = |error| End::input(OutputError::new(folder, error));
-    fs::create_dir_all(folder).map_err(refused)?;
-    let mut outputs = Outputs::of(folder);
-    outputs.put("observe.json", report).map_err(End::input)?;
-    outputs.put_all(drawn).map_err(End::input)?;
-    outputs.keep().map_err(End::input)
+fn json(observed: &Observed) -> Result<String, End> {
+    let text = serde_json::to_string_pretty(&observed.report).map_err(End::internal)?;
+    Ok(text + "\n")
 }

@@ -8,11 +8,17 @@ use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov::ParameterError;
 use lyapunov_lab::explain::Hint;
+use lyapunov_lab::run::Curves;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Csv, OutputError, Rollout, Space, Summary, in_space};
 
+use super::folder::Folder;
+use super::results::{Results, command_line};
 use super::{BAR, End, heed_interrupts, say, shown, standard_output};
 use crate::output::Output;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "run.json";
 
 /// Ticks between two updates of the bar and checks for interrupts.
 const BREATH: u64 = 1 << 16;
@@ -31,6 +37,10 @@ pub(crate) struct Run {
     /// Write one row per servo tick to this file; `-` is standard output.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write report.html, run.json, the rows (run.csv) and a plot of position, force, energy and velocity (SVG and PNG)
+    /// into this folder; made if not there.
+    #[arg(long, value_name = "DIR", conflicts_with = "csv")]
+    out: Option<PathBuf>,
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -42,6 +52,9 @@ pub(crate) struct Run {
 impl Run {
     pub(crate) fn run(&self) -> Result<(), End> {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
+        if let Some(out) = &self.out {
+            return self.fill(&scene, out);
+        }
         match &self.csv {
             Some(path) if path == Path::new("-") => {
                 heed_interrupts(false);
@@ -49,7 +62,7 @@ impl Run {
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::of(output, &scene).map_err(standard_output)?;
                 let hidden = ProgressBar::hidden();
-                let told = simulate(&scene, &hidden, Some((&mut csv, &standard_output)))?;
+                let told = simulate(&scene, &hidden, Some((&mut csv, &standard_output)), None)?;
                 csv.into_inner().map_err(standard_output)?;
                 if !self.quiet {
                     say(self.words(&told)?.trim_end());
@@ -62,17 +75,37 @@ impl Run {
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::of(output, &scene).map_err(refused)?;
                 let bar = self.progress(&scene);
-                let told = simulate(&scene, &bar, Some((&mut csv, &refused)))?;
+                let told = simulate(&scene, &bar, Some((&mut csv, &refused)), None)?;
                 csv.into_inner().map_err(refused)?.keep().map_err(End::input)?;
                 self.tell(&told)?;
             }
             None => {
                 heed_interrupts(false);
                 let nowhere: Option<Rows<'_, io::Sink>> = None;
-                self.tell(&simulate(&scene, &self.progress(&scene), nowhere)?)?;
+                self.tell(&simulate(&scene, &self.progress(&scene), nowhere, None)?)?;
             }
         }
         Ok(())
+    }
+
+    /// Simulates with results in the folder `out`.
+    fn fill(&self, scene: &Scene, out: &Path) -> Result<(), End> {
+        heed_interrupts(true);
+        let folder = Folder::claim(out, RESULTS)?;
+        let place = out.join("run.csv");
+        let refused = |error| End::input(OutputError::new(&place, error));
+        let output = Output::create(&place).map_err(End::input)?;
+        let mut csv = Csv::of(output, scene).map_err(refused)?;
+        let mut curves = Curves::new(scene);
+        let rows = Some((&mut csv, &refused as &dyn Fn(io::Error) -> End));
+        let told = simulate(scene, &self.progress(scene), rows, Some(&mut curves))?;
+        let name = self.scene.display().to_string();
+        let page = curves.to_html(&name, &told, &command_line());
+        let json = told.to_json(&name).map_err(End::internal)?;
+        let results = Results::new(page, RESULTS, &json);
+        let results = results.with_figure("run", &curves.figure(&name, &told))?;
+        folder.fill(results.with_rows(csv.into_inner().map_err(refused)?))?;
+        self.tell(&told)
     }
 
     /// Error if the rows would overwrite the scene.
@@ -121,8 +154,9 @@ fn simulate<W: Write>(
     scene: &Scene,
     bar: &ProgressBar,
     rows: Option<Rows<'_, W>>,
+    curves: Option<&mut Curves>,
 ) -> Result<Summary, End> {
-    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), rows))
+    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), rows, curves))
 }
 
 fn drain<V: Space, W: Write>(
@@ -130,6 +164,7 @@ fn drain<V: Space, W: Write>(
     bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
     mut rows: Option<Rows<'_, W>>,
+    mut curves: Option<&mut Curves>,
 ) -> Result<Summary, End> {
     let mut summary = Summary::new(scene);
     for tick in rollout.map_err(End::input)? {
@@ -141,6 +176,9 @@ fn drain<V: Space, W: Write>(
             csv.write(&tick).map_err(refused)?;
         }
         summary.add(&tick);
+        if let Some(curves) = &mut curves {
+            curves.add(&tick, &summary);
+        }
     }
     bar.finish_and_clear();
     Ok(summary)

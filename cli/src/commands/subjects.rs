@@ -11,9 +11,9 @@ use lyapunov_lab::teleoperation::Teleoperator;
 
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
-use super::{End, standard_output};
-use crate::output::Outputs;
-use crate::pictures::pictures;
+use super::left_out::LeftOut;
+use super::results::Results;
+use super::{End, program, standard_output};
 
 /// Files to compare, each under the path as it was given.
 pub(super) enum Subjects {
@@ -23,16 +23,20 @@ pub(super) enum Subjects {
 }
 
 impl Subjects {
-    /// Reads files, which must all be of one kind.
-    pub(super) fn load(paths: &[PathBuf]) -> Result<Self, End> {
+    /// Reads files, which must all be of one kind, as far as they can be read.
+    pub(super) fn load(paths: &[PathBuf], left_out: &mut LeftOut) -> Result<Self, End> {
         let (mut scenes, mut models, mut teleoperators) = (Vec::new(), Vec::new(), Vec::new());
         for path in paths {
             let name = path.display().to_string();
-            match Subject::load(path).map_err(End::input)? {
-                Subject::Scene(scene) => scenes.push((name, *scene)),
-                Subject::Model(model) => models.push((name, *model)),
-                Subject::Teleoperator(it) => teleoperators.push((name, *it)),
+            match left_out.unless(Subject::load(path).map_err(End::input))? {
+                Some(Subject::Scene(scene)) => scenes.push((name, *scene)),
+                Some(Subject::Model(model)) => models.push((name, *model)),
+                Some(Subject::Teleoperator(it)) => teleoperators.push((name, *it)),
+                None => {}
             }
+        }
+        if scenes.is_empty() && models.is_empty() && teleoperators.is_empty() {
+            return left_out.unless_all(Vec::new()).map(Self::Scenes);
         }
         let firsts = [
             scenes.first().map(|(name, _)| format!("{name} is a scene")),
@@ -51,7 +55,11 @@ impl Subjects {
 }
 
 /// Compares `files` as `asked`.
-pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> Result<(), End> {
+pub(super) fn run<C: Compared>(
+    asked: &Compare,
+    files: &[(String, C::File)],
+    left_out: LeftOut,
+) -> Result<(), End> {
     let noun = C::NOUN;
     if asked.by.is_some() {
         return Err(End::input(format!(
@@ -83,35 +91,30 @@ pub(super) fn run<C: Compared>(asked: &Compare, files: &[(String, C::File)]) -> 
     }
     let mut out = io::stdout().lock();
     if asked.json {
-        return out.write_all(text.as_bytes()).map_err(standard_output);
+        out.write_all(text.as_bytes()).map_err(standard_output)?;
     }
-    let shown = if asked.quiet { &[][..] } else { &sheets[..] };
+    let shown = if asked.quiet || asked.json { &[][..] } else { &sheets[..] };
     for (index, sheet) in shown.iter().enumerate() {
         let gap = if index == 0 { "" } else { "\n" };
         write!(out, "{gap}{sheet}").map_err(standard_output)?;
     }
-    Ok(())
+    left_out.end()
 }
 
-/// Writes all files before the first appears under its name.
 fn fill<C: Compared>(
     folder: &Folder<'_>,
     files: &[PathBuf],
     sheets: &[Sheet],
     text: &str,
 ) -> Result<(), End> {
-    let mut outputs = Outputs::of(folder.path());
-    for (name, sheet) in names(files).iter().zip(sheets) {
-        End::if_interrupted()?;
-        let drawn = pictures(name, &sheet.figure).map_err(End::internal)?;
-        outputs.put_all(drawn).map_err(End::input)?;
-        outputs.put(&format!("{name}.csv"), &sheet.csv).map_err(End::input)?;
-    }
     let given: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
-    let command = format!("lyapunov compare {} --out {}", given.join(" "), folder.path().display());
-    outputs.put("report.html", page::<C>(sheets, &command)).map_err(End::input)?;
-    outputs.put(RESULTS, text).map_err(End::input)?;
-    End::if_interrupted()?;
-    folder.keep();
-    outputs.keep().map_err(End::input)
+    let command =
+        format!("{} compare {} --out {}", program(), given.join(" "), folder.path().display());
+    let mut results = Results::new(page::<C>(sheets, &command), RESULTS, text);
+    for (name, sheet) in names(sheets.iter().map(|sheet| &sheet.name[..])).iter().zip(sheets) {
+        End::if_interrupted()?;
+        results = results.with_figure(name, &sheet.figure)?;
+        results = results.with_file(format!("{name}.csv"), &sheet.csv[..]);
+    }
+    folder.fill(results)
 }

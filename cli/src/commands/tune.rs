@@ -9,11 +9,11 @@ use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, document, page, table};
+use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, figure, page, table};
 
 use super::folder::Folder;
+use super::results::{Results, command_line};
 use super::{BAR, End, heed_interrupts, shown, standard_output};
-use crate::output::Outputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "tune.json";
@@ -48,7 +48,7 @@ pub(crate) struct Tune {
     /// Seed of the ensembles.
     #[arg(long, default_value_t = Tuning::default().seed, value_name = "N")]
     seed: u64,
-    /// Write report.html, tune.json and a scene for each stabilizer into this folder; made if not there.
+    /// Write report.html, tune.json, tune.csv, a plot (SVG and PNG) and a scene for each stabilizer into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print tune.json instead of the table.
@@ -70,16 +70,14 @@ impl Tune {
         let tuned = tune(&tuning, &name, &scene, &self.stabilizers, self.quiet)?;
         let text = document(&name, &tuning, &tuned).map_err(End::internal)?;
         if let Some(folder) = folder {
-            let mut outputs = Outputs::of(folder.path());
+            let page = page(&name, &tuning, &tuned, &command_line());
+            let results = Results::new(page, RESULTS, &text).with_file("tune.csv", csv(&tuned));
+            let mut results = results.with_figure("tune", &figure(&name, objective, &tuned))?;
             for one in &tuned {
                 let scene = one.text().map_err(End::internal)?;
-                outputs.put(&format!("{}.toml", one.name), scene).map_err(End::input)?;
+                results = results.with_file(format!("{}.toml", one.name), scene);
             }
-            outputs.put("report.html", page(&name, &tuning, &tuned)).map_err(End::input)?;
-            outputs.put(RESULTS, &text).map_err(End::input)?;
-            End::if_interrupted()?;
-            folder.keep();
-            outputs.keep().map_err(End::input)?;
+            folder.fill(results)?;
         }
         let mut out = io::stdout().lock();
         let said = match (self.json, self.quiet) {

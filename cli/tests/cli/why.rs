@@ -94,3 +94,55 @@ fn bad_input_is_refused() {
     place.refuses(["explain", "wall.toml", "--json", "--quiet"], &["'--json'", "'--quiet'"]);
     place.run(["bound", "flat.toml"]).ended(0, &["along the normal"]);
 }
+
+/// A loop whose environment is not what drives it, or only pulls, is told so instead of a limit that it keeps.
+#[test]
+fn a_limit_says_nothing_of_what_is_not_touched_or_only_pulls() {
+    let place = place();
+    place.put("pulls.toml", WALL.replace("stiffness = 40000", "stiffness = -400"));
+    let bound = place.run(["bound", "pulls.toml"]);
+    bound.ended(0, &["the linear loop is not stable", "below 0: only the radius tells"]);
+    assert!(!bound.out.contains("within it"), "{}", bound.out);
+    let run = place.run(["run", "pulls.toml"]);
+    run.ended(
+        0,
+        &[
+            "verdict grows",
+            "look at environment.spring pushes away by -400 N/m",
+            "nothing holds it",
+        ],
+    );
+    let away =
+        WALL.replace("spring.stiffness = 40000", "wall = { stiffness = 40000, position = 1 }");
+    place.put("away.toml", away + "effects.pulse = { start = 1.5, duration = 0.3, force = 5 }\n");
+    let run = place.run(["run", "away.toml"]);
+    run.ended(0, &["verdict grows", "look at f_env is 0 on all 2001 ticks", "why no force acts"]);
+    assert!(!run.out.contains("times what the linear loop bears"), "{}", run.out);
+    place
+        .run(["explain", "away.toml"])
+        .ended(0, &["look at f_env is 0", "no force acts in this run"]);
+    let map = [
+        "map",
+        "away.toml",
+        "--x",
+        "environment.wall.stiffness=500..5000:2",
+        "--y",
+        "device.damping=3..4:2",
+    ];
+    let calm = place.text("away.toml").replace("force = 5", "force = 0");
+    place.put("away.toml", calm);
+    place.run(map).ended(0, &["look at: no force acts in any of the 4 cells"]);
+    let json: Value =
+        serde_json::from_str(&place.run(map.into_iter().chain(["--json"])).out).unwrap();
+    assert_eq!(json["look_at"][0]["sign"], "untouched");
+    place
+        .run([
+            "map",
+            "wall.toml",
+            "--x",
+            "environment.spring.stiffness=500..5000:2",
+            "--y",
+            "device.damping=3..4:2",
+        ])
+        .ended(0, &["bounded"]);
+}

@@ -15,6 +15,7 @@ pub(crate) mod models;
 pub(crate) mod physical;
 #[cfg(test)]
 pub(crate) mod samples;
+pub(crate) mod sanity;
 pub(crate) mod settling;
 pub(crate) mod share;
 pub(crate) mod stiffness_felt;
@@ -33,6 +34,7 @@ pub(crate) use force_felt::ForceFelt;
 pub(crate) use given::{Given, device_damper};
 pub use linear::{Limits, LinearPart};
 pub(crate) use physical::Physical;
+pub(crate) use sanity::Oddity;
 pub(crate) use settling::Settling;
 pub(crate) use share::Share;
 pub(crate) use stiffness_felt::StiffnessFelt;

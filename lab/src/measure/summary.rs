@@ -1,10 +1,12 @@
 //! Summary of a run.
 
 use super::fate::Fate;
+use super::sanity::{Oddity, RunSigns};
 use super::settling::Settling;
 use super::verdict::{Verdict, Yardstick};
 use crate::files::Scene;
-use crate::simulate::{Row, Space, Tick};
+use crate::files::scene::Draft;
+use crate::simulate::{Rollout, Row, Space, Stabilizing, Tick};
 
 /// Lengths and energies are reported in thousandths of their units.
 pub(crate) const MILLI: f64 = 1e3;
@@ -13,6 +15,7 @@ pub(crate) const MILLI: f64 = 1e3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     pub(crate) scene: Scene,
+    pub(crate) stabilizing: Stabilizing,
     /// Ticks summed up.
     pub rows: u64,
     /// The last tick.
@@ -43,11 +46,12 @@ pub struct Summary {
     pub shortfall: f64,
     /// Ticks on which the controller was active.
     pub active: u64,
+    signs: RunSigns,
     axes: [Axis; 3],
 }
 
 impl Summary {
-    /// A summary without ticks.
+    /// A summary without ticks, of a run under the stabilizer that `scene` names.
     pub fn new(scene: &Scene) -> Self {
         let fate = Fate::of(scene);
         let (rest, band) = fate.criterion(0).rest();
@@ -56,6 +60,7 @@ impl Summary {
         let (equilibrium, band) = place.unzip();
         Self {
             scene: scene.clone(),
+            stabilizing: Stabilizing::Table(scene.stabilizer),
             rows: 0,
             last: None,
             equilibrium,
@@ -71,14 +76,23 @@ impl Summary {
             injected: 0.0,
             shortfall: 0.0,
             active: 0,
+            signs: RunSigns::new(scene),
             axes: Default::default(),
         }
     }
 
-    /// The summary of all `ticks` of a `scene`.
-    pub fn of<V: Space>(scene: &Scene, ticks: impl IntoIterator<Item = Tick<V>>) -> Self {
-        let mut summary = Self::new(scene);
-        ticks.into_iter().for_each(|tick| summary.add(&tick));
+    /// The summary of all ticks of a `rollout` of a `scene`, under whatever stabilizes that.
+    pub fn of<V: Space>(scene: &Scene, rollout: Rollout<V>) -> Self {
+        let stabilizing = rollout.stabilizing;
+        let stabilizer = match stabilizing {
+            Stabilizing::Table(table) => table,
+            Stabilizing::Foreign(_) => None,
+        };
+        // What ran is told, and not what the scene names.
+        let told = Draft { stabilizer, ..scene.to_draft() }.check();
+        let told = told.unwrap_or_else(|_| scene.clone());
+        let mut summary = Self { stabilizing, scene: told, ..Self::new(scene) };
+        rollout.for_each(|tick| summary.add(&tick));
         summary
     }
 
@@ -91,6 +105,7 @@ impl Summary {
             }
         }
         self.fate.add_tick(tick);
+        self.signs.add(tick);
         self.settling.add(row.x);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
@@ -116,6 +131,16 @@ impl Summary {
     /// The quantity that the run is judged by.
     pub fn verdict_by(&self) -> Yardstick {
         self.fate.verdict_by(0)
+    }
+
+    /// The signs of a mistake in the scene or its run; docs/sanity.md has the thresholds.
+    pub fn look_at(&self) -> Vec<Oddity> {
+        self.signs.finish(&self.scene)
+    }
+
+    /// Whether any force acted on the plant.
+    pub(crate) fn acts(&self) -> bool {
+        self.signs.acts()
     }
 
     /// The last time at which everything was finite, s, if the motion left the range of the scalar.

@@ -3,6 +3,8 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
+use serde::Serialize;
+
 use crate::files::Scene;
 use crate::simulate::row::{further_columns, further_numbers};
 use crate::simulate::{Row, Space, Tick};
@@ -119,6 +121,14 @@ pub(crate) fn text<'a, R: IntoIterator<Item = Field<'a>>>(
     // Writing to memory never fails.
     let _ = writer.put(names.into_iter().map(Field::Text));
     let _ = records.into_iter().try_for_each(|record| writer.put(record));
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+/// Flat records with the names of their fields first; nothing without records.
+pub(crate) fn records<T: Serialize>(records: impl IntoIterator<Item = T>) -> String {
+    let mut writer = ::csv::Writer::from_writer(Vec::new());
+    // Writing to memory never fails, and the records of this crate are flat.
+    let _ = records.into_iter().try_for_each(|record| writer.serialize(record));
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 

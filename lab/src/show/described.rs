@@ -4,6 +4,7 @@ use crate::files::scene::{
     Basis, Candidate, Effects, Filter, Integrator, Ledger, Link, Lolc, Motion, Operator, Parameter,
     Policy, Popc, Scene, Stabilizer, Work,
 };
+use crate::simulate::Stabilizing;
 use crate::text::{given, listed, shorten};
 
 /// The environment in a line, without its name.
@@ -12,7 +13,10 @@ pub(crate) fn environment(scene: &Scene) -> String {
 }
 
 /// The line of a summary that tells the stabilizer and its numbers.
-pub(crate) fn stabilizer(scene: &Scene) -> String {
+pub(crate) fn stabilizer(scene: &Scene, stabilizing: Stabilizing) -> String {
+    if let Stabilizing::Foreign(name) = stabilizing {
+        return format!("  stabilizer   {name}, which is the program's own");
+    }
     let observer = |booking: String| {
         let cap = scene.damping_cap();
         let cap = match cap.is_infinite() {

@@ -1,8 +1,11 @@
 //! Presentation of results: tables, pages, lines of text and comma-separated values.
 
+pub(crate) mod beside;
 pub(crate) mod csv;
 pub(crate) mod described;
+pub(crate) mod energy_bars;
 pub(crate) mod html;
+pub(crate) mod labelled;
 pub(crate) mod output_error;
 mod summary;
 pub(crate) mod table;

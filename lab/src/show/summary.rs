@@ -9,7 +9,7 @@ use crate::files::scene::{Scalar, Velocity};
 use crate::text::{folded, found, given, listed};
 
 use crate::measure::summary::MILLI;
-use crate::measure::{Summary, Verdict, Yardstick};
+use crate::measure::{Oddity, Summary, Verdict, Yardstick};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -25,6 +25,7 @@ struct Document<'a> {
     peak_force_acting_n: f64,
     energy_into_port_mj: f64,
     stabilizer: Option<Observed>,
+    look_at: Vec<Oddity>,
 }
 
 /// Observed energies and corrections of a stabilizer.
@@ -49,7 +50,7 @@ impl Summary {
     pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
         let complete = self.left_range().is_none();
         let settling_time_s = self.settled.filter(|_| complete);
-        let stabilizer = self.scene.stabilizer.is_some().then(|| self.stabilizer());
+        let stabilizer = self.stabilizing.is_there().then(|| self.stabilizer());
         let document = Document {
             scene,
             rows: self.rows,
@@ -63,6 +64,7 @@ impl Summary {
             peak_force_acting_n: self.acting_peak,
             energy_into_port_mj: MILLI * self.absorbed,
             stabilizer,
+            look_at: self.look_at(),
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
     }
@@ -102,7 +104,11 @@ impl fmt::Display for Summary {
         if self.absorbed < 0.0 {
             f.write_str(": more came out than went in")?;
         }
-        if self.scene.stabilizer.is_some() { self.write_stabilizer(f) } else { Ok(()) }
+        if self.stabilizing.is_there() {
+            self.write_stabilizer(f)?;
+        }
+        let mut signs = self.look_at().into_iter();
+        signs.try_for_each(|it| write!(f, "\n{}", folded("  look at      ", &it.text)))
     }
 }
 
@@ -138,7 +144,7 @@ impl Summary {
             write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
         }
         write_list("operator", &described::operator(scene), f)?;
-        write!(f, "\n{}", described::stabilizer(scene))?;
+        write!(f, "\n{}", described::stabilizer(scene, self.stabilizing))?;
         if let Some(sentence) = described::exceeded_cap(scene) {
             write!(f, "\n  cap          {sentence}")?;
         }

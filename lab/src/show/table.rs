@@ -65,6 +65,13 @@ impl Cell {
     }
 }
 
+impl Cell {
+    /// The text for the terminal.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+}
+
 impl From<&str> for Cell {
     fn from(text: &str) -> Self {
         Self::new(text, html! { (text) })

@@ -38,6 +38,7 @@ impl Basis {
             damper: scene.environment.wall().map(|it| [it.damping.get(), it.position.get()]),
             normal: kind.normal().map_or(Direction::FIRST, Direction::from),
             start,
+            scene: Some(Box::new(scene.clone())),
         }
     }
 
@@ -59,6 +60,7 @@ impl Basis {
             damper: None,
             normal: Direction::FIRST,
             start: [0.0; 2],
+            scene: None,
         }
     }
 }

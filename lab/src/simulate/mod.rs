@@ -8,8 +8,10 @@ pub(crate) mod equilibrium;
 pub mod family;
 pub(crate) mod load;
 pub(crate) mod models;
+pub(crate) mod own;
 pub(crate) mod rollout;
 pub(crate) mod row;
+pub(crate) mod stabilizing;
 pub(crate) mod teleoperation;
 pub(crate) mod tick;
 
@@ -18,4 +20,5 @@ pub(crate) use criterion::Criterion;
 pub use load::Subject;
 pub(crate) use rollout::Rollout;
 pub(crate) use row::Row;
+pub(crate) use stabilizing::Stabilizing;
 pub(crate) use tick::Tick;

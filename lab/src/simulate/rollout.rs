@@ -5,6 +5,7 @@ use lyapunov::{OnePort, ParameterError, Plant, PortSample, Scalar, Signal, Stabi
 use super::building::{AnyStabilizer, Assembly, Fitted, Seen, Space};
 use super::family::StabilizerName;
 use super::row::Row;
+use super::stabilizing::Stabilizing;
 use super::tick::Tick;
 use crate::files::Scene;
 
@@ -13,6 +14,7 @@ use crate::files::Scene;
 /// Ends early, after the last tick on which everything is finite, if the motion leaves the range of the scalar.
 #[derive(Debug)]
 pub struct Rollout<V: Signal = f64> {
+    pub(crate) stabilizing: Stabilizing,
     rate: f64,
     number: u64,
     last: u64,
@@ -27,18 +29,20 @@ impl<V: Space> Rollout<V> {
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::assemble(scene, Fitted::of(scene)?)
+        let stabilizing = Stabilizing::Table(scene.stabilizer);
+        Ok(Self { stabilizing, ..Self::assemble(scene, Fitted::of(scene)?)? })
     }
 
     /// The loop of `scene` with `stabilizer` instead of the scene's own.
     ///
     /// # Errors
     /// Those of [`Rollout::of`].
-    pub fn stabilized_by(
+    pub fn stabilized_by<S: Stabilizer<V> + 'static>(
         scene: &Scene,
-        stabilizer: impl Stabilizer<V> + 'static,
+        stabilizer: S,
     ) -> Result<Self, ParameterError> {
-        Self::assemble(scene, Fitted::Behind(AnyStabilizer::new(stabilizer)))
+        let fitted = Fitted::Behind(AnyStabilizer::new(stabilizer));
+        Ok(Self { stabilizing: Stabilizing::foreign::<S>(), ..Self::assemble(scene, fitted)? })
     }
 
     /// The loop of `scene` under `member` of the family, whatever `scene` names.
@@ -49,7 +53,8 @@ impl<V: Space> Rollout<V> {
     where
         V: Scalar,
     {
-        Self::assemble(scene, member.on(scene)?)
+        let stabilizing = Stabilizing::Table(member.table(scene));
+        Ok(Self { stabilizing, ..Self::assemble(scene, member.on(scene)?)? })
     }
 
     /// The ticks as rows along the first axis.
@@ -65,7 +70,8 @@ impl<V: Space> Rollout<V> {
         let seen = Seen::default();
         let assembly = Assembly::watched(scene, &seen, fitted)?;
         let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
-        Ok(Self { rate, number: 0, last, assembly, seen, truth })
+        let stabilizing = Stabilizing::foreign::<Fitted<V>>();
+        Ok(Self { stabilizing, rate, number: 0, last, assembly, seen, truth })
     }
 
     /// The next tick, in range or not, even after the end of the scene.

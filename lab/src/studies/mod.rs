@@ -9,5 +9,6 @@ pub mod hard;
 pub mod map;
 pub mod observe;
 pub mod paper;
+pub mod run;
 pub mod scenes;
 pub mod tune;

@@ -8,6 +8,20 @@ use crate::{HeldTick, LyapunovCandidate, PortSample, Scalar, Signal};
 ///
 /// # Errors
 /// The first law that is broken.
+///
+/// ```
+/// use lyapunov_core::{LyapunovCandidate, PortSample, laws};
+/// /// A credit of 1 mJ on every tick, whatever happens.
+/// #[derive(Clone)]
+/// struct Gift;
+/// impl LyapunovCandidate<f64> for Gift {
+///     fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
+///         sample.work + 1e-3
+///     }
+/// }
+/// let broken = laws::candidate(&Gift, laws::Samples::new(1e-3)).unwrap_err();
+/// assert_eq!(broken.law, laws::Law::NothingForNothing);
+/// ```
 pub fn candidate<V: Signal, C: LyapunovCandidate<V> + Clone>(
     candidate: &C,
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,

@@ -19,6 +19,23 @@ use crate::{LyapunovFunction, Scalar, Signal};
 ///
 /// # Errors
 /// The first law that is broken, with the state as its sample; at rest, sample 0.
+///
+/// ```
+/// use lyapunov_core::{LyapunovFunction, laws};
+/// use nalgebra::Vector2;
+/// /// `V = |x|²`, with half of its slope.
+/// struct Half;
+/// impl LyapunovFunction<Vector2<f64>> for Half {
+///     fn value(&self, state: Vector2<f64>) -> f64 {
+///         state.dot(&state)
+///     }
+///     fn gradient(&self, state: Vector2<f64>) -> Vector2<f64> {
+///         state
+///     }
+/// }
+/// let broken = laws::lyapunov_function(&Half, [Vector2::new(3.0, 0.0)]).unwrap_err();
+/// assert_eq!(broken.law, laws::Law::Slope);
+/// ```
 pub fn lyapunov_function<X: Signal, F: LyapunovFunction<X>>(
     function: &F,
     states: impl IntoIterator<Item = X>,

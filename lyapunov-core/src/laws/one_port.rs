@@ -7,6 +7,20 @@ use crate::{OnePort, PortSample, Signal};
 ///
 /// # Errors
 /// The first law that is broken.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample, laws};
+/// /// A force that has no bound at rest.
+/// #[derive(Clone)]
+/// struct Hyperbola;
+/// impl OnePort<f64> for Hyperbola {
+///     fn respond(&mut self, sample: &PortSample<f64>) -> f64 {
+///         1.0 / sample.velocity
+///     }
+/// }
+/// let broken = laws::one_port(&Hyperbola, laws::Samples::new(1e-3)).unwrap_err();
+/// assert_eq!(broken.law, laws::Law::Finite);
+/// ```
 pub fn one_port<V: Signal, P: OnePort<V> + Clone>(
     port: &P,
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,

@@ -8,6 +8,15 @@ const COUNT: usize = 2000;
 /// Motions and efforts of many sizes: strokes to and fro, rests, and forces for and against them.
 ///
 /// They are the same on every machine: the numbers come from splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
+///
+/// ```
+/// use lyapunov_core::laws::Samples;
+/// let drive: Vec<_> = Samples::<f64>::new(1e-3).collect();
+/// assert_eq!(drive.len(), 2000);
+/// assert!(drive.iter().any(|(sample, _)| sample.velocity == 0.0)); // some rest
+/// let other: Vec<_> = Samples::<f64>::new(1e-3).seeded(7).collect();
+/// assert_ne!(drive, other);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Samples<V: Signal> {
     period: V::Scalar,

@@ -29,6 +29,21 @@ pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
 ///
 /// # Errors
 /// The first law that is broken.
+///
+/// ```
+/// use lyapunov_core::{Correction, PortSample, Stabilizer, laws};
+/// /// Half of every effort.
+/// #[derive(Clone)]
+/// struct Half;
+/// impl Stabilizer<f64> for Half {
+///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+///         let sound = sample.finite() && effort.is_finite();
+///         Correction { accepted: sound, ..Correction::none(if sound { 0.5 * effort } else { 0.0 }) }
+///     }
+/// }
+/// laws::limiter(&Half, laws::Samples::new(1e-3))?;
+/// # Ok::<(), laws::Violation>(())
+/// ```
 pub fn limiter<V: Signal, S: Stabilizer<V> + Clone>(
     stabilizer: &S,
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,

@@ -1,8 +1,9 @@
 //! Track of poses: positions whose differences are displacements.
 
-use num_traits::Zero;
-
-use crate::{Angle, Axes, Pose, Screw, Signal, WithPose, WorldAxes};
+use crate::{
+    Angle, Axes, ParameterError, Pose, Poses, Requirement, Screw, Signal, Snapshot, WithPose,
+    WorldAxes,
+};
 
 /// Poses that are read, unrolled into positions that can be subtracted.
 ///
@@ -31,14 +32,15 @@ use crate::{Angle, Axes, Pose, Screw, Signal, WithPose, WorldAxes};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseTrack<T, F = WorldAxes> {
     at: WithPose<T, F>,
-    /// What the sum has rounded away.
-    left: Screw<T, F>,
+    known: bool,
+    steps: Poses<T, F>,
 }
 
 impl<T: Angle, F: Axes> From<Pose<T>> for PoseTrack<T, F> {
     /// The track that starts at `pose`.
     fn from(pose: Pose<T>) -> Self {
-        Self { at: WithPose::at(pose), left: Screw::zero() }
+        let known = Screw::<T, F>::between(&pose, &pose).finite();
+        Self { at: WithPose::at(pose), known, steps: Poses::new() }
     }
 }
 
@@ -46,15 +48,24 @@ impl<T: Angle, F: Axes> PoseTrack<T, F> {
     /// The position of the body in `pose`.
     #[inline]
     pub fn tell(&mut self, pose: &Pose<T>) -> WithPose<T, F> {
-        let known = self.at.pose.finite();
-        let moved = if known { Screw::between(&self.at.pose, pose) } else { Screw::zero() };
-        let step = moved + self.left;
-        let screw = self.at.screw + step;
-        let now = WithPose { screw, pose: *pose };
+        let (now, steps) = self.steps.step(&self.at, pose, self.known);
         if now.finite() {
-            self.left = step - (screw - self.at.screw);
-            self.at = now;
+            *self = Self { at: now, known: true, steps };
         }
         now
+    }
+}
+
+impl<T: Angle, F: Axes> Snapshot for PoseTrack<T, F> {
+    /// The last position, whether its pose is sound, and what the sum has rounded away.
+    type State = (WithPose<T, F>, bool, Screw<T, F>);
+
+    fn state(&self) -> Self::State {
+        (self.at, self.known, self.steps.state())
+    }
+
+    fn restored(self, (at, known, left): Self::State) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored position", at.screw)?;
+        Ok(Self { at, known, steps: self.steps.restored(left)? })
     }
 }

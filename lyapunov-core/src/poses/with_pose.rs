@@ -14,12 +14,12 @@ use crate::{Axes, Pose, Scalar, Screw, Signal, WorldAxes};
 /// | of a sample or effort | `screw` | `pose` |
 /// |---|---|---|
 /// | `position` | the sum of the displacements since the start | the pose |
-/// | `velocity` | the twist | 0 |
+/// | `velocity` | the twist | 0, or the rate of its numbers |
 /// | `displacement` | the twist that leads from the last pose to this one ([`Screw::between`]) | its difference |
-/// | effort, `applied` | the wrench | 0 |
+/// | effort, `applied` | the wrench | no meaning |
 /// | `work` | on each axis, J | 0 |
 ///
-/// A [`PoseTrack`](crate::PoseTrack) makes such positions from poses that are read. The pose carries no power: the
+/// [`Readings::of_poses`](crate::Readings::of_poses) make such samples from poses that are read. The pose carries no power: the
 /// [`sum`](Signal::sum) over the axes, and with it work and `v²`, is over the screw alone.
 ///
 /// ```

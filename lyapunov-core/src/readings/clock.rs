@@ -1,6 +1,6 @@
 //! The time between readings: one period, or that of a clock.
 
-use super::{CheckedSample, Measured, MovingReading, Reading, Readings};
+use super::{CheckedSample, Measured, MovingReading, Reading, Readings, Track};
 use crate::{Mask, ParameterError, Requirement, Scalar, Signal, Snapshot, VelocityEstimator};
 
 /// Readings at a fixed period: every call is one tick.
@@ -79,10 +79,10 @@ impl Snapshot for Clocked {
     }
 }
 
-impl<V: Signal, E: VelocityEstimator<V>> Readings<V, E, Steady> {
+impl<V: Signal, E: VelocityEstimator<V>, P: Track<V>> Readings<V, E, Steady, P> {
     /// The sample of this tick's reading.
     #[inline(always)]
-    pub fn read(&mut self, reading: Reading<V>) -> CheckedSample<V> {
+    pub fn read(&mut self, reading: Reading<V, P::Place>) -> CheckedSample<V> {
         self.hear(self.period, true, reading)
     }
 
@@ -99,14 +99,14 @@ impl<V: Signal, E: VelocityEstimator<V>> Readings<V, E, Steady> {
     /// ```
     #[inline]
     pub fn missed(&mut self, applied: V) -> CheckedSample<V> {
-        self.read(Reading { position: unknown(), applied })
+        self.read(Reading { position: P::nowhere(), applied })
     }
 }
 
-impl<V: Signal, E: VelocityEstimator<V>> Readings<V, E, Clocked> {
+impl<V: Signal, E: VelocityEstimator<V>, P: Track<V>> Readings<V, E, Clocked, P> {
     /// The sample of the reading at the time `now`, s.
     #[inline]
-    pub fn read_at(&mut self, now: f64, reading: Reading<V>) -> CheckedSample<V> {
+    pub fn read_at(&mut self, now: f64, reading: Reading<V, P::Place>) -> CheckedSample<V> {
         let (elapsed, timed) = self.clock.elapsed(now, self.period);
         self.hear(elapsed, timed, reading)
     }
@@ -114,28 +114,32 @@ impl<V: Signal, E: VelocityEstimator<V>> Readings<V, E, Clocked> {
     /// The sample of a tick without a reading at the time `now`, s, before which the effort `applied` acted.
     #[inline]
     pub fn missed_at(&mut self, now: f64, applied: V) -> CheckedSample<V> {
-        self.read_at(now, Reading { position: unknown(), applied })
+        self.read_at(now, Reading { position: P::nowhere(), applied })
     }
 }
 
-impl<V: Signal> Readings<V, Measured, Steady> {
+impl<V: Signal, P: Track<V>> Readings<V, Measured, Steady, P> {
     /// The sample of this tick's reading.
     #[inline(always)]
-    pub fn read_moving(&mut self, reading: MovingReading<V>) -> CheckedSample<V> {
+    pub fn read_moving(&mut self, reading: MovingReading<V, P::Place>) -> CheckedSample<V> {
         self.hear_moving(self.period, true, reading)
     }
 
     /// The sample of a tick without a reading, over which the effort `applied` acted.
     #[inline]
     pub fn missed_moving(&mut self, applied: V) -> CheckedSample<V> {
-        self.read_moving(MovingReading { position: unknown(), velocity: unknown(), applied })
+        self.read_moving(MovingReading { position: P::nowhere(), velocity: V::zero(), applied })
     }
 }
 
-impl<V: Signal> Readings<V, Measured, Clocked> {
+impl<V: Signal, P: Track<V>> Readings<V, Measured, Clocked, P> {
     /// The sample of the reading at the time `now`, s.
     #[inline]
-    pub fn read_moving_at(&mut self, now: f64, reading: MovingReading<V>) -> CheckedSample<V> {
+    pub fn read_moving_at(
+        &mut self,
+        now: f64,
+        reading: MovingReading<V, P::Place>,
+    ) -> CheckedSample<V> {
         let (elapsed, timed) = self.clock.elapsed(now, self.period);
         self.hear_moving(elapsed, timed, reading)
     }
@@ -143,12 +147,7 @@ impl<V: Signal> Readings<V, Measured, Clocked> {
     /// The sample of a tick without a reading at the time `now`, s, before which the effort `applied` acted.
     #[inline]
     pub fn missed_moving_at(&mut self, now: f64, applied: V) -> CheckedSample<V> {
-        let reading = MovingReading { position: unknown(), velocity: unknown(), applied };
+        let reading = MovingReading { position: P::nowhere(), velocity: V::zero(), applied };
         self.read_moving_at(now, reading)
     }
-}
-
-/// Position that nobody read.
-fn unknown<V: Signal>() -> V {
-    V::splat(V::Scalar::of(f64::NAN))
 }

@@ -1,6 +1,6 @@
 //! What is remembered from reading to reading.
 
-use super::{CheckedSample, Reading, one_and_a_half};
+use super::{CheckedSample, Reading, Track, one_and_a_half};
 use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
@@ -28,7 +28,7 @@ pub(super) struct Heard<V: Signal> {
     work: V,
     jumped: <V::Scalar as Scalar>::Mask,
     late: <V::Scalar as Scalar>::Mask,
-    accepted: <V::Scalar as Scalar>::Mask,
+    pub(super) accepted: <V::Scalar as Scalar>::Mask,
     /// Where it is the first one accepted.
     pub(super) first: <V::Scalar as Scalar>::Mask,
 }
@@ -80,13 +80,19 @@ impl<V: Signal> Memory<V> {
         self.gap = V::Scalar::of(0.0);
     }
 
+    /// The position of `place` on a `track`, and the track with it.
+    #[inline(always)]
+    pub(super) fn lead<P: Track<V>>(&self, track: P, place: P::Place) -> (V, P) {
+        track.lead(place, self.position, self.known)
+    }
+
     /// Looks at a reading `elapsed` seconds after the last, of a device that moves no faster than `fastest`.
     #[inline(always)]
-    pub(super) fn hear(
+    pub(super) fn hear<P: Track<V>>(
         &self,
         elapsed: V::Scalar,
         period: V::Scalar,
-        fastest: V::Scalar,
+        fastest: P::Speed,
         reading: Reading<V>,
     ) -> Heard<V> {
         let told = reading.applied.finite();
@@ -100,8 +106,7 @@ impl<V: Signal> Memory<V> {
         let moved = reading.position - self.position;
         let displacement = V::choose(self.known, moved, V::zero());
         // Over less than a period a count of the encoder would be a speed.
-        let reach = fastest * span.larger(period);
-        let far = displacement.inner(displacement).above(reach * reach);
+        let far = P::too_far(fastest, displacement, span.larger(period));
         let here = reading.position.finite();
         let jumped = here & (far | !displacement.finite());
         let work = least.times(displacement).zip(most.times(displacement), Scalar::smaller);

@@ -1,95 +1,21 @@
 //! Readings: what a device tells tick by tick, and the memory that makes port samples of it.
 
+mod checked_sample;
 mod clock;
 mod memory;
+mod reading;
+mod track;
 
+pub use checked_sample::CheckedSample;
 pub use clock::{Clocked, Steady};
+pub use reading::{MovingReading, Reading};
+pub use track::{PartSpeeds, Poses, Positions, Track};
 
-use crate::scalar::same_lanes;
 use crate::{
-    Differenced, LowPassed, Mask, ParameterError, PortSample, Requirement, Scalar, Signal,
-    Snapshot, VelocityEstimator, Windowed,
+    Angle, Axes, Differenced, LowPassed, Mask, ParameterError, Requirement, Scalar, Signal,
+    Snapshot, VelocityEstimator, Windowed, WithPose,
 };
-use memory::Memory;
-
-/// Reading of a device: where it stands, and the effort that acted since the reading before.
-///
-/// ```
-/// use lyapunov_core::Reading;
-/// use nalgebra::Vector3;
-/// let (position, applied) = (Vector3::new(0.3, 0.0, 0.1), Vector3::zeros());
-/// let reading = Reading { position, applied };
-/// # let _ = reading;
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Reading<V> {
-    /// Position now, m.
-    pub position: V,
-    /// Effort that the motors really applied since the last reading, N: after saturation, and 0 before the first.
-    pub applied: V,
-}
-
-/// Reading of a device that measures its velocity as well.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct MovingReading<V> {
-    /// Position now, m.
-    pub position: V,
-    /// Velocity now, m/s.
-    pub velocity: V,
-    /// Effort that the motors really applied since the last reading, N: after saturation, and 0 before the first.
-    pub applied: V,
-}
-
-/// Port sample made of a reading, and what [`Readings`] found in it, lane by lane.
-///
-/// ```
-/// use lyapunov_core::{Reading, Readings};
-/// let mut readings = Readings::every(1e-3)?;
-/// readings.read(Reading { position: 0.3_f64, applied: 0.0 });
-/// let bad = readings.read(Reading { position: f64::NAN, applied: 2.0 });
-/// assert!(!bad.accepted && !bad.jumped);
-/// assert!(bad.sample.position == 0.3 && bad.sample.velocity == 0.0 && bad.sample.work.is_nan());
-/// # Ok::<(), lyapunov_core::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "PortSample<V>: serde::Serialize, <V::Scalar as Scalar>::Mask: serde::Serialize",
-        deserialize = "PortSample<V>: serde::Deserialize<'de>, \
-                       <V::Scalar as Scalar>::Mask: serde::Deserialize<'de>"
-    ))
-)]
-pub struct CheckedSample<V: Signal> {
-    /// The sample, for a controller and a stabilizer. Where the reading was not accepted it stands still at the last
-    /// position, and its work is NaN, so that a stabilizer rejects it.
-    pub sample: PortSample<V>,
-    /// Where the reading was accepted.
-    pub accepted: <V::Scalar as Scalar>::Mask,
-    /// Where the position was farther away than the fastest motion leads.
-    pub jumped: <V::Scalar as Scalar>::Mask,
-    /// Where more than one and a half periods went by since the last accepted reading: a tick was missed.
-    pub late: <V::Scalar as Scalar>::Mask,
-    /// Whether the time could be used; always true of a fixed period.
-    pub timed: bool,
-}
-
-impl<V: Signal> PartialEq for CheckedSample<V> {
-    fn eq(&self, other: &Self) -> bool {
-        let same = same_lanes::<V::Scalar>;
-        self.sample == other.sample
-            && same(self.accepted, other.accepted)
-            && same(self.jumped, other.jumped)
-            && same(self.late, other.late)
-            && self.timed == other.timed
-    }
-}
+use memory::{Heard, Memory};
 
 /// Velocities measured by the device: those of [`MovingReading`]s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -135,12 +61,13 @@ pub struct Measured;
 /// the same for a whole port, in which no time passes meanwhile; behind readings it would count the time of a gap twice.
 /// Put the stabilizer outside of a hold: one inside is told the sum over the held ticks, NaN with them, and loses it.
 #[derive(Clone, Copy, Debug)]
-pub struct Readings<V: Signal, E = Differenced, C = Steady> {
+pub struct Readings<V: Signal, E = Differenced, C = Steady, P: Track<V> = Positions> {
     period: V::Scalar,
-    fastest: V::Scalar,
+    fastest: P::Speed,
     memory: Memory<V>,
     velocity: E,
     clock: C,
+    track: P,
 }
 
 impl<V: Signal> Readings<V> {
@@ -150,14 +77,44 @@ impl<V: Signal> Readings<V> {
     /// `period` not above 0 and finite.
     pub fn every(period: V::Scalar) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
-        let fastest = V::Scalar::of(f64::INFINITY);
-        let memory = Memory::empty();
-        Ok(Self { period, fastest, memory, velocity: Differenced, clock: Steady })
+        let fastest = <Positions as Track<V>>::unlimited();
+        let (memory, track) = (Memory::empty(), Positions);
+        Ok(Self { period, fastest, memory, velocity: Differenced, clock: Steady, track })
     }
 }
 
-impl<V: Signal, E, C> Readings<V, E, C> {
-    /// The same readings, of which those are rejected that only a motion faster than `speed` m/s could reach.
+impl<T: Angle, F: Axes, E, C> Readings<WithPose<T, F>, E, C> {
+    /// The readings of poses in place of positions: whatever holds for positions holds for them.
+    ///
+    /// The position of a sample is the sum of the displacements ([`Screw::between`](crate::Screw::between)) from one
+    /// accepted pose to the next, with the pose beside it ([`WithPose`]). A pose that is not finite, or whose
+    /// quaternion is 0, is rejected. Fastest motions are set after this, one for each part ([`PartSpeeds`]).
+    ///
+    /// ```
+    /// use lyapunov_core::{PartSpeeds, Pose, Reading, Readings, WithPose};
+    /// use nalgebra::{Isometry3, Vector3};
+    /// let fastest = PartSpeeds { translation: 2.0, rotation: 20.0 }; // m/s, rad/s
+    /// let mut readings = Readings::every(1e-3)?.of_poses().no_faster_than(fastest)?;
+    /// let mut read = |angle: f64| {
+    ///     let pose = Pose::from(Isometry3::rotation(Vector3::z() * angle));
+    ///     readings.read(Reading { position: pose, applied: WithPose::<f64>::default() })
+    /// };
+    /// assert!(read(3.13).accepted && read(3.14).accepted);
+    /// let past = read(3.15).sample; // half a turn is nothing special
+    /// assert!((past.velocity.screw.rotation.z - 10.0).abs() < 1e-9);
+    /// assert!(read(3.18).jumped); // 30 rad/s
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    pub fn of_poses(self) -> Readings<WithPose<T, F>, E, C, Poses<T, F>> {
+        let Self { period, memory, velocity, clock, .. } = self;
+        let fastest = <Poses<T, F> as Track<WithPose<T, F>>>::unlimited();
+        Readings { period, fastest, memory, velocity, clock, track: Poses::new() }
+    }
+}
+
+impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
+    /// The same readings, of which those are rejected that only a motion faster than `speed` could reach: m/s, and of
+    /// [poses](Self::of_poses) a [`PartSpeeds`].
     ///
     /// A motion by `Δx` since the last accepted reading is too fast if `|Δx| > speed · t`, with `t` the time since
     /// then, or a period if that is more. So a jump that stays is accepted after `|Δx| / speed` seconds, as a motion
@@ -176,10 +133,23 @@ impl<V: Signal, E, C> Readings<V, E, C> {
     /// assert!(found.accepted && found.late && found.sample.period == 2e-3);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
-    pub fn no_faster_than(self, speed: V::Scalar) -> Result<Self, ParameterError> {
-        let fastest = Requirement::Limit.check("fastest motion", speed)?;
-        Requirement::Positive.check("fastest motion", fastest.smaller(V::Scalar::largest()))?;
-        Ok(Self { fastest, ..self })
+    pub fn no_faster_than(mut self, speed: P::Speed) -> Result<Self, ParameterError> {
+        self.set_fastest(speed)?;
+        Ok(self)
+    }
+
+    /// The fastest motion that is accepted.
+    pub fn fastest(&self) -> P::Speed {
+        self.fastest
+    }
+
+    /// Changes the fastest motion between two ticks, as [`no_faster_than`](Self::no_faster_than).
+    ///
+    /// # Errors
+    /// `speed` not above 0; the old one stays.
+    pub fn set_fastest(&mut self, speed: P::Speed) -> Result<(), ParameterError> {
+        self.fastest = P::checked(speed)?;
+        Ok(())
     }
 
     /// The same readings with velocities through a low pass of `cutoff`, Hz ([`LowPassed`]).
@@ -189,7 +159,7 @@ impl<V: Signal, E, C> Readings<V, E, C> {
     pub fn low_passed(
         self,
         cutoff: V::Scalar,
-    ) -> Result<Readings<V, LowPassed<V>, C>, ParameterError> {
+    ) -> Result<Readings<V, LowPassed<V>, C, P>, ParameterError> {
         Ok(self.estimated_by(LowPassed::new(cutoff)?))
     }
 
@@ -202,14 +172,14 @@ impl<V: Signal, E, C> Readings<V, E, C> {
         self,
         ticks: usize,
         band: V::Scalar,
-    ) -> Result<Readings<V, Windowed<V, N>, C>, ParameterError> {
+    ) -> Result<Readings<V, Windowed<V, N>, C, P>, ParameterError> {
         Ok(self.estimated_by(Windowed::new(ticks, band)?))
     }
 
     /// The same readings with velocities by an estimator of your own.
-    pub fn estimated_by<F: VelocityEstimator<V>>(self, estimator: F) -> Readings<V, F, C> {
-        let Self { period, fastest, memory, clock, .. } = self;
-        Readings { period, fastest, memory, velocity: estimator, clock }
+    pub fn estimated_by<F: VelocityEstimator<V>>(self, estimator: F) -> Readings<V, F, C, P> {
+        let Self { period, fastest, memory, clock, track, .. } = self;
+        Readings { period, fastest, memory, velocity: estimator, clock, track }
     }
 
     /// The same readings with velocities that the device measures.
@@ -221,9 +191,9 @@ impl<V: Signal, E, C> Readings<V, E, C> {
     /// assert_eq!((first.sample.displacement, first.sample.velocity), (0.0, 0.1));
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
-    pub fn measured(self) -> Readings<V, Measured, C> {
-        let Self { period, fastest, memory, clock, .. } = self;
-        Readings { period, fastest, memory, velocity: Measured, clock }
+    pub fn measured(self) -> Readings<V, Measured, C, P> {
+        let Self { period, fastest, memory, clock, track, .. } = self;
+        Readings { period, fastest, memory, velocity: Measured, clock, track }
     }
 
     /// The period, s: with a clock the one that readings are meant to have.
@@ -266,7 +236,7 @@ impl<V: Signal, E, C> Readings<V, E, C> {
     }
 }
 
-impl<V: Signal, E> Readings<V, E, Steady> {
+impl<V: Signal, E, P: Track<V>> Readings<V, E, Steady, P> {
     /// The same readings, at the times of a clock ([`Clocked`]).
     ///
     /// ```
@@ -277,17 +247,22 @@ impl<V: Signal, E> Readings<V, E, Steady> {
     /// assert!(late.late && (late.sample.period - 4e-3_f64).abs() < 1e-12);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
-    pub fn clocked(self) -> Readings<V, E, Clocked> {
-        let Self { period, fastest, memory, velocity, .. } = self;
-        Readings { period, fastest, memory, velocity, clock: Clocked::new() }
+    pub fn clocked(self) -> Readings<V, E, Clocked, P> {
+        let Self { period, fastest, memory, velocity, track, .. } = self;
+        Readings { period, fastest, memory, velocity, clock: Clocked::new(), track }
     }
 }
 
-impl<V: Signal, E: VelocityEstimator<V>, C> Readings<V, E, C> {
+impl<V: Signal, E: VelocityEstimator<V>, C, P: Track<V>> Readings<V, E, C, P> {
     /// The sample of `reading`, or of none, after `elapsed` seconds.
     #[inline(always)]
-    fn hear(&mut self, elapsed: V::Scalar, timed: bool, reading: Reading<V>) -> CheckedSample<V> {
-        let heard = self.memory.hear(elapsed, self.period, self.fastest, reading);
+    fn hear(
+        &mut self,
+        elapsed: V::Scalar,
+        timed: bool,
+        reading: Reading<V, P::Place>,
+    ) -> CheckedSample<V> {
+        let heard = self.look(elapsed, reading);
         if heard.first.any() {
             self.velocity.restart(heard.first);
         }
@@ -301,35 +276,56 @@ impl<V: Signal, E: VelocityEstimator<V>, C> Readings<V, E, C> {
     }
 }
 
-impl<V: Signal, C> Readings<V, Measured, C> {
+impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
+    /// Looks at a reading, and follows its track if it is accepted.
+    #[inline(always)]
+    fn look(&mut self, elapsed: V::Scalar, reading: Reading<V, P::Place>) -> Heard<V> {
+        let (position, track) = self.memory.lead(self.track, reading.position);
+        let reading = Reading { position, applied: reading.applied };
+        let heard = self.memory.hear::<P>(elapsed, self.period, self.fastest, reading);
+        self.track = P::choose(heard.accepted, track, self.track);
+        heard
+    }
+}
+
+impl<V: Signal, C, P: Track<V>> Readings<V, Measured, C, P> {
     #[inline(always)]
     fn hear_moving(
         &mut self,
         elapsed: V::Scalar,
         timed: bool,
-        reading: MovingReading<V>,
+        reading: MovingReading<V, P::Place>,
     ) -> CheckedSample<V> {
         let MovingReading { position, velocity, applied } = reading;
-        let place = Reading { position, applied };
-        let heard = self.memory.hear(elapsed, self.period, self.fastest, place);
+        let heard = self.look(elapsed, Reading { position, applied });
         self.memory.close(heard, velocity, timed)
     }
 }
 
 /// The memory of a loop that goes on. After a pause of unknown length [`restart`](Readings::restart) what was restored.
-impl<V: Signal, E: Snapshot, C: Snapshot> Snapshot for Readings<V, E, C> {
-    /// The memory, the estimator's and the clock's.
-    type State = ((V::Scalar, V, V::Scalar, V, V), E::State, C::State);
+impl<V, E, C, P> Snapshot for Readings<V, E, C, P>
+where
+    V: Signal,
+    E: Snapshot,
+    C: Snapshot,
+    P: Track<V> + Snapshot,
+{
+    /// The memory, the estimator's, the clock's and the track's.
+    type State = ((V::Scalar, V, V::Scalar, V, V), E::State, C::State, P::State);
 
     fn state(&self) -> Self::State {
-        (self.memory.state(), self.velocity.state(), self.clock.state())
+        (self.memory.state(), self.velocity.state(), self.clock.state(), self.track.state())
     }
 
-    fn restored(self, (memory, velocity, clock): Self::State) -> Result<Self, ParameterError> {
+    fn restored(
+        self,
+        (memory, velocity, clock, track): Self::State,
+    ) -> Result<Self, ParameterError> {
         Ok(Self {
             memory: self.memory.restored(memory)?,
             velocity: self.velocity.restored(velocity)?,
             clock: self.clock.restored(clock)?,
+            track: self.track.restored(track)?,
             ..self
         })
     }

@@ -1,6 +1,9 @@
 //! Energies at a port, summed while the loop runs.
 
-use crate::{Accumulator, Compensated, Correction, Mask, PortSample, Scalar, Signal};
+use crate::{
+    Accumulator, Compensated, Correction, Mask, ParameterError, PortSample, Requirement, Scalar,
+    Signal, Snapshot,
+};
 
 /// Energies at a port since the start of the loop.
 ///
@@ -149,4 +152,36 @@ impl<T: Scalar> Default for EnergyMeter<T> {
 fn book<T: Scalar>(sum: &mut Compensated<T>, term: T) {
     let fits = (sum.value() + term).finite();
     sum.add(T::choose(fits, term, T::of(0.0)));
+}
+
+impl<T: Scalar> Snapshot for EnergyMeter<T> {
+    /// Ticks; the compensated sums of active and rejected ticks, of injected and absorbed energy; now, least, most,
+    /// shortfall and the largest shortfall.
+    type State = (u64, [(T, T); 4], [T; 5]);
+
+    fn state(&self) -> Self::State {
+        let sums = [self.active, self.rejected, self.injected, self.absorbed];
+        let last = [self.now, self.least, self.most, self.shortfall, self.largest_shortfall];
+        (self.ticks, sums.map(|sum| sum.state()), last)
+    }
+
+    fn restored(self, (ticks, sums, last): Self::State) -> Result<Self, ParameterError> {
+        for energy in last {
+            Requirement::Finite.check("stored energy", energy)?;
+        }
+        let [now, least, most, shortfall, largest_shortfall] = last;
+        let [active, rejected, injected, absorbed] = sums;
+        Ok(Self {
+            ticks,
+            active: self.active.restored(active)?,
+            rejected: self.rejected.restored(rejected)?,
+            injected: self.injected.restored(injected)?,
+            absorbed: self.absorbed.restored(absorbed)?,
+            now,
+            least,
+            most,
+            shortfall,
+            largest_shortfall,
+        })
+    }
 }

@@ -16,6 +16,17 @@ use crate::{Impedance, Linear, OperatedBody, held_input};
 /// ([`held_input`]). Every axis moves like that. With the operator's `stiffness` and `rest`, and the mass and damping
 /// of operator and device together, it is the left side of the paper's figure 2; that the two move as one is our
 /// reading, the paper does not say so.
+///
+/// ```
+/// use lyapunov_core::Plant;
+/// use lyapunov_plants::{Body, Impedance};
+/// let mass = Impedance { mass: 0.5, damping: 0.0, stiffness: 0.0 };
+/// let mut body = Body::new(mass, 1e-3)?.starting(0.0, 0.0);
+/// let sample = body.advance(-2.0); // an effort acts against the motion: −2 N push forward
+/// assert!((sample.velocity - 4e-3_f64).abs() < 1e-15 && (sample.displacement - 2e-6).abs() < 1e-18);
+/// assert_eq!(sample.applied, -2.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Body<V: Signal> {
     period: V::Scalar,

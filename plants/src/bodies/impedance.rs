@@ -7,6 +7,13 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 /// A mechanical impedance: mass, damper and spring.
 ///
 /// Impedances that are joined rigidly add up: an operator and a device as one mass are `operator + device`.
+///
+/// ```
+/// use lyapunov_plants::Impedance;
+/// let hand = Impedance { mass: 0.1, damping: 0.2, stiffness: 50.0 };
+/// let device = Impedance { mass: 0.2, damping: 0.001, stiffness: 0.0 };
+/// assert_eq!((hand + device).damping, 0.2 + 0.001); // held fast, they move as one
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impedance<T> {
     /// Mass, kg.

@@ -21,6 +21,21 @@ use crate::{Linear, OperatedBody, TwoMassParts, held_input};
 /// `x_d = X − m_o s / M` with `M = m_o + m_d`. The state is `x_d` and `s`, with their velocities: the link's force
 /// comes from a small number that is stored by itself, not from the difference of two large ones, and a device at
 /// standstill stays there to the bit.
+///
+/// ```
+/// use lyapunov_core::Plant;
+/// use lyapunov_plants::{DampedMass, ElasticJoint, Impedance, TwoMassBody, TwoMassParts};
+/// let parts = TwoMassParts {
+///     operator: Impedance { mass: 0.1, damping: 0.2, stiffness: 0.0 },
+///     device: DampedMass { mass: 0.2, damping: 0.0 },
+///     link: ElasticJoint { stiffness: 2000.0, damping: 1.0 },
+/// };
+/// let mut arm = TwoMassBody::new(parts, 1e-3)?.starting(0.0, 0.0);
+/// let sample = arm.advance(-1.0); // the port is at the device; the operator follows through the link
+/// let (position, _) = arm.operator();
+/// assert!(sample.position > position && position > 0.0_f64);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct TwoMassBody<V: Signal> {
     period: V::Scalar,

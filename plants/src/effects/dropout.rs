@@ -1,6 +1,8 @@
 //! Loss of answers.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot,
+};
 
 use crate::{Fallback, Random, Source};
 
@@ -11,6 +13,14 @@ use crate::{Fallback, Random, Source};
 /// another computer, so the loss stands between the environment and its hold,
 /// `wall.dropped(0.1, Fallback::Hold, |_| 7)?.held(10)?`. All axes of an answer are lost together. Each call draws one
 /// number per lane ([`Random`]), lost or not. A probability of 0 changes no bit. A NaN is an answer like any other.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Fallback, OnePortExt, Spring};
+/// let mut lost = Spring::new(500.0)?.dropped(1.0, Fallback::Zero, |_| 7)?; // every answer
+/// assert_eq!(lost.respond(&PortSample::starting(1e-3, 0.01_f64, 0.0)), 0.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dropout<P, V: Signal> {
     port: P,
@@ -50,5 +60,19 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
     #[inline]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for Dropout<P, V> {
+    /// The memory of the port inside, the calls of the random numbers, and the last answer.
+    type State = (P::State, u64, V);
+
+    fn state(&self) -> Self::State {
+        (self.port.state(), self.random.state(), self.arrived)
+    }
+
+    fn restored(self, (port, calls, arrived): Self::State) -> Result<Self, ParameterError> {
+        let random = self.random.restored(calls)?;
+        Ok(Self { port: self.port.restored(port)?, random, arrived, ..self })
     }
 }

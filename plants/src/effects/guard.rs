@@ -1,6 +1,8 @@
 //! Rejection of bad samples in front of a port.
 
-use lyapunov_core::{Correction, OnePort, PortSample, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 use crate::Fallback;
 
@@ -21,6 +23,17 @@ use crate::Fallback;
 ///
 /// A gap is a length of time, and different gaps would put lanes out of step, so a guard stands on ports of one value
 /// at a time (`f32`, `f64` and vectors of them).
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Fallback, OnePortExt, Spring};
+/// let mut spring = Spring::new(500.0)?.guarded(Fallback::Hold);
+/// let at = |position: f64| PortSample::starting(1e-3, position, 0.0);
+/// assert_eq!(spring.respond(&at(0.01)), 5.0);
+/// assert_eq!(spring.respond(&at(f64::NAN)), 5.0); // rejected: the last effort is held
+/// assert!(!OnePort::<f64>::correction(&spring).accepted);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Guard<P, V: Signal> {
     port: P,
@@ -157,5 +170,33 @@ where
         let zero = V::Scalar::of(0.0);
         let shortfall = (zero - correction.observed_energy).larger(zero);
         Correction { effort: self.told, alpha: zero, shortfall, accepted: false, ..correction }
+    }
+}
+
+/// What is remembered of a gap: period, work, displacement, and the range of the efforts over the rest.
+type GapState<V> = (<V as Signal>::Scalar, V, V, Option<(V, V)>);
+
+impl<P: Snapshot, V: Signal> Snapshot for Guard<P, V> {
+    /// The memory of the port inside; the last sound effort and the last one told; period and position of the last
+    /// sound sample; the gap since then; and whether the last tick was rejected.
+    type State = (P::State, (V, V), (V::Scalar, Option<V>), Option<GapState<V>>, bool);
+
+    fn state(&self) -> Self::State {
+        let Self { effort, told, period, position, gap, rejected, .. } = *self;
+        let gap = gap.map(|Gap { period, work, moved, unknown }| (period, work, moved, unknown));
+        (self.port.state(), (effort, told), (period, position), gap, rejected)
+    }
+
+    fn restored(
+        self,
+        (port, (effort, told), (period, position), gap, rejected): Self::State,
+    ) -> Result<Self, ParameterError> {
+        Requirement::Finite.check_axes("stored effort", effort)?;
+        Requirement::Finite.check_axes("stored effort", told)?;
+        Requirement::Finite.check("stored period", period)?;
+        Requirement::Finite.check_axes("stored position", position.unwrap_or(told))?;
+        let gap = gap.map(|(period, work, moved, unknown)| Gap { period, work, moved, unknown });
+        let port = self.port.restored(port)?;
+        Ok(Self { port, effort, told, period, position, gap, rejected, ..self })
     }
 }

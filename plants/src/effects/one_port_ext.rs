@@ -12,6 +12,16 @@ use crate::{
 /// Efforts pass outwards and samples inwards, so the order matters: `wall.held(10)?.stabilized(c)` observes at the
 /// servo rate, `wall.stabilized(c).held(10)?` only at the environment's. Measurement stands outermost:
 /// `port.differenced().encoded(1e-5)?` takes velocities from the encoder's counts.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Fallback, OnePortExt, Wall};
+/// // Innermost first: the force is clipped, acts a tick late, and bad samples never reach either.
+/// let mut port = Wall::new(8000.0, 0.0)?.saturated(5.0)?.delayed::<1>(1)?.guarded(Fallback::Hold);
+/// let deep = PortSample::starting(1e-3, 0.01, 0.0_f64);
+/// assert_eq!([port.respond(&deep), port.respond(&deep)], [0.0, 5.0]);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     /// Asks this port on every `ticks`-th call only and holds its effort in between.
     ///

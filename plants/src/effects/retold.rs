@@ -5,7 +5,7 @@ use lyapunov_core::{PortSample, Signal};
 /// Samples with their positions replaced, from call to call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Retold<V> {
-    last: Option<V>,
+    pub(super) last: Option<V>,
 }
 
 impl<V: Signal> Retold<V> {

@@ -1,10 +1,20 @@
 //! Saturation of the actuator.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 /// A port whose effort is clipped to `±force` on each axis; a NaN stays one.
 ///
 /// The sample reports the applied effort to a stabilizer inside, so its ledger is right without further care.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{OnePortExt, Spring};
+/// let mut motor = Spring::new(500.0)?.saturated(5.0)?;
+/// assert_eq!(motor.respond(&PortSample::starting(1e-3, -0.1_f64, 0.0)), -5.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturation<P, T> {
     port: P,
@@ -26,5 +36,17 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Saturation<P, V::Scalar> {
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, T: Scalar> Snapshot for Saturation<P, T> {
+    type State = P::State;
+
+    fn state(&self) -> Self::State {
+        self.port.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { port: self.port.restored(state)?, ..self })
     }
 }

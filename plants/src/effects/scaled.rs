@@ -1,6 +1,8 @@
 //! Scale of the feedback.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 use crate::{ForceLaw, Kinematics};
 
@@ -70,5 +72,17 @@ impl<V: Signal, L: ForceLaw<V>> ForceLaw<V> for Scaled<L, V::Scalar> {
 
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         self.port.stored(motion) * self.scale
+    }
+}
+
+impl<P: Snapshot, T: Scalar> Snapshot for Scaled<P, T> {
+    type State = P::State;
+
+    fn state(&self) -> Self::State {
+        self.port.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { port: self.port.restored(state)?, ..self })
     }
 }

@@ -1,10 +1,21 @@
 //! Zero-order hold of a slow environment.
 
-use lyapunov_core::{Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+};
 
 /// A port that is asked only on every `ticks`-th call, starting with the first; its effort is held in between.
 ///
 /// The port inside receives the sums over the calls that it missed, so its work stays exact, on each axis.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{OnePortExt, Spring};
+/// let mut slow = Spring::new(500.0)?.held(2)?; // asked on every second tick
+/// let efforts = [0.01, 0.02, 0.03].map(|x: f64| slow.respond(&PortSample::starting(1e-3, x, 0.0)));
+/// assert_eq!(efforts, [5.0, 5.0, 15.0]);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ZeroOrderHold<P, V: Signal> {
     port: P,
@@ -63,5 +74,26 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for ZeroOrderHold<P, V> {
     #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
+    }
+}
+
+impl<P: Snapshot, V: Signal> Snapshot for ZeroOrderHold<P, V> {
+    /// The memory of the port inside, the ticks that are left, period, displacement and work since it was asked, and
+    /// the held effort. What was missed may be NaN.
+    type State = (P::State, u32, (V::Scalar, V, V), V);
+
+    fn state(&self) -> Self::State {
+        let Missed { period, displacement, work } = self.missed;
+        (self.port.state(), self.left, (period, displacement, work), self.effort)
+    }
+
+    fn restored(
+        self,
+        (port, left, (period, displacement, work), effort): Self::State,
+    ) -> Result<Self, ParameterError> {
+        Requirement::AtMost(f64::from(self.ticks - 1))
+            .check("stored hold ticks", f64::from(left))?;
+        let missed = Missed { period, displacement, work };
+        Ok(Self { port: self.port.restored(port)?, left, missed, effort, ..self })
     }
 }

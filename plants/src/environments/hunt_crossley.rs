@@ -14,6 +14,15 @@ use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time};
 ///
 /// `k` is in N/mᵉ, `d` in s/m. The power is computed in `f64`, whatever the scalar. Without damping and with an
 /// exponent of 1 it is a wall without damping, to the last bit.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::HuntCrossley;
+/// let mut flesh = HuntCrossley::new(1e4, 1.5, 0.0)?;
+/// let effort: f64 = flesh.respond(&PortSample::starting(1e-3, 0.01, 0.0));
+/// assert!((effort - 1e4 * 0.01_f64.powf(1.5)).abs() < 1e-9);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HuntCrossley<T> {
     stiffness: T,

@@ -12,6 +12,16 @@ use crate::{ForceLaw, Kinematics, Surface, Time};
 ///
 /// If `k₁ = k₂`, or if `depth` is 0 or out of reach, it is the [`Wall`](crate::Wall) of that one stiffness, to the last
 /// bit.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::LayeredWall;
+/// let mut skin = LayeredWall::new(0.01, [500.0, 5000.0], 0.0)?; // soft for 1 cm, then stiff
+/// let at = |depth| PortSample::starting(1e-3, depth, 0.0);
+/// let rise: f64 = skin.respond(&at(0.012)) - skin.respond(&at(0.010));
+/// assert!((rise - 5000.0 * 0.002).abs() < 1e-9);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LayeredWall<T> {
     stiffness: [T; 2],

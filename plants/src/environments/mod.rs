@@ -16,6 +16,8 @@ mod spring;
 mod varying_spring;
 mod wall;
 
+use lyapunov_core::{Scalar, Signal};
+
 pub use body_points::BodyPoints;
 pub use cubic_spring::CubicSpring;
 pub use dissipation_of::DissipationOf;
@@ -29,3 +31,15 @@ pub use solids::{Contact, Cuboid, NearestPoint, Plane, Solid, Sphere};
 pub use spring::Spring;
 pub use varying_spring::VaryingSpring;
 pub use wall::Wall;
+
+lyapunov_core::without_memory! {
+    impl[T: Scalar] Wall<T>;
+    impl[T: Scalar] LayeredWall<T>;
+    impl[T: Scalar] HuntCrossley<T>;
+    impl[T: Scalar] OrientationSpring<T>;
+    impl[V: Signal] Spring<V>;
+    impl[V: Signal] CubicSpring<V>;
+    impl[V: Signal] MassSpringDamper<V>;
+    impl[S, T: Scalar] Contact<S, T>;
+    impl[L, T: Scalar, const N: usize] BodyPoints<L, T, N>;
+}

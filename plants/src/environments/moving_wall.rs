@@ -1,6 +1,6 @@
 //! Wall with an oscillating surface.
 
-use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Scalar};
+use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Scalar, Snapshot};
 
 use crate::environments::oscillation::Oscillation;
 use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time, Wall};
@@ -99,5 +99,18 @@ impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<MovingWall<T>> {
         let now = Kinematics { time, ..Kinematics::of(sample) };
         let (wall, Kinematics { velocity, .. }) = moving.seen_from_surface(&now);
         wall.dissipation().decrease(&PortSample { velocity, ..*sample })
+    }
+}
+
+impl<T: Scalar> Snapshot for MovingWall<T> {
+    /// The number of calls, which is its time.
+    type State = u64;
+
+    fn state(&self) -> u64 {
+        self.motion.calls()
+    }
+
+    fn restored(self, calls: u64) -> Result<Self, ParameterError> {
+        Ok(Self { motion: self.motion.after(calls), ..self })
     }
 }

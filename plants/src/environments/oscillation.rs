@@ -19,6 +19,16 @@ pub(super) struct Oscillation<T> {
 }
 
 impl<T: Scalar> Oscillation<T> {
+    /// The number of calls so far.
+    pub(super) fn calls(&self) -> u64 {
+        self.calls
+    }
+
+    /// The same oscillation after so many calls.
+    pub(super) fn after(self, calls: u64) -> Self {
+        Self { calls, ..self }
+    }
+
     pub(super) fn new(amplitude: T, frequency: T, rate: T) -> Result<Self, ParameterError> {
         let amplitude = Requirement::Finite.check("amplitude", amplitude)?;
         let frequency = Requirement::NonNegative.check("frequency", frequency)?;

@@ -5,6 +5,16 @@ use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Si
 use crate::{ForceLaw, Kinematics};
 
 /// A virtual spring, `f = k (x − position)`: the paper's example 1 (equation 9), two-sided.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::Spring;
+/// use nalgebra::Vector2;
+/// let mut spring = Spring::new(500.0)?.at(Vector2::new(0.1, 0.0));
+/// let effort = spring.respond(&PortSample::starting(1e-3, Vector2::new(0.1, 0.02), Vector2::zeros()));
+/// assert!((effort - Vector2::new(0.0, 10.0)).norm() < 1e-12);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring<V: Signal> {
     stiffness: V::Scalar,

@@ -1,6 +1,6 @@
 //! Spring of varying stiffness.
 
-use lyapunov_core::{OnePort, ParameterError, PortSample, Signal};
+use lyapunov_core::{OnePort, ParameterError, PortSample, Signal, Snapshot};
 
 use crate::environments::oscillation::Oscillation;
 use crate::{ForceLaw, Kinematics, Spring, Time};
@@ -72,5 +72,18 @@ impl<V: Signal> OnePort<V> for VaryingSpring<V> {
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let time = self.change.tick();
         self.force(&Kinematics { time, ..Kinematics::of(sample) })
+    }
+}
+
+impl<V: Signal> Snapshot for VaryingSpring<V> {
+    /// The number of calls, which is its time.
+    type State = u64;
+
+    fn state(&self) -> u64 {
+        self.change.calls()
+    }
+
+    fn restored(self, calls: u64) -> Result<Self, ParameterError> {
+        Ok(Self { change: self.change.after(calls), ..self })
     }
 }

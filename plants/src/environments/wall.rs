@@ -10,6 +10,16 @@ use crate::{ForceLaw, Kinematics, Surface, Time};
 /// A one-sided virtual wall: `f = max(0, k p + b v)` for a penetration `p = x − position > 0`, else 0.
 ///
 /// The environment of the paper's section IV; that its force never pulls is the usual reading.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::Wall;
+/// let mut wall = Wall::new(8000.0, 2.0)?.at(0.01); // N/m, N·s/m, m
+/// let effort: f64 = wall.respond(&PortSample::starting(1e-3, 0.011, 0.1)); // 1 mm deep
+/// assert!((effort - 8.2).abs() < 1e-9);
+/// assert_eq!(wall.respond(&PortSample::starting(1e-3, 0.0, 0.1)), 0.0); // in front of it
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall<T> {
     stiffness: T,

@@ -13,6 +13,16 @@ use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 /// It has order 4 and four evaluations (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, 1993,
 /// II.1). For equations of motion [`RungeKuttaNystrom4`](crate::RungeKuttaNystrom4) is the same method in fewer
 /// operations.
+///
+/// ```
+/// use lyapunov_core::{Integrator, State};
+/// use lyapunov_plants::{Impedance, Oscillator, RungeKutta4};
+/// let parts = Impedance { mass: 1.0, damping: 0.0, stiffness: 1.0 };
+/// let (oscillator, start) = (Oscillator::new(parts)?, State { position: 1.0, velocity: 0.0 });
+/// let gain = RungeKutta4.step(&oscillator, start, 0.0, 0.1_f64); // the change, not the new state
+/// assert!((start.position + gain.position - 0.1_f64.cos()).abs() < 1e-7);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RungeKutta4;
 

@@ -25,6 +25,15 @@ pub struct MotorParts<T> {
 /// The state is `(θ, ω, i)` in rad, rad/s and A, `u` in V (Franklin, Powell and Emami-Naeini, Feedback Control of
 /// Dynamic Systems, section 2.3). A position loop `u = −k θ` is stable, by Routh's criterion, if
 /// `k K J L < (b L + J R) (b R + K²)`: the current lags, and with too high a gain the loop is unstable.
+///
+/// ```
+/// use lyapunov_plants::{DcMotor, MotorParts};
+/// let parts = MotorParts { inertia: 1e-5, friction: 1e-6, torque_constant: 0.03, resistance: 2.0, inductance: 1e-3 };
+/// let motor = DcMotor::new(parts)?;
+/// assert!(motor.critical_gain() > 0.0_f64);
+/// assert!(DcMotor::new(MotorParts { inductance: 0.0, ..parts }).is_err());
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DcMotor<T> {
     parts: MotorParts<T>,

@@ -12,6 +12,15 @@ use crate::ControlAffine;
 /// The state is `(θ, θ̇)` in rad and rad/s, `u` a torque in N·m; a point mass `m` at `l` from a joint with viscous
 /// friction `b` (Khalil, Nonlinear Systems, 3rd edition, 2002, section 1.2.1, turned over). A feedback
 /// `u = −k θ − d θ̇` holds it upright if `k > m g l` and nothing is late.
+///
+/// ```
+/// use lyapunov_plants::{ControlAffine, InvertedPendulum};
+/// use nalgebra::Vector2;
+/// let pendulum = InvertedPendulum::new(0.5, 0.4, 0.0)?; // kg, m, N·m·s/rad
+/// let rates: Vector2<f64> = pendulum.drift(Vector2::new(0.1, 0.0)); // it falls from upright
+/// assert!(rates[0] == 0.0 && rates[1] > 0.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InvertedPendulum<T> {
     inertia: T,

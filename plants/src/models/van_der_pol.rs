@@ -11,6 +11,15 @@ use crate::ControlAffine;
 /// amplitude 2 for small `μ` and near 2 for any (van der Pol, On relaxation oscillations, Philosophical Magazine 2,
 /// 1926; Khalil, Nonlinear Systems, 3rd edition, 2002, section 2.4). With `V = ½ (x² + ẋ²)` the flow is `ẋ`, the
 /// apparent mass 1, and `V̇ = μ (1 − x²) ẋ² + ẋ u`.
+///
+/// ```
+/// use lyapunov_plants::{ControlAffine, VanDerPol};
+/// use nalgebra::Vector2;
+/// let oscillator = VanDerPol::new(1.0)?;
+/// let rates: Vector2<f64> = oscillator.drift(Vector2::new(0.0, 1.0)); // near 0 it is driven outwards
+/// assert_eq!(rates, Vector2::new(1.0, 1.0));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VanDerPol<T> {
     mu: T,

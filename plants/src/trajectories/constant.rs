@@ -5,6 +5,13 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 use crate::Trajectory;
 
 /// The same value at every tick; as an external force, a load.
+///
+/// ```
+/// use lyapunov_plants::{Constant, Trajectory};
+/// let load: f64 = Constant::new(2.0)?.at(123);
+/// assert_eq!(load, 2.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constant {
     value: f64,

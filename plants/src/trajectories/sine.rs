@@ -11,6 +11,14 @@ use crate::Trajectory;
 ///
 /// Whole turns are removed before they can cost digits: the sine of the thousandth turn is as accurate as that of the
 /// first.
+///
+/// ```
+/// use lyapunov_plants::{Sine, Trajectory};
+/// let sway = Sine::new(0.1, 0.02, 0.5, 1000.0)?; // about, amplitude, Hz, rate of the servo
+/// let quarter: f64 = sway.at(500);
+/// assert!((quarter - 0.12).abs() < 1e-15);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sine {
     about: f64,

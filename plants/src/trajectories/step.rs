@@ -6,6 +6,14 @@ use super::clock::Clock;
 use crate::Trajectory;
 
 /// `from` before the tick of an instant, and `to` from it on.
+///
+/// ```
+/// use lyapunov_plants::{Step, Trajectory};
+/// let step = Step::new(0.0, 0.01, 0.5, 1000.0)?; // after half a second
+/// let [before, after]: [f64; 2] = [499, 500].map(|tick| step.at(tick));
+/// assert_eq!((before, after), (0.0, 0.01));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     from: f64,

@@ -5,6 +5,14 @@ use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use super::Metric;
 
 /// Metric of one direction `d` of length 1: `M v = d (d · v)`.
+///
+/// ```
+/// use lyapunov_stabilizers::{AlongDirection, Metric};
+/// use nalgebra::Vector2;
+/// let normal = AlongDirection::new(Vector2::new(0.0, 2.0))?; // of any length
+/// assert_eq!(normal.apply(Vector2::new(0.3, 0.1)), Vector2::new(0.0, 0.1));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlongDirection<V> {
     direction: V,

@@ -5,6 +5,14 @@ use lyapunov_core::{ParameterError, Requirement, Signal};
 use super::Metric;
 
 /// Metric of one weight per axis: `(M v)ᵢ = wᵢ vᵢ`.
+///
+/// ```
+/// use lyapunov_stabilizers::{AxisWeights, Metric};
+/// use nalgebra::Vector2;
+/// let weights = AxisWeights::new(Vector2::new(1.0, 0.5))?;
+/// assert_eq!(weights.apply(Vector2::new(0.2, 0.2)), Vector2::new(0.2, 0.1));
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisWeights<V> {
     weights: V,

@@ -105,6 +105,16 @@ impl<S, M, T: Scalar> DirectedDamping<S, M, T> {
         self.limit
     }
 
+    /// The metric.
+    pub fn metric(&self) -> &M {
+        &self.metric
+    }
+
+    /// Changes the metric between ticks; no sum changes.
+    pub fn set_metric(&mut self, metric: M) {
+        self.metric = metric;
+    }
+
     /// Changes the limit between ticks, as [`Lolc::set_limit`](crate::Lolc::set_limit).
     pub fn set_limit(&mut self, limit: DampingLimit<T>) {
         self.limit = limit;

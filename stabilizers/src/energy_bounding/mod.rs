@@ -8,6 +8,7 @@ use lyapunov_core::{
 };
 
 use crate::StabilizerExt;
+use crate::account::account_in_sum;
 use crate::booked::book;
 use band::{Band, Published, Tight};
 
@@ -170,6 +171,8 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         Correction { effort: self.force, observed_energy: sum, alpha: zero, shortfall, accepted }
     }
 }
+
+account_in_sum!(impl[V: Signal, B] EnergyBounding<V, B>, in V::Scalar, is energy);
 
 impl<V: Signal, B> Snapshot for EnergyBounding<V, B> {
     /// The last force, N, and the energy, J.

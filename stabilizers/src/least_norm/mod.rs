@@ -58,9 +58,7 @@ impl<T: Scalar, C> LeastNorm<T, C> {
     /// # Errors
     /// `decay` not above 0, or above 1.
     pub fn new(candidate: C, limit: DampingLimit<T>, decay: T) -> Result<Self, ParameterError> {
-        let decay = Requirement::Positive.check("barrier decay", decay)?;
-        let decay = Requirement::AtMost(1.0).check("barrier decay", decay)?;
-        Ok(Self { observer: Observer::of(candidate), limit, decay })
+        Ok(Self { observer: Observer::of(candidate), limit, decay: checked(decay)? })
     }
 }
 
@@ -145,6 +143,25 @@ impl<T: Scalar, C, A> LeastNorm<T, C, A> {
     pub fn set_limit(&mut self, limit: DampingLimit<T>) {
         self.limit = limit;
     }
+
+    /// The share of the observed energy by which it may fall on one tick.
+    pub fn decay(&self) -> T {
+        self.decay
+    }
+
+    /// Changes that share between ticks; the account stays.
+    ///
+    /// # Errors
+    /// `decay` not above 0, or above 1; the old one stays.
+    pub fn set_decay(&mut self, decay: T) -> Result<(), ParameterError> {
+        self.decay = checked(decay)?;
+        Ok(())
+    }
+}
+
+fn checked<T: Scalar>(decay: T) -> Result<T, ParameterError> {
+    let decay = Requirement::Positive.check("barrier decay", decay)?;
+    Requirement::AtMost(1.0).check("barrier decay", decay)
 }
 
 impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for LeastNorm<T, C, A> {

@@ -21,6 +21,14 @@ lyapunov_core::approximate!(impl[T: PartialEq] BodyInertia<T>, of T { mass, mome
 ///
 /// Two numbers with two units, and no operation between them. [`PerPart`](crate::PerPart) takes one for each of its
 /// stabilizers; [`DirectedDamping::within`] keeps both under a single sum.
+///
+/// ```
+/// use lyapunov_stabilizers::{BodyInertia, PartLimits};
+/// let limits = PartLimits::of_body(0.5, BodyInertia { mass: 0.4, moment: 2e-4 }, 1e-3)?;
+/// assert_eq!(limits.translation.most(), 200.0); // N·s/m
+/// assert!((limits.rotation.most() - 0.1_f64).abs() < 1e-15); // N·m·s/rad
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartLimits<T> {
     /// Of translation, N·s/m.

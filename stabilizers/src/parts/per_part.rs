@@ -1,7 +1,8 @@
 //! One stabilizer, or one term of a candidate, for translation and one for rotation.
 
 use lyapunov_core::{
-    Correction, LyapunovCandidate, PortSample, Scalar, Screw, Signal, Spatial, Stabilizer,
+    Correction, LyapunovCandidate, ParameterError, PortSample, Scalar, Screw, Signal, Snapshot,
+    Spatial, Stabilizer,
 };
 use nalgebra::SVector;
 
@@ -56,6 +57,17 @@ impl<A, B> PerPart<A, B> {
     }
 
     /// What stands for rotation.
+    /// The part of translation, to be changed between ticks.
+    pub fn translation_mut(&mut self) -> &mut A {
+        &mut self.translation
+    }
+
+    /// The part of rotation, to be changed between ticks.
+    pub fn rotation_mut(&mut self) -> &mut B {
+        &mut self.rotation
+    }
+
+    /// The part of rotation.
     pub fn rotation(&self) -> &B {
         &self.rotation
     }
@@ -147,5 +159,19 @@ where
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         self.translation.decrease(&part(sample, |screw| screw.translation))
             + self.rotation.decrease(&part(sample, |screw| screw.rotation))
+    }
+}
+
+impl<A: Snapshot, B: Snapshot> Snapshot for PerPart<A, B> {
+    /// That of translation, and that of rotation.
+    type State = (A::State, B::State);
+
+    fn state(&self) -> Self::State {
+        (self.translation.state(), self.rotation.state())
+    }
+
+    fn restored(self, (translation, rotation): Self::State) -> Result<Self, ParameterError> {
+        let translation = self.translation.restored(translation)?;
+        Ok(Self { translation, rotation: self.rotation.restored(rotation)? })
     }
 }

@@ -1,10 +1,11 @@
 //! Inertia limit: corrections within what the mechanism in its present posture can use.
 
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
+    Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
 use super::{added, portion};
+use crate::account::lends;
 use crate::{DampingLimit, Inertia, StabilizerExt};
 
 /// Stabilizer whose correction is limited by the inertia that it meets: by the apparent mass along the direction of
@@ -57,9 +58,7 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
     /// # Errors
     /// `cap` below 0 or NaN; `period` not above 0 and finite.
     pub fn new(stabilizer: S, inertia: M, cap: T, period: T) -> Result<Self, ParameterError> {
-        let cap = Requirement::Limit.check("damping_cap", cap)?;
-        Requirement::Positive.check("period", period)?;
-        Ok(Self { stabilizer, inertia, rate: DampingLimit::of_mass(cap, T::of(1.0), period)? })
+        Ok(Self { stabilizer, inertia, rate: rate(cap, period)? })
     }
 
     /// The limit for an effort that acts `ticks` periods late ([`DampingLimit::delayed`]).
@@ -75,6 +74,44 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
 }
 
 impl<S, M, T> StabilizerExt for InertiaLimit<S, M, T> {}
+
+lends!(impl[S, M, T: Scalar] InertiaLimit<S, M, T>, of S, in T);
+
+impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
+    /// The inertia that was told last.
+    pub fn inertia(&self) -> &M {
+        &self.inertia
+    }
+
+    /// Changes share and period between ticks, without a delay: call [`delayed`](Self::delayed) again where there is one.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); the old ones stay.
+    pub fn set_cap(&mut self, cap: T, period: T) -> Result<(), ParameterError> {
+        self.rate = rate(cap, period)?;
+        Ok(())
+    }
+}
+
+/// The limit of a mass of one.
+fn rate<T: Scalar>(cap: T, period: T) -> Result<DampingLimit<T>, ParameterError> {
+    let cap = Requirement::Limit.check("damping_cap", cap)?;
+    Requirement::Positive.check("period", period)?;
+    DampingLimit::of_mass(cap, T::of(1.0), period)
+}
+
+/// The memory of the stabilizer inside; the inertia is told again on every tick.
+impl<S: Snapshot, M, T: Scalar> Snapshot for InertiaLimit<S, M, T> {
+    type State = S::State;
+
+    fn state(&self) -> Self::State {
+        self.stabilizer.state()
+    }
+
+    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
+    }
+}
 
 impl<V, S, M> Stabilizer<V> for InertiaLimit<S, M, V::Scalar>
 where

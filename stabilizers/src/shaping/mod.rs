@@ -16,7 +16,12 @@ pub use soft_start::SoftStart;
 pub use spread::Spread;
 pub use velocity_threshold::VelocityThreshold;
 
-use lyapunov_core::{Correction, PortSample, Scalar, Signal};
+use lyapunov_core::{Correction, ParameterError, PortSample, Requirement, Scalar, Signal};
+
+/// A number of ticks that is not 0.
+fn whole<T: Scalar>(name: &'static str, ticks: u32) -> Result<T, ParameterError> {
+    Requirement::AtLeast(1.0).check(name, T::of(ticks.into()))
+}
 
 /// Correction with `share` of what `correction` adds to `effort`, if the share is below 1; it must not be below 0.
 #[inline]

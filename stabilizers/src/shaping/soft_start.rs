@@ -4,7 +4,7 @@ use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
-use super::portion;
+use super::{portion, whole};
 use crate::account::lends;
 
 /// Stabilizer whose correction rises over the first `N` ticks of each engagement: on the `j`-th tick in debt after
@@ -36,7 +36,7 @@ pub struct SoftStart<S, T> {
 
 impl<S, T: Scalar> SoftStart<S, T> {
     pub(crate) fn new(stabilizer: S, ticks: u32) -> Result<Self, ParameterError> {
-        let ticks = Requirement::AtLeast(1.0).check("rise ticks", T::of(ticks.into()))?;
+        let ticks = whole("rise ticks", ticks)?;
         Ok(Self { stabilizer, ticks, engaged: T::of(0.0) })
     }
 }
@@ -54,6 +54,22 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for SoftStart<S, V::Scalar> {
 }
 
 lends!(impl[S, T: Scalar] SoftStart<S, T>, of S, in T);
+
+impl<S, T: Scalar> SoftStart<S, T> {
+    /// The number of ticks, as the scalar.
+    pub fn ticks(&self) -> T {
+        self.ticks
+    }
+
+    /// Changes the number of ticks; a rise under way goes on with the new number.
+    ///
+    /// # Errors
+    /// 0 ticks; the old number stays.
+    pub fn set_ticks(&mut self, ticks: u32) -> Result<(), ParameterError> {
+        self.ticks = whole("rise ticks", ticks)?;
+        Ok(())
+    }
+}
 
 impl<S: Snapshot, T: Scalar> Snapshot for SoftStart<S, T> {
     type State = (S::State, T);

@@ -4,7 +4,7 @@ use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
-use super::portion;
+use super::{portion, whole};
 use crate::account::lends;
 
 /// Stabilizer that pays a debt over `N` ticks instead of at once.
@@ -40,7 +40,7 @@ pub struct Spread<S, T> {
 
 impl<S, T: Scalar> Spread<S, T> {
     pub(crate) fn new(stabilizer: S, ticks: u32) -> Result<Self, ParameterError> {
-        let ticks = Requirement::AtLeast(1.0).check("spread ticks", T::of(ticks.into()))?;
+        let ticks = whole("spread ticks", ticks)?;
         Ok(Self { stabilizer, ticks, part: T::of(0.0) })
     }
 }
@@ -61,6 +61,22 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
 }
 
 lends!(impl[S, T: Scalar] Spread<S, T>, of S, in T);
+
+impl<S, T: Scalar> Spread<S, T> {
+    /// The number of ticks, as the scalar.
+    pub fn ticks(&self) -> T {
+        self.ticks
+    }
+
+    /// Changes the number of ticks; an instalment under way is at least as large as before.
+    ///
+    /// # Errors
+    /// 0 ticks; the old number stays.
+    pub fn set_ticks(&mut self, ticks: u32) -> Result<(), ParameterError> {
+        self.ticks = whole("spread ticks", ticks)?;
+        Ok(())
+    }
+}
 
 impl<S: Snapshot, T: Scalar> Snapshot for Spread<S, T> {
     type State = (S::State, T);

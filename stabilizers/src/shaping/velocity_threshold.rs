@@ -38,9 +38,7 @@ pub struct VelocityThreshold<S, T> {
 
 impl<S, T: Scalar> VelocityThreshold<S, T> {
     pub(crate) fn new(stabilizer: S, velocity: T) -> Result<Self, ParameterError> {
-        let velocity = Requirement::NonNegative.check("velocity threshold", velocity)?;
-        let square = Requirement::InRange.check("velocity threshold", velocity * velocity)?;
-        Ok(Self { stabilizer, square })
+        Ok(Self { stabilizer, square: squared(velocity)? })
     }
 }
 
@@ -55,6 +53,27 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for VelocityThreshold<S, V::Scal
 }
 
 lends!(impl[S, T: Scalar] VelocityThreshold<S, T>, of S, in T);
+
+impl<S, T: Scalar> VelocityThreshold<S, T> {
+    /// The threshold, m/s.
+    pub fn velocity(&self) -> T {
+        self.square.sqrt()
+    }
+
+    /// Changes the threshold, m/s; a debt held back at the old one is served from the new one on.
+    ///
+    /// # Errors
+    /// `velocity` below 0, not finite, or with a square that is not; the old one stays.
+    pub fn set_velocity(&mut self, velocity: T) -> Result<(), ParameterError> {
+        self.square = squared(velocity)?;
+        Ok(())
+    }
+}
+
+fn squared<T: Scalar>(velocity: T) -> Result<T, ParameterError> {
+    let velocity = Requirement::NonNegative.check("velocity threshold", velocity)?;
+    Requirement::InRange.check("velocity threshold", velocity * velocity)
+}
 
 impl<S: Snapshot, T: Scalar> Snapshot for VelocityThreshold<S, T> {
     type State = S::State;

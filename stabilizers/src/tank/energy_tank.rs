@@ -81,6 +81,32 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
     }
 }
 
+impl<T: Scalar, L> EnergyTank<T, L> {
+    /// The limits; `start` is the energy that it held when they were set.
+    pub fn limits(&self) -> TankLimits<T> {
+        self.store
+    }
+
+    /// Changes floor, ceiling and power between ticks, around the energy in it, which stays; `start` is not read.
+    ///
+    /// ```
+    /// use lyapunov_stabilizers::{EnergyTank, TankLimits};
+    /// let store = TankLimits { start: 2.0, floor: 1.0, ceiling: 10.0, power: f64::INFINITY };
+    /// let mut tank = EnergyTank::new(store)?;
+    /// tank.set_limits(TankLimits { ceiling: 5.0, ..store })?;
+    /// assert!(tank.set_limits(TankLimits { floor: 3.0, ..store }).is_err()); // there are 2 J in it
+    /// assert_eq!((tank.limits().ceiling, tank.energy()), (5.0, 2.0));
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A floor above the energy in it or below 0, a ceiling below that energy, a power below 0; the old ones stay.
+    pub fn set_limits(&mut self, limits: TankLimits<T>) -> Result<(), ParameterError> {
+        self.store = TankLimits { start: self.energy, ..limits }.checked()?;
+        Ok(())
+    }
+}
+
 impl<T: Scalar, L> Snapshot for EnergyTank<T, L> {
     /// The energy in it, J.
     type State = T;

@@ -128,6 +128,49 @@ where
 account!(impl[T: Scalar, C, A: Accumulator<T>] Tank<T, C, A>, in T, is observer.ledger);
 
 impl<T: Scalar, C, A> Tank<T, C, A> {
+    /// The most that it holds above its floor, J: `ceiling − floor`.
+    pub fn room(&self) -> T {
+        self.room
+    }
+
+    /// Changes the most that it holds above its floor, J; what is above it is forfeited on the next tick.
+    ///
+    /// The account is counted from the floor: a floor that rises by `E` is [`owe(E)`](crate::Account::owe) and less room.
+    ///
+    /// ```
+    /// use lyapunov_core::PortEnergy;
+    /// use lyapunov_stabilizers::{Tank, TankLimits};
+    /// let store = TankLimits { start: 2e-4, floor: 1e-4, ceiling: 1e-3, power: f64::INFINITY };
+    /// let mut tank = Tank::new(PortEnergy, store)?;
+    /// tank.set_room(5e-4)?;
+    /// tank.set_power(2.0)?; // W
+    /// assert!(tank.set_power(-1.0).is_err() && tank.power() == 2.0);
+    /// # Ok::<(), lyapunov_core::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `room` below 0 or NaN; the old one stays.
+    pub fn set_room(&mut self, room: T) -> Result<(), ParameterError> {
+        self.room = Requirement::Limit.check("tank ceiling above its floor", room)?;
+        Ok(())
+    }
+
+    /// Largest power that it hands out, W.
+    pub fn power(&self) -> T {
+        self.power
+    }
+
+    /// Changes the largest power, W; the account stays.
+    ///
+    /// # Errors
+    /// `power` below 0 or NaN; the old one stays.
+    pub fn set_power(&mut self, power: T) -> Result<(), ParameterError> {
+        self.power = Requirement::Limit.check("tank power", power)?;
+        Ok(())
+    }
+}
+
+impl<T: Scalar, C, A> Tank<T, C, A> {
     /// The candidate.
     pub fn candidate(&self) -> &C {
         &self.observer.candidate

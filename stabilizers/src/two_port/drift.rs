@@ -42,8 +42,10 @@ impl<S, V: Signal> DriftCompensated<S, V> {
     /// # Errors
     /// `speed` below 0 or NaN.
     pub fn new(stabilizer: S, speed: V::Scalar) -> Result<Self, ParameterError> {
-        let speed = Requirement::Limit.check("compensation speed", speed)?;
-        Ok(Self { stabilizer, speed, impedance: V::Scalar::of(0.0), drift: V::zero() })
+        let (impedance, drift) = (V::Scalar::of(0.0), V::zero());
+        let mut compensated = Self { stabilizer, speed: impedance, impedance, drift };
+        compensated.set_speed(speed)?;
+        Ok(compensated)
     }
 
     /// The same against a force that answers a velocity by as much as `impedance` N·s/m within a period: `b + k T` of a
@@ -108,6 +110,22 @@ where
 }
 
 lends!(impl[S, V: Signal] DriftCompensated<S, V>, of S, in V::Scalar);
+
+impl<S, V: Signal> DriftCompensated<S, V> {
+    /// The largest speed of the compensation.
+    pub fn speed(&self) -> V::Scalar {
+        self.speed
+    }
+
+    /// Changes that speed between ticks; the drift so far stays, and is paid from the same account.
+    ///
+    /// # Errors
+    /// `speed` below 0 or NaN; the old one stays.
+    pub fn set_speed(&mut self, speed: V::Scalar) -> Result<(), ParameterError> {
+        self.speed = Requirement::Limit.check("compensation speed", speed)?;
+        Ok(())
+    }
+}
 
 impl<S: Snapshot, V: Signal> Snapshot for DriftCompensated<S, V> {
     type State = (S::State, V);

@@ -100,6 +100,18 @@ impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> TwoPortSide<V, W, A> {
     }
 }
 
+impl<V: Signal, W, A> TwoPortSide<V, W, A> {
+    /// The largest damping.
+    pub fn limit(&self) -> DampingLimit<V::Scalar> {
+        self.controller.limit()
+    }
+
+    /// Changes the limit between ticks, as [`Lolc::set_limit`].
+    pub fn set_limit(&mut self, limit: DampingLimit<V::Scalar>) {
+        self.controller.set_limit(limit);
+    }
+}
+
 impl<V: Signal, W, A> StabilizerExt for TwoPortSide<V, W, A> {}
 
 impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> LimitCredit<V::Scalar>

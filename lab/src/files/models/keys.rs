@@ -3,7 +3,7 @@
 use crate::files::scene::{Book, Key, key};
 
 /// The keys of model files.
-pub(crate) const BOOK: Book = Book { noun: "model", keys: KEYS, smallest: SMALLEST };
+pub(crate) const BOOK: Book = Book { noun: "model", keys: KEYS, own: || &[], smallest: SMALLEST };
 
 /// The smallest valid file: the required keys only.
 pub(crate) const SMALLEST: &str = "duration = 10.0  # s

@@ -5,8 +5,10 @@
 pub(crate) struct Book {
     /// One word for the content of such a file.
     pub(crate) noun: &'static str,
-    /// Every key and table.
+    /// Every key and table that ships.
     pub(crate) keys: &'static [Key],
+    /// Those of the program's own stabilizers, if such files have any.
+    pub(crate) own: fn() -> &'static [Key],
     /// The smallest valid file: the required keys only.
     pub(crate) smallest: &'static str,
 }
@@ -57,7 +59,12 @@ impl Book {
     pub(super) fn find(&self, path: &str) -> Option<&'static Key> {
         // The entry of a list also serves each number in it.
         let path = path.split_once('[').map_or(path, |(list, _)| list);
-        self.keys.iter().find(|key| key.path == path)
+        self.all().find(|key| key.path == path)
+    }
+
+    /// Every key and table.
+    pub(super) fn all(&self) -> impl Iterator<Item = &'static Key> {
+        self.keys.iter().chain((self.own)())
     }
 }
 

@@ -150,6 +150,13 @@ impl Draft {
                     ),
                 );
             }
+            (key, _) if key.starts_with("stabilizer.") => {
+                return Conflict::new(
+                    key,
+                    format!("`{key}` has no default on this loop"),
+                    "write it in that table",
+                );
+            }
             ("mass", _) => (vec![mass, theirs[0]], sum(theirs[0].0, mass.0)),
             ("damping", _) => (vec![damping, theirs[1]], sum(theirs[1].0, damping.0)),
             ("period", Requirement::InRange) if self.integrator != Integrator::Exact => {

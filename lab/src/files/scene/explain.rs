@@ -86,7 +86,7 @@ fn unknown_key(
 fn home(book: &Book, place: &Place) -> Option<String> {
     let path = place.path();
     let mut homes: Vec<&Key> =
-        book.keys.iter().filter(|key| key.name() == place.name && key.path != path).collect();
+        book.all().filter(|key| key.name() == place.name && key.path != path).collect();
     // A misplaced key most likely belongs to an inner table of the one it stands in.
     let within = format!("{}.", place.table);
     homes.sort_by_key(|key| !key.path.starts_with(&within));
@@ -140,7 +140,7 @@ fn missing_key(
     if key.is_table() {
         let header = key.example.lines().next().unwrap_or_default();
         let within = format!("{}.", header.trim_matches(['[', ']']));
-        let first = book.keys.iter().find(|key| key.path.starts_with(&within));
+        let first = book.all().find(|key| key.path.starts_with(&within));
         let first = first.map_or(path.as_str(), |key| key.path);
         return diagnostic(format!("missing key `{first}`: there is no [{path}]"))
             .with_key(first)

@@ -4,7 +4,8 @@ use super::book::{Book, Key, count, joined, key};
 use super::{environments, stabilizers};
 
 /// The keys of scene files.
-pub(crate) const BOOK: Book = Book { noun: "scene", keys: KEYS, smallest: SMALLEST };
+pub(crate) const BOOK: Book =
+    Book { noun: "scene", keys: KEYS, own: stabilizers::own::keys, smallest: SMALLEST };
 
 /// The smallest valid file: the required keys only.
 pub(super) const SMALLEST: &str = "duration = 1.0  # s

@@ -5,13 +5,17 @@ use schemars::transform::{Transform, transform_subschemas};
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value};
 
+use super::own::add_to_schema;
 use super::written::Keys;
 
-/// The JSON Schema (draft 7, which TOML editors know) of scene files, generated from the types that read them.
+/// The JSON Schema (draft 7, which TOML editors know) of scene files, generated from the types that read them, with the
+/// tables of the program's own stabilizers.
 ///
 /// It holds the keys, their types and the range of each value; the rules between values are [`Draft::check`](super::Draft::check)'s.
 pub fn schema() -> Value {
-    schema_of::<Keys>()
+    let mut schema = schema_of::<Keys>();
+    add_to_schema(&mut schema);
+    schema
 }
 
 /// [`schema`] as the text of a file.

@@ -3,7 +3,8 @@
 use crate::files::scene::{Book, Key, key};
 
 /// The keys of teleoperator files.
-pub(crate) const BOOK: Book = Book { noun: "teleoperator", keys: KEYS, smallest: SMALLEST };
+pub(crate) const BOOK: Book =
+    Book { noun: "teleoperator", keys: KEYS, own: || &[], smallest: SMALLEST };
 
 /// The smallest valid file: the required keys only.
 pub(crate) const SMALLEST: &str = "duration = 5.0  # s

@@ -10,6 +10,7 @@ use crate::files::Scene;
 use crate::measure::fate::Fate;
 use crate::measure::law::{Law, Motion};
 use crate::measure::linear::LinearPart;
+use crate::measure::sanity::{Oddity, RunSigns};
 use crate::measure::verdict::{Verdict, Yardstick};
 use crate::simulate::{Rollout, Space};
 
@@ -20,13 +21,15 @@ const FAR: f64 = 1e100;
 const BREATH: u64 = 1 << 14;
 
 /// The outcome of a run.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Trial {
     pub(crate) verdict: Verdict,
     pub(crate) verdict_by: Yardstick,
     pub(crate) whole: Balance,
     pub(crate) first: Option<Balance>,
     pub(crate) feel: Feel,
+    /// The signs of a mistake.
+    pub(crate) look_at: Vec<Oddity>,
 }
 
 /// The forces felt in a run.
@@ -51,13 +54,14 @@ impl Trial {
         rollout: Rollout<V>,
         watch: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Self, ParameterError> {
-        let mut fate = Fate::of(scene);
+        let (mut fate, mut signs) = (Fate::of(scene), RunSigns::new(scene));
         let mut account = Account::new::<V>(scene, Body::of(scene)?);
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
         let law = Law::of(scene);
         let mut open = true;
         for (tick, number) in rollout.zip(1..) {
             fate.add_tick(&tick);
+            signs.add(&tick);
             let [position, velocity] = Masses::at(&tick).device;
             let (applied, environment) = (tick.applied.axis(0), tick.environment.axis(0));
             peak = peak.max(applied.abs());
@@ -76,10 +80,11 @@ impl Trial {
         let (whole, first) = account.finish();
         let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
         let (verdict, verdict_by) = (fate.verdict(0), fate.verdict_by(0));
-        Ok(Self { verdict, verdict_by, whole, first, feel: Feel { peak, error } })
+        let (feel, look_at) = (Feel { peak, error }, signs.finish(scene));
+        Ok(Self { verdict, verdict_by, whole, first, feel, look_at })
     }
 
-    /// Runs `scene`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.
+    /// Runs `scene`; none if the run grows or is too short to judge, or if the loop is linear, has no stabilizer and does not decay in contact.
     pub(crate) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
         let decays = scene.stabilizer.is_some()
             || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
@@ -87,7 +92,7 @@ impl Trial {
         if !decays {
             return None;
         }
-        Self::of::<V>(scene).ok().filter(|trial| trial.verdict != Verdict::Grows)
+        Self::of::<V>(scene).ok().filter(|trial| trial.verdict.is_bounded())
     }
 }
 

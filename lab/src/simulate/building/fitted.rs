@@ -1,12 +1,15 @@
 //! What stabilizes a loop, at its place.
 
+use std::any::TypeId;
+
 use lyapunov::{
     Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Stabilizer,
     stabilizers::NoStabilizer,
 };
 
 use super::{AnyStabilizer, AnyWrapper, Port, Space};
-use crate::files::scene::{self, Basis, Install, Pace, Scene};
+use crate::files::scene::own::{Loop, OwnTable};
+use crate::files::scene::{self, Basis, Install, Pace, Scene, elsewhere};
 
 /// What stabilizes a loop: a stabilizer behind the hold, which sees the environment's efforts only, or a port around
 /// the environment, which asks it.
@@ -50,7 +53,18 @@ impl<V: Space> Fitted<V> {
         table: &scene::Stabilizer,
     ) -> Result<Self, ParameterError> {
         lacking(basis, table)?;
-        table.in_space(basis, Boxing)
+        match table {
+            scene::Stabilizer::Own(own) => Self::own(basis, own),
+            table => table.in_space(basis, Boxing),
+        }
+    }
+
+    /// What the table of an own stabilizer asks for, on a loop with this basis.
+    fn own(basis: &Basis, table: &OwnTable) -> Result<Self, ParameterError> {
+        let made = (table.own().make())(TypeId::of::<V>(), &Loop::new(basis, table));
+        let made = made.and_then(|made| made.downcast().ok());
+        let made: Result<AnyStabilizer<V>, _> = made.map_or_else(|| Err(elsewhere()), |made| *made);
+        made.map(Self::Behind)
     }
 
     /// The stabilizer of efforts, if it is one.
@@ -104,7 +118,10 @@ impl<T: Scalar + Space> Fitted<T> {
         table: &scene::Stabilizer,
     ) -> Result<Self, ParameterError> {
         lacking(basis, table)?;
-        table.on_a_line(basis, Boxing)
+        match table {
+            scene::Stabilizer::Own(own) => Self::own(basis, own),
+            table => table.on_a_line(basis, Boxing),
+        }
     }
 }
 

@@ -16,6 +16,14 @@ pub enum Judgement {
 }
 
 impl Judgement {
+    /// The word in JSON.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Settling => "settling",
+            Self::EnergyAndForce => "energy-and-force",
+        }
+    }
+
     /// The numbers in words.
     pub(crate) fn words(self) -> &'static str {
         match self {
@@ -36,9 +44,6 @@ impl StabilizerName {
 
     /// Whether it takes energy out of a motion by a damper, and not only by smaller forces.
     pub fn adds_damping(self) -> bool {
-        match self {
-            Self::Basic(_) => true,
-            Self::Member(member) => member.table().kind().adds_damping(),
-        }
+        self.bare_table().is_none_or(|table| table.kind().adds_damping())
     }
 }

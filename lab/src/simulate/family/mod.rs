@@ -1,7 +1,7 @@
 //! The family of stabilizers by name, each with parameters from the scene.
 //!
 //! A [`StabilizerName`] names one; docs/family.md lists the parameters of each. `compare`, `map` and `hard` take the
-//! same names. Stabilizers with two ends, or for several axes only, are not here.
+//! same names, and so do the program's [own](crate::own). Stabilizers with two ends, or for several axes only, are not here.
 //!
 //! ```
 //! use lyapunov_lab::{Rollout, Summary, family::StabilizerName, paper};
@@ -16,12 +16,14 @@
 
 mod basic_name;
 mod judgement;
+mod own_name;
 mod settings;
 mod stabilizer_name;
 mod stabilizer_names;
 
 pub use basic_name::BasicName;
 pub use judgement::Judgement;
+pub use own_name::OwnName;
 pub use settings::Settings;
 pub use stabilizer_name::{StabilizerName, UnknownStabilizer};
 pub use stabilizer_names::{StabilizerNames, StabilizerNamesError};

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use lyapunov::ParameterError;
 
-use super::BasicName;
+use super::{BasicName, OwnName};
 use crate::files::scene::{Basis, Conflict, Draft, Member, Parameter, Scene, Stabilizer};
 use crate::simulate::building::{Fitted, Space};
 use crate::text::{nearest, shorten};
@@ -17,17 +17,25 @@ pub enum StabilizerName {
     Basic(BasicName),
     /// One with a table of its own in scene files.
     Member(Member),
+    /// One of the program's own.
+    Own(OwnName),
 }
 
 impl StabilizerName {
-    /// All names.
+    /// All names that ship.
     pub const ALL: [Self; COUNT] = all();
+
+    /// All names: those that ship, then the program's own.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().chain(OwnName::all().map(Self::Own))
+    }
 
     /// The name on the command line and in every table and file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Basic(basic_name) => basic_name.name(),
             Self::Member(member) => member.name(),
+            Self::Own(own) => own.name(),
         }
     }
 
@@ -35,24 +43,34 @@ impl StabilizerName {
     pub fn basic_name(self) -> Option<BasicName> {
         match self {
             Self::Basic(basic_name) => Some(basic_name),
-            Self::Member(_) => None,
+            Self::Member(_) | Self::Own(_) => None,
         }
     }
 
     /// The table under this name in `scene`: its own where it names this stabilizer, else one with the cap of whichever
     /// it names. None without a stabilizer.
     pub fn table(self, scene: &Draft) -> Option<Stabilizer> {
-        match (self, scene.stabilizer) {
-            (Self::Basic(basic_name), _) => basic_name.table(scene),
-            (Self::Member(member), Some(own)) if own.member() == Some(member) => Some(own),
-            (Self::Member(member), _) => {
-                let mut table = member.table();
-                if let Some(cap) = scene.written_cap() {
-                    // Every cap is right, and a table without the key stays as it is.
-                    let _ = table.write("damping_cap", cap);
-                }
-                Some(table)
+        let bare = match self {
+            Self::Basic(basic_name) => return basic_name.table(scene),
+            Self::Member(_) | Self::Own(_) => self.bare_table(),
+        };
+        let named = scene.stabilizer.filter(|named| named.name() == self.name());
+        named.or_else(|| {
+            let mut table = bare?;
+            if let Some(cap) = scene.written_cap() {
+                // Every cap is right, and a table without the key stays as it is.
+                let _ = table.write("damping_cap", cap);
             }
+            Some(table)
+        })
+    }
+
+    /// Its table without a written key; none of a basic name, whose table the scene sets.
+    pub(crate) fn bare_table(self) -> Option<Stabilizer> {
+        match self {
+            Self::Basic(_) => None,
+            Self::Member(member) => Some(member.table()),
+            Self::Own(own) => Some(own.table()),
         }
     }
 
@@ -138,7 +156,7 @@ pub struct UnknownStabilizer {
 
 impl fmt::Display for UnknownStabilizer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = StabilizerName::ALL.map(StabilizerName::name);
+        let names: Vec<&str> = StabilizerName::all().map(StabilizerName::name).collect();
         write!(f, "no stabilizer is called `{}`\n  = ", shorten(&self.given))?;
         if let Some(name) = nearest(&self.given, &names) {
             write!(f, "did you mean `{name}`?\n  = ")?;
@@ -154,7 +172,7 @@ impl FromStr for StabilizerName {
     type Err = UnknownStabilizer;
 
     fn from_str(given: &str) -> Result<Self, UnknownStabilizer> {
-        let found = Self::ALL.into_iter().find(|one| one.name() == given);
+        let found = Self::all().find(|one| one.name() == given);
         found.ok_or_else(|| UnknownStabilizer { given: given.to_owned() })
     }
 }

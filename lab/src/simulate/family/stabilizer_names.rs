@@ -44,7 +44,7 @@ impl StabilizerNames {
     /// that are named.
     #[must_use]
     pub fn on(&self, scene: &Scene) -> Self {
-        let all = self.0 == StabilizerName::ALL;
+        let all = self.iter().copied().eq(StabilizerName::all());
         Self(self.iter().copied().filter(|name| !all || name.fits(scene)).collect())
     }
 }
@@ -108,7 +108,7 @@ impl FromStr for StabilizerNames {
 
     fn from_str(given: &str) -> Result<Self, StabilizerNamesError> {
         if given == "all" {
-            return Ok(Self(StabilizerName::ALL.to_vec()));
+            return Ok(Self(StabilizerName::all().collect()));
         }
         if given.split(',').any(|name| name == "all") {
             return Err(StabilizerNamesError::AllAndMore);

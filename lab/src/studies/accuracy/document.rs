@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::Study;
 use super::reference::Second;
 use super::study::Row;
+use crate::show::csv;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -129,6 +130,13 @@ impl Study {
             target,
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    }
+}
+
+impl Study {
+    /// The settings as comma-separated values, the fastest first.
+    pub fn csv(&self) -> String {
+        csv::records(self.rows.iter().map(Line::of))
     }
 }
 

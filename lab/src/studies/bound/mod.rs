@@ -16,7 +16,11 @@
 //! ```
 
 mod document;
+mod picture;
+mod report;
 mod table;
 
 pub use crate::measure::linear::{NotLinear, VelocitySource, llewellyn};
 pub use crate::measure::{Limits, LinearPart};
+pub use picture::RadiusCurve;
+pub use report::page;

@@ -8,24 +8,8 @@ use crate::text::{found, given};
 
 impl fmt::Display for Limits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.stiffness {
-            Some(own) => writeln!(f, "  stiffness    {} N/m in the scene", given(own))?,
-            None => writeln!(f, "  stiffness    none")?,
-        }
-        match self.spectral_radius {
-            Some(radius) => writeln!(f, "  radius       {radius:.10} in contact{}", word(radius))?,
-            None => writeln!(f, "  radius       none")?,
-        }
-        let headings = [
-            Heading::word("limit"),
-            Heading::number("at most N/m"),
-            Heading::word("the scene's own is"),
-        ];
-        let rows = self.named().into_iter().map(|(_, name, limit)| {
-            [name.into(), limit.into(), limit.map(|limit| self.place(limit)).into()]
-        });
-        let table = Table::new(headings).with_rows(rows).to_string();
-        write!(f, "\n{}", textwrap::indent(&table, "  "))?;
+        f.write_str(&lines(self))?;
+        write!(f, "\n{}", textwrap::indent(&self.table().to_string(), "  "))?;
         for (index, note) in self.notes.iter().enumerate() {
             let gap = if index == 0 { "\n" } else { "" };
             writeln!(f, "{gap}  - {note}")?;
@@ -34,11 +18,39 @@ impl fmt::Display for Limits {
     }
 }
 
+/// The scene's own stiffness and spectral radius, a line each.
+pub(super) fn lines(limits: &Limits) -> String {
+    let own = limits
+        .stiffness
+        .map_or_else(|| "none".to_owned(), |own| format!("{} N/m in the scene", given(own)));
+    let radius = limits.spectral_radius.map_or_else(
+        || "none".to_owned(),
+        |radius| format!("{radius:.10} in contact{}", word(radius)),
+    );
+    format!("  stiffness    {own}\n  radius       {radius}\n")
+}
+
 impl Limits {
+    /// The limits, and how the scene's own stiffness compares.
+    pub(super) fn table(&self) -> Table {
+        let headings = [
+            Heading::word("limit"),
+            Heading::number("at most N/m"),
+            Heading::word("the scene's own is"),
+        ];
+        let rows = self.named().into_iter().map(|(key, name, limit)| {
+            [name.into(), limit.into(), limit.map(|limit| self.place(key, limit)).into()]
+        });
+        Table::new(headings).with_rows(rows)
+    }
+
     /// The scene's own stiffness, as compared with a limit.
-    fn place(&self, limit: f64) -> String {
+    fn place(&self, key: &str, limit: f64) -> String {
+        let from = self.exact_from.filter(|_| key == "exact_max_stiffness").unwrap_or(0.0);
         match self.stiffness {
             None => "-".to_owned(),
+            Some(own) if own < 0.0 => "below 0: only the radius tells".to_owned(),
+            Some(own) if own < from => format!("too soft: stable from {} N/m on", found(from)),
             Some(own) if own <= limit => {
                 format!("within it, at {} % of it", found(100.0 * own / limit))
             }

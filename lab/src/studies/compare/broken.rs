@@ -36,7 +36,7 @@ fn alone<'a>(scores: impl IntoIterator<Item = &'a Score>) -> Option<bool> {
 }
 
 /// Marks those `scores` of one scene whose run grows although that of the loop alone does not.
-pub(super) fn mark(scores: &mut [Score]) {
+pub(crate) fn mark(scores: &mut [Score]) {
     let Some(alone) = alone(&*scores) else { return };
     for score in scores {
         score.broke_it = score.verdict.judged().map(|bounded| alone && !bounded);
@@ -70,8 +70,9 @@ impl Broken {
     }
 }
 
-impl fmt::Display for Broken {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Broken {
+    /// The counts as a table.
+    pub(super) fn table(&self) -> Table {
         let headings = [
             Heading::word("all scenes"),
             Heading::number("bounded\nalone"),
@@ -80,6 +81,12 @@ impl fmt::Display for Broken {
         let rows = self.rows.iter().map(|Row { stabilizer, bounded_alone, broke }| {
             [stabilizer.as_str().into(), bounded_alone.to_string().into(), broke.to_string().into()]
         });
-        write!(f, "{}", Table::new(headings).with_rows(rows))
+        Table::new(headings).with_rows(rows)
+    }
+}
+
+impl fmt::Display for Broken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.table())
     }
 }

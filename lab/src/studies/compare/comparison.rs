@@ -14,6 +14,7 @@ use super::entrants::Entrants;
 use super::score::Score;
 use super::{broken, cost, picture, table};
 use crate::files::Scene;
+use crate::measure::Oddity;
 use crate::simulate::Space;
 use crate::simulate::family::Settings;
 use lyapunov_figures::Figure;
@@ -37,6 +38,8 @@ pub(super) struct Outcome {
     pub(super) number: usize,
     pub(super) score: Score,
     pub(super) curves: Curves,
+    /// The signs of a mistake in its run.
+    pub(super) look_at: Vec<Oddity>,
 }
 
 /// Reason why there is no comparison.
@@ -111,14 +114,14 @@ impl Comparison {
             error,
         };
         let runs = runs(scene, entrants, watch);
-        let (mut scores, mut curves, mut samples) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut scores, mut shown, mut samples) = (Vec::new(), Vec::new(), Vec::new());
         for (run, entry) in runs.into_iter().zip(entrants.names()) {
             let run = run.map_err(|reason| match reason {
                 RunError::Parameter(error) => refused(entry, error),
                 RunError::Stopped => CompareError::Stopped,
             })?;
             scores.push(run.score);
-            curves.push(run.curves);
+            shown.push((run.curves, run.look_at));
             samples.push(run.samples);
         }
         // By now nothing else runs here.
@@ -128,8 +131,13 @@ impl Comparison {
             score.step_time = time;
         }
         broken::mark(&mut scores);
-        let outcomes = scores.into_iter().zip(curves).enumerate();
-        let outcomes = outcomes.map(|(number, (score, curves))| Outcome { number, score, curves });
+        let outcomes = scores.into_iter().zip(shown).enumerate();
+        let outcomes = outcomes.map(|(number, (score, (curves, look_at)))| Outcome {
+            number,
+            score,
+            curves,
+            look_at,
+        });
         let settings = Settings::of(scene);
         let (name, scene) = (name.to_owned(), scene.clone());
         Ok(Self { name, scene, settings, outcomes: outcomes.collect() })

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::contacts::wall;
+use super::look_at::LookAt;
 use super::score::Score;
 use super::{Broken, Comparison};
 use crate::measure::Yardstick;
@@ -30,6 +31,7 @@ struct Circumstances<'a> {
     /// The limit of the cap for the delay, m / T, where the cap lies above it.
     #[serde(skip_serializing_if = "Option::is_none")]
     damping_cap_limit: Option<f64>,
+    look_at: Vec<LookAt<'a>>,
 }
 
 #[derive(Serialize)]
@@ -58,6 +60,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
             damping_cap,
             settings_from_scene: comparison.settings.from_scene,
             damping_cap_limit: comparison.scene.exceeded_cap(),
+            look_at: LookAt::of(comparison),
         }
     });
     let rows = comparisons.iter().flat_map(|comparison| {

@@ -7,15 +7,15 @@ use lyapunov::Scalar;
 use super::compared::{BREATH, RunError, watched};
 use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
-use super::entrants::Entrant;
+use super::entrants::{Entrant, Entrants};
 use super::score::Score;
 use crate::files::scene::{Scalar as Width, Scene};
-use crate::measure::{Chatter, Energies, Physical, Share, Summary, Trace, Verdict};
-use crate::simulate::family::Judgement;
+use crate::measure::{Chatter, Energies, Oddity, Physical, Share, Summary, Trace, Verdict};
+use crate::simulate::family::{Judgement, StabilizerName};
 use crate::simulate::{Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
-pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
+pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
 
 /// Result of one entrant on one scene, with its curves and the samples that its step is timed with.
 #[derive(Debug)]
@@ -23,6 +23,7 @@ pub(super) struct EntrantRun<V: Space> {
     pub(super) score: Score,
     pub(super) curves: Curves,
     pub(super) samples: Samples<V>,
+    pub(super) look_at: Vec<Oddity>,
 }
 
 /// The curves of a run: time and position in m, observed energy in J, force on the plant in N.
@@ -55,28 +56,55 @@ impl<V: Space> EntrantRun<V> {
                 samples.push((tick.measured, tick.environment));
             }
         })?;
+        let look_at = meters.summary.look_at();
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
         let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
         let active = score.active.filter(|_| damps);
         let score = Score { active, judged_by: entrant.judgement, ..score };
-        Ok(Self { score, curves, samples })
+        Ok(Self { score, curves, samples, look_at })
     }
 }
 
-/// The score of `scene` under its own stabilizer, in its own scalar.
+/// The score of `scene` under the stabilizer of `told`, set for the loop of `told`, in the scalar of `scene`.
 ///
 /// # Errors
 /// [`RunError::Stopped`] if `watch` stops the run; a scene that was never checked.
-pub(crate) fn own_score(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+pub(crate) fn score_as_told(
+    scene: &Scene,
+    told: &Scene,
+    watch: &Watch<'_>,
+) -> Result<Score, RunError> {
     match scene.scalar {
-        Width::F64 => of_own::<f64>(scene, watch),
-        Width::F32 => of_own::<f32>(scene, watch),
+        Width::F64 => in_space::<f64>(scene, told, watch),
+        Width::F32 => in_space::<f32>(scene, told, watch),
     }
 }
 
-fn of_own<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
-    let own = Entrant::<V>::own(scene);
-    EntrantRun::of(scene, &own, watch).map(|run| run.score)
+/// The score of `scene` under `member`, in its own scalar; the time of a step is not measured.
+///
+/// # Errors
+/// [`RunError::Stopped`] if `watch` stops the run; a stabilizer that cannot be made on the scene.
+pub(crate) fn score_under(
+    scene: &Scene,
+    member: StabilizerName,
+    watch: &Watch<'_>,
+) -> Result<Score, RunError> {
+    fn of<T: Scalar + Space>(
+        scene: &Scene,
+        member: StabilizerName,
+        watch: &Watch<'_>,
+    ) -> Result<Score, RunError> {
+        let entrants = Entrants::<T>::of([member]);
+        EntrantRun::of(scene, &entrants.entries()[0], watch).map(|run| run.score)
+    }
+    match scene.scalar {
+        Width::F64 => of::<f64>(scene, member, watch),
+        Width::F32 => of::<f32>(scene, member, watch),
+    }
+}
+
+fn in_space<V: Space>(scene: &Scene, told: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
+    EntrantRun::of(scene, &Entrant::<V>::of(told), watch).map(|run| run.score)
 }
 
 /// All measures along a run.

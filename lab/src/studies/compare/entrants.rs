@@ -108,10 +108,11 @@ impl<T: Scalar + Space> Entrants<T> {
 }
 
 impl<V: Space> Entrant<V> {
-    /// The stabilizer that `scene` itself names.
-    pub(super) fn own(scene: &Scene) -> Self {
-        let name = scene.stabilizer.map_or("none", |table| table.name()).to_owned();
-        Self { name, judgement: None, make: Box::new(Fitted::of) }
+    /// The stabilizer that `told` names, set for the loop of `told`, whichever loop it then runs on.
+    pub(super) fn of(told: &Scene) -> Self {
+        let name = told.stabilizer.map_or("none", |table| table.name()).to_owned();
+        let told = told.clone();
+        Self { name, judgement: None, make: Box::new(move |_| Fitted::of(&told)) }
     }
 
     pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {

@@ -1,76 +1,82 @@
-//! Figures of all entrants' curves, overlaid.
+//! Figures of all entrants' curves: overlaid, or for many a small panel each. Equal curves are drawn once.
 
 use super::comparison::{Comparison, Outcome};
 use super::contacts::wall;
+use super::equal::{Points, is_same, short};
 use super::table::Setting;
 use crate::measure::Verdict;
+use crate::measure::timing::quartiles;
 use crate::simulate::Criterion;
 use crate::text::file_name;
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
-/// Height of a panel with a single curve, in pixels of the drawing.
-const ALONE: f64 = 130.0;
+/// Height of a small panel, in pixels of the drawing, and how many stand side by side.
+const SMALL: f64 = 96.0;
+const BESIDE: usize = 4;
+
+/// Characters of a title of a small panel.
+const ROOM: usize = 20;
 
 /// The shown range as a multiple of the starting swing, if every entrant grows.
 const SHOWN: f64 = 3.0;
 
-type Points = Vec<(f64, f64)>;
+/// A curve this many times as large as the middle one, or as small, has a scale of its own among small panels; and of a
+/// run that nobody judges, it does not set the scale where all are overlaid.
+const APART: f64 = 2.5;
+
+type Range = (f64, f64);
 
 pub(super) fn of(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
     let observed: Vec<&Outcome> =
         everyone.iter().copied().filter(|outcome| observes(outcome)).collect();
-    let position =
-        Drawing { label: "position, mm", scale: 1e3, curve: |outcome| &outcome.curves.position };
-    let energy = Drawing {
-        label: "observed energy, mJ",
+    let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
+    let position = Drawing {
+        comparison,
+        what: "position",
+        label: "position",
+        unit: "mm",
         scale: 1e3,
+        guide: surface.map(|surface| (surface, "wall surface")),
+        curve: |outcome| &outcome.curves.position,
+    };
+    let energy = Drawing {
+        comparison,
+        what: "observed energy",
+        label: "energy",
+        unit: "mJ",
+        scale: 1e3,
+        guide: Some((0.0, "")),
         curve: |outcome| &outcome.curves.observed_energy,
     };
-    let figure = empty(comparison);
-    let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
-    let on_surface = |panel: Panel| match surface {
-        Some(surface) => panel.with_guide(Guide::horizontal(surface, "wall surface")),
-        None => panel,
-    };
-    let about_zero = |panel: Panel| panel.with_guide(Guide::horizontal(0.0, ""));
-    // More curves than colours cannot be told apart: each then has a row of its own, on common scales.
-    if everyone.len() > PALETTE.len() {
-        let (reach, sums) =
-            (position.range(comparison, &everyone), energy.range(comparison, &observed));
-        return everyone.iter().fold(
-            figure.with_columns(2).with_panel_height(ALONE),
-            |figure, outcome| {
-                let name = &outcome.score.stabilizer;
-                let moved = position.panel(comparison, name, &[outcome], reach);
-                let figure = figure.with_panel(on_surface(moved));
-                let summed = energy.panel(comparison, name, &[outcome], sums);
-                figure.with_panel(about_zero(summed))
-            },
-        );
+    let groups = shared(&everyone, &[position.curve, energy.curve]);
+    if groups.len() > PALETTE.len() {
+        let pairs = position.small(&groups).into_iter().zip(energy.small(&groups));
+        let panels = pairs.flat_map(|(moved, summed)| [moved, summed]);
+        return panels.fold(small(comparison), Figure::with_panel);
     }
-    let moved = position.overlaid(comparison, "position", &everyone);
-    let figure = figure.with_panel_height(280.0).with_panel(on_surface(moved));
-    if observed.is_empty() {
-        return figure;
-    }
-    figure.with_panel(about_zero(energy.overlaid(comparison, "observed energy", &observed)))
+    let figure =
+        empty(comparison).with_panel_height(280.0).with_panel(position.overlaid(&everyone));
+    if observed.is_empty() { figure } else { figure.with_panel(energy.overlaid(&observed)) }
 }
 
-/// The forces on the plant: overlaid, or for many entrants in a row each.
+/// The forces on the plant.
 pub(super) fn forces(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
-    let force = Drawing { label: "force, N", scale: 1.0, curve: |outcome| &outcome.curves.force };
-    let figure = empty(comparison);
-    if everyone.len() <= PALETTE.len() {
-        let panel = force.overlaid(comparison, "force on the plant", &everyone);
-        return figure.with_panel_height(320.0).with_panel(panel);
+    let force = Drawing {
+        comparison,
+        what: "force on the plant",
+        label: "force",
+        unit: "N",
+        scale: 1.0,
+        guide: None,
+        curve: |outcome| &outcome.curves.force,
+    };
+    let groups = shared(&everyone, &[force.curve]);
+    if groups.len() > PALETTE.len() {
+        return force.small(&groups).into_iter().fold(small(comparison), Figure::with_panel);
     }
-    let reach = force.range(comparison, &everyone);
-    everyone.iter().fold(figure.with_columns(2).with_panel_height(ALONE), |figure, outcome| {
-        let name = &outcome.score.stabilizer;
-        figure.with_panel(force.panel(comparison, name, &[outcome], reach))
-    })
+    empty(comparison).with_panel_height(320.0).with_panel(force.overlaid(&everyone))
 }
 
 /// An empty figure of a comparison.
@@ -79,69 +85,156 @@ fn empty(comparison: &Comparison) -> Figure {
     Figure::new(title).with_width(960.0)
 }
 
+/// An empty figure for small panels: more curves than colours cannot be told apart in one.
+fn small(comparison: &Comparison) -> Figure {
+    empty(comparison).with_columns(BESIDE).with_panel_height(SMALL)
+}
+
 /// Whether the entrant has an observed energy to show.
 fn observes(outcome: &Outcome) -> bool {
     outcome.curves.observed_energy.iter().any(|point| point.1 != 0.0)
 }
 
 /// A curve that is drawn of every outcome.
-struct Drawing {
+struct Drawing<'a> {
+    comparison: &'a Comparison,
+    what: &'static str,
+    /// Its name beside a small panel.
     label: &'static str,
+    unit: &'static str,
     /// Units of the label per unit of the curve.
     scale: f64,
+    /// A level with its name.
+    guide: Option<(f64, &'static str)>,
     curve: fn(&Outcome) -> &Points,
 }
 
-impl Drawing {
-    /// The range of the curves of `outcomes`, as far as they count.
-    fn range(&self, comparison: &Comparison, outcomes: &[&Outcome]) -> Option<(f64, f64)> {
+/// Outcomes with the same curve, the first of which is drawn, and their names.
+struct Shared<'a> {
+    first: &'a Outcome,
+    names: Vec<&'a str>,
+}
+
+/// The outcomes, those once that share all `curves`.
+fn shared<'a>(outcomes: &[&'a Outcome], curves: &[fn(&Outcome) -> &Points]) -> Vec<Shared<'a>> {
+    let mut all: Vec<Shared<'a>> = Vec::new();
+    for outcome in outcomes {
+        let name = &outcome.score.stabilizer[..];
+        let has_same = |one: &&mut Shared<'_>| {
+            curves.iter().all(|curve| is_same(curve(one.first), curve(outcome)))
+        };
+        match all.iter_mut().find(has_same) {
+            Some(one) => one.names.push(name),
+            None => all.push(Shared { first: outcome, names: vec![name] }),
+        }
+    }
+    all
+}
+
+impl Drawing<'_> {
+    /// A panel for each curve, on one scale, but for those that it would flatten or that would flatten the others.
+    fn small(&self, shared: &[Shared<'_>]) -> Vec<Panel> {
+        let ranges: Vec<Option<Range>> =
+            shared.iter().map(|one| self.range(&[one.first], shared)).collect();
+        let sizes: Vec<f64> = ranges.iter().flatten().map(|(low, high)| high - low).collect();
+        let middle = if sizes.is_empty() { 0.0 } else { quartiles(sizes)[1] };
+        let is_usual = |range: &Range| {
+            let size = range.1 - range.0;
+            size <= APART * middle && size * APART >= middle
+        };
+        let common = hull(ranges.iter().flatten().copied().filter(is_usual));
+        let panel = |(one, range): (&Shared<'_>, &Option<Range>)| {
+            let is_apart = range.is_some_and(|range| !is_usual(&range));
+            let shown = if is_apart { *range } else { common };
+            let panel = Panel::new(
+                short(&one.names, ROOM),
+                "time, s",
+                format!("{}, {}", self.label, self.unit),
+            );
+            let note = if is_apart { "own scale" } else { "" };
+            self.framed(panel, &[(one, note.to_owned())], shown, false)
+        };
+        shared.iter().zip(&ranges).map(panel).collect()
+    }
+
+    /// All curves in one frame, that of the runs that do not grow if some do.
+    fn overlaid(&self, outcomes: &[&Outcome]) -> Panel {
+        let shared = &shared(outcomes, &[self.curve])[..];
+        let panel = Panel::new(self.what, "time, s", format!("{}, {}", self.what, self.unit));
+        let outcomes: Vec<&Outcome> = shared.iter().map(|one| one.first).collect();
+        let setting = self.setting(&outcomes);
+        let some_leave = setting.len() < outcomes.len() || outcomes.iter().all(|it| grows(it));
+        let range = self.range(&setting, shared).filter(|_| some_leave);
+        let named: Vec<_> = shared.iter().map(|one| (one, one.names.join(" = "))).collect();
+        self.framed(panel, &named, range, true)
+    }
+
+    /// The outcomes that set the scale of all: not those that grow, unless all do, and not those far larger that nobody
+    /// judges.
+    fn setting<'a>(&self, outcomes: &[&'a Outcome]) -> Vec<&'a Outcome> {
+        let calm: Vec<&Outcome> = outcomes.iter().copied().filter(|it| !grows(it)).collect();
+        let sized = |outcome: &Outcome| {
+            let points = (self.curve)(outcome).iter().map(|point| point.1);
+            span(points).map_or(0.0, |(low, high)| high - low)
+        };
+        let sizes: Vec<f64> = calm.iter().map(|outcome| sized(outcome)).collect();
+        if sizes.is_empty() {
+            return outcomes.to_vec();
+        }
+        let middle = quartiles(sizes)[1];
+        let judged = |outcome: &&Outcome| {
+            outcome.score.verdict != Verdict::TooShort || sized(outcome) <= APART * middle
+        };
+        calm.into_iter().filter(judged).collect()
+    }
+
+    /// The range of the curves of `outcomes`, as far as they count among `all`.
+    fn range(&self, outcomes: &[&Outcome], all: &[Shared<'_>]) -> Option<Range> {
+        let all_grow = all.iter().all(|one| grows(one.first));
         span(outcomes.iter().flat_map(|outcome| {
-            let until = shown_until(comparison, outcome, outcomes);
+            let until = shown_until(self.comparison, outcome, all_grow);
             let points = (self.curve)(outcome).iter();
             points.take_while(move |point| point.0 < until).map(|point| point.1)
         }))
     }
 
-    /// The curves of `outcomes`; one of a run that grows ends where it leaves `range`.
-    fn panel(
+    /// `panel` with the named curves; one that leaves `range` and grows, or is not judged, ends there.
+    fn framed(
         &self,
-        comparison: &Comparison,
-        title: &str,
-        outcomes: &[&Outcome],
-        range: Option<(f64, f64)>,
+        panel: Panel,
+        named: &[(&Shared<'_>, String)],
+        range: Option<Range>,
+        has_names: bool,
     ) -> Panel {
-        let mut panel = Panel::new(title, "time, s", self.label)
-            .with_x_range(0.0, comparison.scene.duration.get());
-        for (index, outcome) in outcomes.iter().enumerate() {
-            let points = (self.curve)(outcome);
+        let mut panel = panel.with_x_range(0.0, self.comparison.scene.duration.get());
+        for (index, (one, name)) in named.iter().enumerate() {
+            let (outcome, points) = (one.first, (self.curve)(one.first));
             // A curve that grows ends where it first leaves the frame: its returns would only be upright lines.
-            let end = range.filter(|_| grows(outcome)).and_then(|(low, high)| {
+            let ends = grows(outcome) || outcome.score.verdict == Verdict::TooShort;
+            let end = range.filter(|_| ends).and_then(|(low, high)| {
                 points.iter().position(|point| !(low..=high).contains(&point.1))
             });
             let kept = &points[..end.map_or(points.len(), |end| end + 1)];
-            let name = if outcomes.len() > 1 { &outcome.score.stabilizer[..] } else { "" };
-            let cut = if grows(outcome) { "(grows, cut off)" } else { "" };
+            let cut = match (grows(outcome), end) {
+                (true, _) => "(grows, cut off)",
+                (false, Some(_)) => "(cut off)",
+                (false, None) => "",
+            };
             let gap = if name.is_empty() || cut.is_empty() { "" } else { " " };
-            // Alone in its panel, a curve needs no dashes.
-            let colour =
-                if outcomes.len() > 1 { outcome.number } else { outcome.number % PALETTE.len() };
+            let colour = if has_names { index } else { 0 };
             let scaled = kept.iter().map(|(t, y)| (*t, self.scale * y)).collect();
-            let series = Series::line(format!("{name}{gap}{cut}"), colour, scaled);
-            // Over an equal curve, dashes let both be seen.
-            let hides = outcomes[..index].iter().any(|other| (self.curve)(other) == points);
-            panel = panel.with_series(if hides { series.dashed() } else { series });
+            panel = panel.with_series(Series::line(format!("{name}{gap}{cut}"), colour, scaled));
         }
-        match range {
-            Some((low, high)) => panel.with_y_range(self.scale * low, self.scale * high),
+        if let Some((low, high)) = range {
+            panel = panel.with_y_range(self.scale * low, self.scale * high);
+        }
+        // Small panels have no room to write beside a line.
+        match self.guide {
+            Some((level, name)) => {
+                panel.with_guide(Guide::horizontal(level, if has_names { name } else { "" }))
+            }
             None => panel,
         }
-    }
-
-    /// All curves in one frame, that of the runs that do not grow if some do.
-    fn overlaid(&self, comparison: &Comparison, title: &str, outcomes: &[&Outcome]) -> Panel {
-        let some_grow = outcomes.iter().any(|outcome| grows(outcome));
-        let range = self.range(comparison, outcomes).filter(|_| some_grow);
-        self.panel(comparison, title, outcomes, range)
     }
 }
 
@@ -151,11 +244,11 @@ fn grows(outcome: &Outcome) -> bool {
 
 /// The time up to which a curve counts for the shown range: to its end unless it grows, else not at all, or if all grow,
 /// until it leaves [`SHOWN`] starting swings, where the scene has any.
-fn shown_until(comparison: &Comparison, outcome: &Outcome, outcomes: &[&Outcome]) -> f64 {
+fn shown_until(comparison: &Comparison, outcome: &Outcome, all_grow: bool) -> f64 {
     if !grows(outcome) {
         return f64::INFINITY;
     }
-    if !outcomes.iter().all(|outcome| grows(outcome)) {
+    if !all_grow {
         return f64::NEG_INFINITY;
     }
     let criterion = Criterion::of(&comparison.scene);
@@ -167,10 +260,15 @@ fn shown_until(comparison: &Comparison, outcome: &Outcome, outcomes: &[&Outcome]
 }
 
 /// The range of the values with a margin, unless the range is empty or infinite.
-fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+fn span(values: impl Iterator<Item = f64>) -> Option<Range> {
     let covered = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (value.min(low), value.max(high))
     });
     let room = 0.05 * (covered.1 - covered.0);
     (room > 0.0 && room.is_finite()).then_some((covered.0 - room, covered.1 + room))
+}
+
+/// The range that covers all `ranges`.
+fn hull(ranges: impl Iterator<Item = Range>) -> Option<Range> {
+    ranges.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
 }

@@ -4,11 +4,13 @@ use std::fmt;
 
 use super::Comparison;
 use super::column::Column;
+use super::equal::Equals;
+use super::look_at::LookAt;
 use crate::files::Scene;
 use crate::show::described;
-use crate::show::table::{Heading, Table};
+use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
-use crate::text::given;
+use crate::text::{folded, given};
 
 /// Columns of the loop's behaviour.
 const BEHAVIOUR: [Column; 8] = [
@@ -53,19 +55,65 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
     if let Some(by) = by_speed(&comparison.scene) {
         writeln!(f, "judged {by}")?;
     }
-    for columns in [&BEHAVIOUR[..], &FEEL, &PHYSICAL] {
+    for sign in LookAt::of(comparison) {
+        writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
+    }
+    for names in equal_names(comparison) {
+        writeln!(f, "{}", folded("equal as shown, shown once: ", &names))?;
+    }
+    tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
+}
+
+/// Room for a name in the first column, in characters.
+const ROOM: usize = 23;
+
+/// The names of each group of entrants whose runs are equal.
+pub(super) fn equal_names(comparison: &Comparison) -> Vec<String> {
+    let groups = Equals::of(&comparison.outcomes).into_iter();
+    groups.filter(Equals::are_many).map(|group| group.names()).collect()
+}
+
+/// The tables, with equal rows once.
+pub(super) fn tables(comparison: &Comparison) -> Vec<Table> {
+    let groups = Equals::of(&comparison.outcomes);
+    let of = |columns: &[Column]| {
         let headings = columns.iter().map(|column| match column {
             Column::Stabilizer | Column::Verdict | Column::BrokeIt | Column::JudgedBy => {
                 Heading::word(column.heading())
             }
             _ => Heading::number(column.heading()),
         });
-        let rows = comparison
-            .scores()
-            .map(|score| columns.iter().map(|column| column.cell(score)).collect::<Vec<_>>());
-        write!(f, "\n{}", Table::new(headings).with_rows(rows))?;
+        let rows = groups.iter().map(|group| {
+            let cell = |column: &Column| cell(*column, group);
+            columns.iter().map(cell).collect::<Vec<_>>()
+        });
+        Table::new(headings).with_rows(rows)
+    };
+    [&BEHAVIOUR[..], &FEEL, &PHYSICAL].map(of).into()
+}
+
+/// The cell of a group; what a step costs differs within it.
+fn cell(column: Column, group: &Equals<'_>) -> Cell {
+    let several = |of: &dyn Fn(&super::Score) -> Option<f64>, decimals: usize| {
+        let values: Vec<f64> = group.scores().filter_map(of).collect();
+        let low = values.iter().copied().reduce(f64::min);
+        let high = values.iter().copied().reduce(f64::max);
+        let told = low.zip(high).map(|(low, high)| match low == high {
+            true => format!("{low:.decimals$}"),
+            false => format!("{low:.decimals$} to {high:.decimals$}"),
+        });
+        Cell::from(told)
+    };
+    match column {
+        Column::Stabilizer => group.short_name(ROOM).into(),
+        Column::StepTime if group.are_many() => {
+            several(&|score| score.step_time.map(|time| time.median), 2)
+        }
+        Column::StateBytes if group.are_many() => {
+            several(&|score| Some(score.state_bytes as f64), 0)
+        }
+        _ => column.cell(&group.first().score),
     }
-    Ok(())
 }
 
 pub(super) struct Setting<'a>(pub(super) &'a Scene);

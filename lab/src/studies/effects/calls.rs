@@ -1,7 +1,8 @@
 //! Scenes with each effect, alone and together.
 
-use super::CostsError;
+use super::{CostsError, timing};
 use crate::files::Scene;
+use crate::files::scene::{Draft, Effects};
 
 /// A hand that runs into a wall at 0.1 m/s, 1 kHz over 100 Hz, under POPC.
 const LOOP: &str = "duration = 1.0
@@ -116,6 +117,36 @@ environment.box = { center = [0.05, 0.0, 0.0], half = [0.05, 0.1, 0.1], stiffnes
     ),
 ];
 
+/// A scene without one of its effects.
+type Clear = fn(Draft) -> Draft;
+
+/// Every effect that a scene can name, with the scene that lacks it.
+const NAMED: &[(&str, Clear)] = &[
+    ("encoder", |it| with(&it, Effects { encoder: None, ..it.effects })),
+    ("delay", |it| with(&it, Effects { delay: None, ..it.effects })),
+    ("saturation", |it| with(&it, Effects { saturation: None, ..it.effects })),
+    ("filter", |it| with(&it, Effects { filter: None, ..it.effects })),
+    ("noise", |it| with(&it, Effects { noise: None, ..it.effects })),
+    ("jitter", |it| with(&it, Effects { jitter: None, ..it.effects })),
+    ("dropout", |it| with(&it, Effects { dropout: None, ..it.effects })),
+    ("friction", |it| with(&it, Effects { friction: None, ..it.effects })),
+    ("load", |it| with(&it, Effects { load: None, ..it.effects })),
+    ("pulse", |it| with(&it, Effects { pulse: None, ..it.effects })),
+    ("link", |it| Draft { link: None, ..it }),
+    ("motion", |mut it| {
+        it.operator.motion = None;
+        it
+    }),
+    ("grip", |mut it| {
+        it.operator.grip = None;
+        it
+    }),
+];
+
+fn with(scene: &Draft, effects: Effects) -> Draft {
+    Draft { effects, ..scene.clone() }
+}
+
 /// Scene, and the text that identifies it.
 #[derive(Debug)]
 pub(super) struct Call {
@@ -163,6 +194,42 @@ impl Calls {
             calls.stands_for_the_wall(name, space)?;
         }
         Ok(calls)
+    }
+
+    /// The loops of the effects that `scene` names: each alone, and among all others.
+    pub(super) fn of(scene: &Scene) -> Result<Self, CostsError> {
+        let whole = scene.to_draft();
+        let bare = NAMED.iter().fold(whole.clone(), |bare, (_, clear)| clear(bare));
+        let mut calls = Self { all: Vec::new(), effects: Vec::new(), bare: 0 };
+        calls.bare = calls.seat(&bare)?;
+        let all = calls.seat(&whole)?;
+        for (name, clear) in NAMED {
+            let without = clear(whole.clone());
+            if without == whole {
+                continue;
+            }
+            let others = NAMED.iter().filter(|(other, _)| other != name);
+            let only = others.fold(whole.clone(), |only, (_, clear)| clear(only));
+            let alone = [calls.bare, calls.seat(&only)?];
+            let composed = [calls.seat(&without)?, all];
+            calls.effects.push(Effect { name, alone, composed });
+        }
+        Ok(calls)
+    }
+
+    /// The number of loops that are timed.
+    pub(super) fn rounds(&self) -> usize {
+        2 * (timing::ROUNDS + 1) * self.all.len()
+    }
+
+    /// The index of the loop of `draft`; adds the loop if it is not there.
+    fn seat(&mut self, draft: &Draft) -> Result<usize, CostsError> {
+        let scene = draft.clone().check()?;
+        if let Some(place) = self.all.iter().position(|call| call.scene == scene) {
+            return Ok(place);
+        }
+        self.all.push(Call { text: String::new(), scene });
+        Ok(self.all.len() - 1)
     }
 
     /// Adds an effect that joins `others`.

@@ -1,6 +1,8 @@
 //! Cost of each effect: the time of a step of a loop with it, minus that of the loop without.
 
 mod calls;
+mod picture;
+mod report;
 mod table;
 mod timing;
 
@@ -11,7 +13,8 @@ use lyapunov::ParameterError;
 use lyapunov::lanes::AutoF64x8;
 use serde::Serialize;
 
-use crate::files::scene::Diagnostic;
+use crate::files::Scene;
+use crate::files::scene::{Conflict, Diagnostic};
 use crate::measure::timing::Rounds;
 use calls::Calls;
 
@@ -19,6 +22,9 @@ use calls::Calls;
 /// them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Costs {
+    /// The scene whose effects these are; none for all effects on a loop of the study's own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scene: Option<String>,
     /// The keys that come from a clock.
     not_deterministic: [&'static str; 4],
     /// Rounds over all loops.
@@ -65,12 +71,32 @@ impl Costs {
     /// # Errors
     /// See [`CostsError`].
     pub fn measured(watch: &dyn Fn() -> ControlFlow<()>) -> Result<Self, CostsError> {
-        let calls = Calls::new()?;
+        Self::timed(None, &Calls::new()?, watch)
+    }
+
+    /// The same of the effects that `scene` names, which is called `name`, in its own loop: [`Costs::loops_of`] loops.
+    ///
+    /// # Errors
+    /// See [`CostsError`].
+    pub fn of(
+        name: &str,
+        scene: &Scene,
+        watch: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, CostsError> {
+        Self::timed(Some(name.to_owned()), &Calls::of(scene)?, watch)
+    }
+
+    fn timed(
+        scene: Option<String>,
+        calls: &Calls,
+        watch: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, CostsError> {
         let one = timing::times::<f64>(&calls.all, watch)?;
         let eight = timing::times::<AutoF64x8>(&calls.all, watch)?;
         let scalars =
-            vec![Column::of("f64", 1, &calls, &one), Column::of("f64x8", 8, &calls, &eight)];
+            vec![Column::of("f64", 1, calls, &one), Column::of("f64x8", 8, calls, &eight)];
         Ok(Self {
+            scene,
             not_deterministic: ["bare_ns_per_step", "ns_per_step", "spread_ns", "ratio"],
             rounds: timing::ROUNDS,
             ticks: timing::TICKS,
@@ -83,7 +109,15 @@ impl Costs {
     /// # Errors
     /// See [`CostsError`].
     pub fn loops() -> Result<usize, CostsError> {
-        Ok(2 * (timing::ROUNDS + 1) * Calls::new()?.all.len())
+        Ok(Calls::new()?.rounds())
+    }
+
+    /// The number of timed loops for `scene`.
+    ///
+    /// # Errors
+    /// See [`CostsError`].
+    pub fn loops_of(scene: &Scene) -> Result<usize, CostsError> {
+        Ok(Calls::of(scene)?.rounds())
     }
 
     /// The costs as JSON.
@@ -127,6 +161,8 @@ impl fmt::Display for Costs {
 pub enum CostsError {
     /// A scene of the study is wrong.
     Scene(Diagnostic),
+    /// The scene without some of its effects is none.
+    Without(Conflict),
     /// A part cannot be made.
     Parameter(ParameterError),
     /// `watch` ended the study.
@@ -137,6 +173,7 @@ impl fmt::Display for CostsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scene(error) => error.fmt(f),
+            Self::Without(conflict) => conflict.fmt(f),
             Self::Parameter(error) => error.fmt(f),
             Self::Stopped => f.write_str("stopped"),
         }
@@ -144,6 +181,12 @@ impl fmt::Display for CostsError {
 }
 
 impl std::error::Error for CostsError {}
+
+impl From<Conflict> for CostsError {
+    fn from(conflict: Conflict) -> Self {
+        Self::Without(conflict)
+    }
+}
 
 impl From<Diagnostic> for CostsError {
     fn from(error: Diagnostic) -> Self {

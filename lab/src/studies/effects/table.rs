@@ -6,41 +6,67 @@ use super::{Column, Costs, Difference};
 use crate::show::table::{Cell, Heading, Table};
 
 pub(super) fn write(costs: &Costs, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if let Some(scene) = &costs.scene {
+        writeln!(f, "{scene}\n")?;
+    }
     for (index, column) in costs.scalars.iter().enumerate() {
         if index > 0 {
             writeln!(f)?;
         }
-        part(column, f)?;
+        writeln!(f, "{}\n", column.bare())?;
+        if column.effects.is_empty() {
+            writeln!(f, "the scene names no effect")?;
+        } else {
+            write!(f, "{}", table(column))?;
+        }
     }
-    writeln!(f)?;
-    let (rounds, ticks) = (costs.rounds, costs.ticks);
-    writeln!(
-        f,
-        "ns per step with the effect less without; medians of {rounds} rounds, {ticks} ticks a run"
-    )
+    writeln!(f, "\n{}", costs.note())
 }
 
-fn part(column: &Column, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let Column { scalar, rollouts, bare_ns_per_step, effects } = column;
-    let what = match rollouts {
-        1 => String::from("one rollout"),
-        several => format!("{several} rollouts at once"),
-    };
-    writeln!(f, "{scalar}, {what}: {bare_ns_per_step:.1} ns per step without effects\n")?;
+impl Costs {
+    /// The sentence that the numbers need.
+    pub(super) fn note(&self) -> String {
+        let (rounds, ticks) = (self.rounds, self.ticks);
+        format!(
+            "ns per step with the effect less without; medians of {rounds} rounds, {ticks} ticks a run"
+        )
+    }
+}
+
+impl Column {
+    /// The time of a step without effects, in words.
+    pub(super) fn bare(&self) -> String {
+        let Self { scalar, rollouts, bare_ns_per_step, .. } = self;
+        let what = match rollouts {
+            1 => String::from("one rollout"),
+            several => format!("{several} rollouts at once"),
+        };
+        format!("{scalar}, {what}: {bare_ns_per_step:.1} ns per step without effects")
+    }
+}
+
+/// The costs of each effect for one kind of number.
+pub(super) fn table(column: &Column) -> Table {
     let numbers = ["alone", "with all\nothers"].map(|company| {
         ["ns", "spread", "ratio"].map(|what| Heading::number(format!("{company}\n{what}")))
     });
     let headings = std::iter::once(Heading::word("effect")).chain(numbers.into_iter().flatten());
-    let rows = effects.iter().map(|cost| {
+    let rows = column.effects.iter().map(|cost| {
         let numbers = [cost.alone, cost.composed].into_iter().flat_map(cells);
         std::iter::once(cost.effect.into()).chain(numbers)
     });
-    write!(f, "{}", Table::new(headings).with_rows(rows))
+    Table::new(headings).with_rows(rows)
 }
 
 fn cells(difference: Difference) -> [Cell; 3] {
     let Difference { ns_per_step, spread_ns, ratio } = difference;
-    [format!("{ns_per_step:.1}"), format!("{spread_ns:.1}"), format!("{ratio:.2}")].map(Cell::from)
+    [tenths(ns_per_step), tenths(spread_ns), format!("{ratio:.2}")].map(Cell::from)
+}
+
+/// A number with one decimal; what rounds to nothing has no sign.
+fn tenths(number: f64) -> String {
+    let text = format!("{number:.1}");
+    if text == "-0.0" { "0.0".to_owned() } else { text }
 }
 
 #[cfg(test)]
@@ -55,9 +81,16 @@ mod tests {
         let effects = vec![cost];
         let column = Column { scalar: "f64x8", rollouts: 8, bare_ns_per_step: 1234.5, effects };
         let scalars = vec![column.clone(), column];
-        let costs = Costs { not_deterministic: [""; 4], rounds: 41, ticks: 250, scalars };
+        let costs =
+            Costs { scene: None, not_deterministic: [""; 4], rounds: 41, ticks: 250, scalars };
         let text = costs.to_string();
         assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
         assert!(text.contains(" -1234567.8 "), "{text}");
+    }
+
+    #[test]
+    fn nothing_has_no_sign() {
+        let told = [-0.04, -0.0, 0.04, -0.06, 0.06].map(tenths);
+        assert_eq!(told, ["0.0", "0.0", "0.0", "-0.1", "0.1"]);
     }
 }

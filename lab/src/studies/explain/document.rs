@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::{Balance, Verdict, Yardstick};
+use crate::measure::{Balance, Oddity, Verdict, Yardstick};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -21,6 +21,7 @@ struct Document<'a> {
     first_contact: Option<Balance>,
     whole_run: Balance,
     remedies: Vec<Tried>,
+    look_at: &'a [Oddity],
 }
 
 #[derive(Serialize)]
@@ -56,6 +57,7 @@ impl Explanation {
             first_contact: self.first_contact,
             whole_run: self.whole_run,
             remedies: self.remedies.iter().map(tried).collect(),
+            look_at: &self.look_at,
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
     }

@@ -17,11 +17,18 @@ impl<'a> Hint<'a> {
 
     /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
     fn reason(&self) -> String {
+        if !self.0.acts() {
+            return "no force acts in this run: the loop is not what drives it".to_owned();
+        }
         let Ok(part) = LinearPart::of(&self.0.scene) else {
             return "no formula applies to this loop".to_owned();
         };
         let own = part.environment.stiffness;
         match part.stable_stiffness() {
+            _ if own < 0.0 && part.spectral_radius() >= 1.0 => {
+                let own = found(own);
+                format!("the environment pushes away by {own} N/m, and nothing holds it")
+            }
             None => "no stiffness of the linear loop is stable".to_owned(),
             Some([_, most]) if own > most => {
                 let (own, most, times) = (found(own), found(most), found(own / most));
@@ -29,7 +36,7 @@ impl<'a> Hint<'a> {
                     "{own} N/m is {times} times what the linear loop bears by itself, {most} N/m"
                 )
             }
-            Some([least, _]) if own < least => {
+            Some([least, _]) if own >= 0.0 && own < least => {
                 let (own, least) = (found(own), found(least));
                 format!(
                     "{own} N/m is less than the {least} N/m from which on the linear loop is stable"

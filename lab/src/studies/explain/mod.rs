@@ -3,7 +3,9 @@
 mod document;
 mod groups;
 mod hint;
+mod picture;
 mod remedy;
+mod report;
 mod words;
 
 use std::fmt;
@@ -11,7 +13,7 @@ use std::fmt;
 use lyapunov::ParameterError;
 
 use crate::files::Scene;
-use crate::measure::{Limits, Verdict, Yardstick};
+use crate::measure::{Limits, Oddity, Verdict, Yardstick};
 use crate::simulate::Space;
 
 pub use crate::measure::Balance;
@@ -37,8 +39,12 @@ pub struct Explanation {
     pub first_contact: Option<Balance>,
     /// The energies of the whole run, or of as much of it as stays in the range of the numbers.
     pub whole_run: Balance,
-    /// The remedies, each tried; none where none is needed.
+    /// The largest force on the plant, N.
+    pub peak_force: f64,
+    /// The remedies, each tried; none where none is needed, and where no force acts.
     pub remedies: Vec<Remedy>,
+    /// The signs of a mistake in the scene or its run.
+    pub look_at: Vec<Oddity>,
 }
 
 /// Reason why there is no explanation.
@@ -77,7 +83,8 @@ impl Explanation {
         let limits = Limits::of(scene);
         let is_unstable =
             scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
-        let needs_one = trial.verdict == Verdict::Grows || is_unstable;
+        let acts = trial.feel.peak != 0.0;
+        let needs_one = acts && (trial.verdict == Verdict::Grows || is_unstable);
         let remedies = if needs_one { remedy::remedies::<V>(scene) } else { vec![] };
         Ok(Self {
             scene: scene.clone(),
@@ -87,7 +94,9 @@ impl Explanation {
             groups: DimensionlessGroups::of(scene),
             first_contact: trial.first,
             whole_run: trial.whole,
+            peak_force: trial.feel.peak,
             remedies,
+            look_at: trial.look_at,
         })
     }
 }

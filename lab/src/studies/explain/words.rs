@@ -8,20 +8,25 @@ use crate::measure::{Balance, Verdict};
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
-use crate::text::{found, given};
+use crate::text::{folded, found, given};
 
 /// Energies are reported in thousandths of a joule.
 const MILLI: f64 = 1e3;
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write_verdict(f)?;
-        self.write_groups(f)?;
+        write!(f, "{}", Heads(self))?;
         writeln!(f)?;
         self.write_balances(f)?;
         if self.remedies.is_empty() {
             let grows = self.verdict == Verdict::Grows;
-            return if grows { writeln!(f, "\n  nothing that was tried helps") } else { Ok(()) };
+            return match self.peak_force != 0.0 {
+                true if grows => writeln!(f, "\n  nothing that was tried helps"),
+                true => Ok(()),
+                false => {
+                    writeln!(f, "\n  no force acts in this run, so no change of the loop was tried")
+                }
+            };
         }
         writeln!(f, "\n  what helps, each by itself; all were run, and none grows")?;
         for remedy in &self.remedies {
@@ -35,6 +40,16 @@ impl fmt::Display for Explanation {
             )?;
         }
         Ok(())
+    }
+}
+
+/// Lines above the balance: the verdict, what is broken, and the groups.
+pub(super) struct Heads<'a>(pub(super) &'a Explanation);
+
+impl fmt::Display for Heads<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write_verdict(f)?;
+        self.0.write_groups(f)
     }
 }
 
@@ -66,7 +81,8 @@ impl Explanation {
         if let Some(sentence) = described::exceeded_cap(&self.scene) {
             writeln!(f, "  cap          {sentence}")?;
         }
-        Ok(())
+        let mut signs = self.look_at.iter();
+        signs.try_for_each(|it| writeln!(f, "{}", folded("  look at      ", &it.text)))
     }
 
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -86,6 +102,18 @@ impl Explanation {
             writeln!(f, "  the environment was never touched")?;
             return Ok(());
         };
+        f.write_str(&textwrap::indent(&self.balances(first).to_string(), "  "))?;
+        let (leak, energy) = first.largest_leak();
+        if -first.wall > energy.max(0.0) {
+            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
+        } else if energy > 0.0 {
+            writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
+        }
+        Ok(())
+    }
+
+    /// The energies of the `first` contact and of the whole run, line by line.
+    pub(super) fn balances(&self, first: &Balance) -> Table {
         let stretch =
             |balance: &Balance| format!("{} to {} s", given(balance.from_s), given(balance.to_s));
         let headings = [
@@ -98,15 +126,7 @@ impl Explanation {
             let [first, whole] = values.map(|value| Cell::from(MILLI * value));
             [name.into(), first, whole]
         });
-        let table = Table::new(headings).with_rows(rows).to_string();
-        f.write_str(&textwrap::indent(&table, "  "))?;
-        let (leak, energy) = first.largest_leak();
-        if -first.wall > energy.max(0.0) {
-            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
-        } else if energy > 0.0 {
-            writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
-        }
-        Ok(())
+        Table::new(headings).with_rows(rows)
     }
 }
 
@@ -132,7 +152,7 @@ const LINES: [(&str, Of); 15] = [
 ];
 
 /// Remedy in a line.
-struct Told<'a>(&'a Remedy);
+pub(super) struct Told<'a>(pub(super) &'a Remedy);
 
 impl fmt::Display for Told<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 
 use super::naive::Naive;
 use super::tally::{Tally, larger};
-use super::trial::{HardError, OwnStabilizer, Runs, Trial};
+use super::trial::{HardError, MakeStabilizer, Runs, Trial};
 use crate::simulate::AnyStabilizer;
 use crate::simulate::family::StabilizerName;
 
@@ -184,7 +184,7 @@ impl Case {
     ///
     /// # Errors
     /// A case that is not well-formed.
-    pub fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    pub fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         self.trial.with(own)
     }
 

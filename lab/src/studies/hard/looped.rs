@@ -6,7 +6,7 @@ use lyapunov::{ParameterError, Scalar};
 use super::member;
 use super::naive::Naive;
 use super::tally::Tally;
-use super::trial::{HardError, OwnStabilizer, Runs, Trial};
+use super::trial::{HardError, MakeStabilizer, Runs, Trial};
 use super::watched::{Meters, Terms};
 use crate::files::scene::{Candidate, Finite, Lolc, Pledge, Scene, Stabilizer};
 use crate::simulate::family::StabilizerName;
@@ -132,7 +132,7 @@ impl Trial for Looped {
         Ok(Some(runs))
     }
 
-    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         let scene = self.scene(SHARES[0])?;
         Ok(looped(&scene, self.rest, named_in::<f64>(&scene), Fitted::Behind(own()))?.pop())
     }

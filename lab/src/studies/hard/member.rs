@@ -26,14 +26,14 @@ pub(super) fn set_by<T: Scalar + Space>(
             let damper = Dissipation::of(T::of(basis.damping))?;
             Ok(AnyStabilizer::called(Lolc::new((PortEnergy, damper), limit)))
         }
-        StabilizerName::Member(member) if member.table().kind().lacks(basis).is_some() => {
-            Err(HardError::NoPart)
+        StabilizerName::Member(_) | StabilizerName::Own(_) => {
+            let table = member.bare_table().filter(|table| table.kind().lacks(basis).is_none());
+            match Fitted::on_a_line(basis, &table.ok_or(HardError::NoPart)?)? {
+                Fitted::Behind(stabilizer) => Ok(stabilizer),
+                // The samples of these cases come without an environment that could be asked.
+                Fitted::Around(_) => Err(HardError::NoPart),
+            }
         }
-        StabilizerName::Member(member) => match Fitted::on_a_line(basis, &member.table())? {
-            Fitted::Behind(stabilizer) => Ok(stabilizer),
-            // The samples of these cases come without an environment that could be asked.
-            Fitted::Around(_) => Err(HardError::NoPart),
-        },
     }
 }
 
@@ -45,7 +45,10 @@ pub(super) fn pledge_of<T: Scalar>(member: StabilizerName, basis: &Basis) -> Ple
             BasicName::NoStabilizer | BasicName::Popc | BasicName::LolcSpring,
         ) => Pledge::POPC,
         StabilizerName::Basic(_) => in_scalar::<T>(Pledge::damper(basis.damping)),
-        StabilizerName::Member(member) => in_scalar::<T>(member.table().kind().pledge(basis)),
+        StabilizerName::Member(_) | StabilizerName::Own(_) => {
+            let pledge = member.bare_table().map(|table| table.kind().pledge(basis));
+            pledge.map_or(Pledge::POPC, in_scalar::<T>)
+        }
     }
 }
 
@@ -77,6 +80,8 @@ pub(super) fn promises(member: StabilizerName) -> bool {
                 BasicName::Popc | BasicName::LolcSpring | BasicName::LolcDeviceDamping
             )
         }
-        StabilizerName::Member(member) => member.table().kind().promises(),
+        StabilizerName::Member(_) | StabilizerName::Own(_) => {
+            member.bare_table().is_some_and(|table| table.kind().promises())
+        }
     }
 }

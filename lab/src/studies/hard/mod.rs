@@ -20,7 +20,7 @@ pub use case::{Case, Outcome, Row, Verdicts};
 pub use looped::watch;
 pub use naive::Naive;
 pub use tally::Tally;
-pub use trial::{HardError, OwnStabilizer};
+pub use trial::{HardError, MakeStabilizer};
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -28,6 +28,7 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::show::csv::{self, Field};
 use crate::simulate::family::StabilizerName;
 
 /// Results of the whole catalogue: `hard.json`.
@@ -86,6 +87,18 @@ impl Catalogue {
         report::page(self, command)
     }
 
+    /// A row for each case as comma-separated values.
+    pub fn csv(&self) -> String {
+        let rows = self.rows.iter().map(|row| {
+            let naive = row.naive.as_ref().map(|naive| naive.measured);
+            let words = [row.case, row.theme, row.quantity, row.unit].map(Field::Text);
+            let numbers = [Some(row.bound), Some(row.measured), naive].map(Field::from);
+            words.into_iter().chain(numbers).chain([Field::Text(row.verdict())])
+        });
+        let names = ["case", "theme", "quantity", "unit", "bound", "measured", "naive", "verdict"];
+        csv::text(names, rows)
+    }
+
     /// The results as JSON.
     ///
     /// # Errors
@@ -98,5 +111,36 @@ impl Catalogue {
 impl fmt::Display for Catalogue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         table::write(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::Scene;
+    use crate::measure::Summary;
+    use crate::simulate::{Rollout, Space};
+
+    fn look_at<V: Space>(scene: &Scene) -> Vec<String> {
+        let signs = Summary::of(scene, Rollout::<V>::of(scene).unwrap()).look_at();
+        signs.into_iter().map(|it| it.text).collect()
+    }
+
+    /// A hard case is hard on purpose: nothing in it looks like a mistake.
+    #[test]
+    fn no_hard_case_shows_a_sign_of_a_mistake() {
+        let mut scenes = 0;
+        for case in Catalogue::cases() {
+            let Some(text) = case.trial.scene() else { continue };
+            let scene = Scene::parse(text, case.name).unwrap();
+            let signs = match scene.dimensions() {
+                1 => look_at::<f64>(&scene),
+                2 => look_at::<nalgebra::SVector<f64, 2>>(&scene),
+                _ => look_at::<nalgebra::SVector<f64, 3>>(&scene),
+            };
+            assert_eq!(signs, [""; 0], "{}", case.name);
+            scenes += 1;
+        }
+        assert!(scenes > 20, "{scenes}");
     }
 }

@@ -131,7 +131,7 @@ impl Runs {
 }
 
 /// A maker of your own stabilizer, called anew for every run.
-pub type OwnStabilizer<'a> = &'a dyn Fn() -> AnyStabilizer<f64>;
+pub type MakeStabilizer<'a> = &'a dyn Fn() -> AnyStabilizer<f64>;
 
 /// The runs of a case.
 pub(super) trait Trial: Send + Sync {
@@ -147,7 +147,7 @@ pub(super) trait Trial: Send + Sync {
     }
 
     /// A run with the caller's own stabilizer, in `f64`; none where the case is about something else.
-    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError>;
+    fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError>;
 
     /// A run with the naive stabilizer.
     fn naive(&self) -> Result<Option<Tally>, HardError> {
@@ -260,7 +260,7 @@ impl<P: Play> Trial for Played<P> {
         Runs::of_scalars(double, single).map(Some)
     }
 
-    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         let pledge = Pledge::damper(self.0.basis().damping);
         Ok(self.run::<f64, _>(0, pledge, || Ok(own()))?.pop())
     }

@@ -19,9 +19,9 @@ pub struct Axis {
     pub key: String,
     /// The first value.
     pub from: f64,
-    /// The last value, greater than the first; with one value the same.
+    /// The last value, greater than the first unless that is the only one.
     pub to: f64,
-    /// The number of values.
+    /// The number of values, 1 or more.
     pub count: u64,
     /// The spacing of the values.
     pub spacing: Spacing,
@@ -30,7 +30,7 @@ pub struct Axis {
 impl Axis {
     /// Value number `index`, from 0 to `count - 1`; both ends are exactly `from` and `to`.
     pub fn value(&self, index: u64) -> f64 {
-        let last = self.count - 1;
+        let last = self.count.saturating_sub(1);
         let (index, steps) = (index.min(last) as f64, last as f64);
         if index == steps {
             return self.to;
@@ -53,6 +53,8 @@ impl Axis {
     /// Width of the axis in its unit; of a logarithmic one in decades.
     pub(super) fn width(&self) -> f64 {
         match self.spacing {
+            // A single value takes nothing from the area over the other axis.
+            _ if self.count == 1 => 1.0,
             Spacing::Linear => self.to - self.from,
             Spacing::Logarithmic => libm::log10(self.to / self.from),
         }
@@ -99,15 +101,11 @@ impl FromStr for Axis {
         else {
             return no(format!("`{count}` is not a number of values from 1 to {MOST}"));
         };
-        if from == to && count > 1 {
-            return no(format!(
-                "the range {from}..{to} is empty: it has room for one value, not {count}"
-            ));
-        }
-        if from < to && count == 1 {
-            return no(format!(
-                "one value is a range of its own, {from}..{from}:1, not {from}..{to}:1"
-            ));
+        if (from == to) != (count == 1) {
+            return no(match count {
+                1 => format!("one value is not the range {from}..{to}: give {from}..{from}:1"),
+                _ => format!("the range {from}..{to} is empty: FROM has to be less than TO"),
+            });
         }
         let spacing = match (word.map(str::trim), parts.next()) {
             (None, _) => Spacing::Linear,

@@ -6,7 +6,7 @@ use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
 use super::run::{Method, Run, Workload};
 use super::survey::Survey;
-use crate::measure::Verdict;
+use crate::measure::{Oddity, Verdict};
 use crate::simulate::family::{Judgement, StabilizerName};
 
 /// Method and cost of a map's computation.
@@ -63,10 +63,12 @@ struct Document<'a> {
     #[serde(flatten)]
     computation: Option<&'a Computation>,
     areas: Vec<Line>,
+    look_at: Vec<Oddity>,
 }
 
+/// An axis.
 #[derive(Serialize)]
-struct Along<'a> {
+pub(super) struct Along<'a> {
     key: &'a str,
     from: f64,
     to: f64,
@@ -103,7 +105,8 @@ struct Line {
     judged_by: Judgement,
 }
 
-fn along(axis: &Axis) -> Along<'_> {
+/// An axis as JSON.
+pub(super) fn along(axis: &Axis) -> Along<'_> {
     let spacing = match axis.spacing {
         Spacing::Linear => "linear",
         Spacing::Logarithmic => "log",
@@ -162,6 +165,7 @@ pub fn document(
         cells_by_speed: survey.by_speed(),
         computation,
         areas: grid.stabilizers.iter().enumerate().map(line).collect(),
+        look_at: survey.look_at().into_iter().collect(),
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

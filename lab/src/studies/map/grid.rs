@@ -5,7 +5,8 @@ use std::fmt;
 use toml::Value;
 
 use super::axis::Axis;
-use super::vary::{self, Vary, VaryError};
+use super::varied::{Variation, Varied};
+use super::vary::VaryError;
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
 
@@ -22,8 +23,7 @@ pub struct Grid {
     pub y: Axis,
     /// The stabilizers that run in each cell.
     pub stabilizers: StabilizerNames,
-    tree: Value,
-    numbers: [Vary; 2],
+    variation: Variation,
 }
 
 /// Reason why there is no such map.
@@ -95,8 +95,10 @@ impl Grid {
         let members = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
         let tree =
             Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
-        let numbers = [Vary::of(&x, &tree)?, Vary::of(&y, &tree)?];
-        Ok(Self { scene, x, y, stabilizers: members, tree, numbers })
+        let numbers = [&x, &y].map(|axis| Varied::of(axis, &tree, &scene, &members));
+        let numbers = numbers.into_iter().collect::<Result<_, _>>()?;
+        let variation = Variation::new(scene.clone(), tree, numbers);
+        Ok(Self { scene, x, y, stabilizers: members, variation })
     }
 
     /// The number of cells.
@@ -118,28 +120,54 @@ impl Grid {
         (0..axis.count).map(|index| self.with(which, axis.value(index))).collect()
     }
 
-    /// The scene with `value` for one of its two numbers, and the other unchanged.
+    /// The scene with `value` for one of its two numbers, and the other unchanged; a number of a stabilizer's table is
+    /// written in that table, which replaces the scene's own.
     ///
     /// # Errors
     /// A value that the scene does not allow.
     pub(super) fn with(&self, which: usize, value: f64) -> Result<Scene, VaryError> {
-        let number = &self.numbers[which];
-        let mut tree = self.tree.clone();
-        number.write(&mut tree, value)?;
-        vary::read(&tree, &self.scene).map_err(|reason| number.refused(value, &reason))
+        let number = &self.variation.numbers()[which];
+        if let Some(member) = number.member() {
+            let written = number.written(&self.scene, member, value)?;
+            return Ok(written.unwrap_or_else(|| self.scene.clone()));
+        }
+        let mut values = [None; 2];
+        values[which] = Some(value);
+        self.variation.scene(&values)?.map_err(|reason| {
+            let problem =
+                format!("`{}` = {value:?} is no scene: {reason}", [&self.x, &self.y][which].key);
+            VaryError::new(problem, "choose a range in which every value is right")
+        })
     }
 
-    /// The scene of a cell.
+    /// The scene of a cell under the stabilizer that it names.
     ///
     /// # Errors
     /// Two values that make no scene together.
     pub fn scene_of(&self, cell: u64) -> Result<Scene, GridError> {
-        let values = self.values(cell);
-        let mut tree = self.tree.clone();
-        for (number, value) in self.numbers.iter().zip(values) {
-            number.write(&mut tree, value)?;
+        let own = self.scene.stabilizer.and_then(|own| own.name().parse().ok());
+        match own {
+            Some(own) => self.scene_for(cell, own),
+            None => self.bare(cell),
         }
-        vary::read(&tree, &self.scene).map_err(|reason| self.at(cell, reason))
+    }
+
+    /// The scene of a cell under `member`: a number of a stabilizer's table counts for that stabilizer only.
+    ///
+    /// # Errors
+    /// Two values that make no scene together.
+    pub fn scene_for(&self, cell: u64, member: StabilizerName) -> Result<Scene, GridError> {
+        Ok(self.variation.under(self.bare(cell)?, member, &self.values(cell))?)
+    }
+
+    fn bare(&self, cell: u64) -> Result<Scene, GridError> {
+        let scene = self.variation.scene(&self.values(cell).map(Some))?;
+        scene.map_err(|reason| self.at(cell, reason))
+    }
+
+    /// The stabilizer whose table an axis is over.
+    pub(super) fn member(&self, which: usize) -> Option<StabilizerName> {
+        self.variation.numbers()[which].member()
     }
 
     /// The error of a cell with its values.

@@ -92,15 +92,15 @@ pub(super) fn label(axis: &Axis) -> String {
 }
 
 /// An axis as drawn: each cell is centred on its value.
-struct Shown {
-    numbering: Numbering,
-    range: (f64, f64),
+pub(super) struct Shown {
+    pub(super) numbering: Numbering,
+    pub(super) range: (f64, f64),
     /// From the first cell's value to the last one's: no number stands for a cell that is not there.
     numbered: (f64, f64),
 }
 
 impl Shown {
-    fn of(axis: &Axis) -> Self {
+    pub(super) fn of(axis: &Axis) -> Self {
         let numbering = match axis.spacing {
             Spacing::Linear => Numbering::Plain,
             Spacing::Logarithmic => Numbering::PowersOfTen,
@@ -108,13 +108,8 @@ impl Shown {
         let shown = Self { numbering, range: (0.0, 1.0), numbered: (0.0, 1.0) };
         let (from, to) = (shown.place(axis.from), shown.place(axis.to));
         let half = match axis.count {
-            1 => {
-                if from == 0.0 {
-                    0.5
-                } else {
-                    0.05 * from.abs()
-                }
-            }
+            1 if from == 0.0 => 0.5,
+            1 => 0.05 * from.abs(),
             count => 0.5 * (to - from) / (count - 1) as f64,
         };
         Self { range: (from - half, to + half), numbered: (from, to), ..shown }

@@ -128,7 +128,8 @@ fn notes(survey: &Survey) -> Vec<String> {
         Some(by) if survey.by_speed() == all => Some(format!("judged {by}")),
         _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
     };
-    by_speed.into_iter().chain(told(short, "are too short to judge")).collect()
+    let sign = survey.look_at().map(|it| format!("look at: {}", it.text));
+    by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
 }
 
 /// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, the stiffness over the exact

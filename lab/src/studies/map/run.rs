@@ -254,7 +254,7 @@ impl<'a> Run<'a> {
         member: StabilizerName,
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Outcome>, GridError> {
-        let scene = self.grid.scene_of(cell)?;
+        let scene = self.grid.scene_for(cell, member)?;
         single::outcome(&scene, member, go_on)
             .map_err(|error| self.grid.at(cell, error.to_string()))
     }

@@ -3,7 +3,8 @@
 use super::grid::Grid;
 use super::outcome::{Measure, Outcome};
 use super::rendered::{Rendered, Tally};
-use crate::measure::{Verdict, Yardstick};
+use crate::measure::sanity::Sign;
+use crate::measure::{Oddity, Verdict, Yardstick};
 use crate::simulate::family::{BasicName, StabilizerName};
 
 /// The most picture elements along an axis; a larger map is drawn by the means of its cells.
@@ -19,6 +20,8 @@ pub struct Survey {
     alone: Option<usize>,
     /// Cells that are judged by speed.
     by_speed: u64,
+    /// Whether a force acts in any cell, as far as is known.
+    acts: bool,
     layers: Vec<Layer>,
 }
 
@@ -86,7 +89,7 @@ impl Survey {
         let layers = vec![layer; grid.stabilizers.len()];
         let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
         let alone = grid.stabilizers.iter().position(|member| *member == nobody);
-        Self { grid: grid.clone(), columns, rows, alone, by_speed: 0, layers }
+        Self { grid: grid.clone(), columns, rows, alone, by_speed: 0, acts: false, layers }
     }
 
     /// Adds the next cell; cells come in their order.
@@ -98,6 +101,7 @@ impl Survey {
         let is_by_speed = outcomes.iter().any(|outcome| outcome.verdict_by == Yardstick::Speed);
         self.by_speed += u64::from(is_by_speed);
         let alone = self.alone.map(|index| outcomes[index].verdict);
+        self.acts |= outcomes.iter().any(|outcome| outcome.measures.peak_force != Some(0.0));
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
             let verdict = outcome.verdict;
             layer.tally.add(outcome, alone);
@@ -151,6 +155,12 @@ impl Survey {
     /// The cells that are judged by speed.
     pub fn by_speed(&self) -> u64 {
         self.by_speed
+    }
+
+    /// The sign that no force acts in any cell.
+    pub(super) fn look_at(&self) -> Option<Oddity> {
+        let text = format!("no force acts in any of the {} cells", self.grid.cells());
+        (!self.acts).then(|| Oddity::new(Sign::Untouched, text))
     }
 
     /// What stabilizer `index` renders.

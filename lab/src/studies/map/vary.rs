@@ -23,7 +23,7 @@ pub struct VaryError {
 }
 
 impl VaryError {
-    fn new(problem: String, remedy: impl Into<String>) -> Self {
+    pub(super) fn new(problem: String, remedy: impl Into<String>) -> Self {
         Self { problem, remedy: remedy.into() }
     }
 }
@@ -80,12 +80,6 @@ impl Vary {
             place = next;
         }
         Ok(())
-    }
-
-    /// The error of `value` as this number.
-    pub(super) fn refused(&self, value: f64, reason: &str) -> VaryError {
-        let problem = format!("`{}` = {value:?} is no scene: {reason}", self.key);
-        VaryError::new(problem, "choose a range in which every value is right")
     }
 }
 

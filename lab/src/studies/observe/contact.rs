@@ -3,12 +3,13 @@
 use serde::Serialize;
 
 use super::tally::Tally;
+use crate::measure::sanity;
 
 /// Number of contacts that are reported one by one.
 const TOLD: usize = 10;
 
 /// Contact threshold as a share of the largest force so far, where no threshold is given.
-pub(super) const SHARE: f64 = 0.01;
+pub(super) const SHARE: f64 = sanity::SHARE;
 
 /// The most consecutive rows below the threshold that do not end a contact.
 const CHATTER: u32 = 3;

@@ -25,6 +25,7 @@ mod layout;
 mod lines;
 mod log;
 mod observed_energy;
+mod page;
 mod report;
 mod scale;
 mod step;

@@ -7,6 +7,7 @@ use super::candidate::Candidate;
 use super::contact::Contacts;
 use super::observed_energy::ObservedEnergy;
 use super::step::Gaps;
+use crate::measure::Oddity;
 
 /// Report on a log, in SI units; `Display` formats it for the terminal.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -43,6 +44,8 @@ pub struct Report {
     pub printed: ObservedEnergy,
     /// The contacts.
     pub contacts: Contacts,
+    /// The signs of a mistake in the log, such as a unit that looks off.
+    pub look_at: Vec<Oddity>,
 }
 
 /// Energy over the port, by held work.

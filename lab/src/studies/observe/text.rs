@@ -13,12 +13,29 @@ use crate::text::{folded, found, printable};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let units = Units::of(self);
-        let name: String = self.log.chars().map(printable).collect();
-        write!(f, "{name}: {} rows over {} s", self.rows, found(self.duration))?;
-        self.write_rows(f, &units)?;
-        self.write_sums(f, &units)?;
-        self.write_contacts(f, &units)
+        f.write_str(&self.lines())?;
+        match self.worst_contacts() {
+            None => Ok(()),
+            Some(table) => {
+                write!(f, "\n{}", textwrap::indent(table.to_string().trim_end(), "  "))
+            }
+        }
+    }
+}
+
+/// Lines of a report, without the table of its contacts.
+struct Lines<'a>(&'a Report);
+
+impl fmt::Display for Lines<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let report = self.0;
+        let units = Units::of(report);
+        let name: String = report.log.chars().map(printable).collect();
+        write!(f, "{name}: {} rows over {} s", report.rows, found(report.duration))?;
+        report.write_rows(f, &units)?;
+        report.write_sums(f, &units)?;
+        report.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
+        report.write_contacts(f)
     }
 }
 
@@ -145,7 +162,12 @@ impl Report {
         }
     }
 
-    fn write_contacts(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
+    /// All lines but the table of contacts.
+    pub(super) fn lines(&self) -> String {
+        Lines(self).to_string()
+    }
+
+    fn write_contacts(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let contacts = &self.contacts;
         let follows = if contacts.threshold_follows {
             format!(", {} % of the largest force so far", 100.0 * SHARE)
@@ -157,9 +179,14 @@ impl Report {
         let worst = if contacts.worst.is_empty() { "" } else { "; the worst:" };
         let text =
             format!("{count}, {generating} generated energy (|f| > {threshold} N{follows}){worst}");
-        line(f, "contacts", &text)?;
+        line(f, "contacts", &text)
+    }
+
+    /// The contacts that generated most; none without a contact.
+    pub(super) fn worst_contacts(&self) -> Option<Table> {
+        let (contacts, units) = (&self.contacts, Units::of(self));
         if contacts.worst.is_empty() {
-            return Ok(());
+            return None;
         }
         let joules = &units.joules;
         let headings = [
@@ -171,9 +198,8 @@ impl Report {
             "peak\nN".to_owned(),
             "damper\nN.s/m".to_owned(),
         ];
-        let rows = contacts.worst.iter().map(|contact| cells(contact, units));
-        let table = Table::new(headings.map(Heading::number)).with_rows(rows).to_string();
-        write!(f, "\n{}", textwrap::indent(table.trim_end(), "  "))
+        let rows = contacts.worst.iter().map(|contact| cells(contact, &units));
+        Some(Table::new(headings.map(Heading::number)).with_rows(rows))
     }
 }
 

@@ -11,6 +11,7 @@ use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step, median};
 use super::tally::Tally;
 use super::traces::Traces;
+use crate::measure::sanity::{LogSigns, Reading};
 
 /// Number of steps that the median period is estimated from; they wait until it is known.
 const WAITING: usize = 1024;
@@ -117,6 +118,7 @@ impl Watch {
         let mut account = self.account;
         account.traces.push(last.t, account.pushed);
         let contacts = account.contacts.finish();
+        let look_at = account.signs.finish(period, account.port.generated());
         let report = Report {
             rows: self.rows,
             bad_rows: self.bad,
@@ -137,6 +139,7 @@ impl Watch {
             damper: account.damper,
             printed: account.sampled_course.finish(),
             contacts,
+            look_at,
             ..Report::default()
         };
         Some((report, account.traces))
@@ -156,6 +159,7 @@ struct Books {
     gaps: Gaps,
     contacts: Finder,
     traces: Traces,
+    signs: LogSigns,
     /// Force of the last step, N.
     pushed: f64,
 }
@@ -177,6 +181,7 @@ impl Books {
             gaps: Gaps::default(),
             contacts: Finder::new(contact),
             traces: Traces::new(),
+            signs: LogSigns::new(contact),
             pushed: 0.0,
         }
     }
@@ -185,6 +190,9 @@ impl Books {
         (self.held_course, self.sampled_course) =
             (ObservedEnergy::starting(reading.t), ObservedEnergy::starting(reading.t));
         self.traces.add(reading, 0.0, 0.0);
+        let (velocity, period, observed) = (reading.v.unwrap_or(0.0), 0.0, 0.0);
+        let Sample { t: time, x: position, f: force, .. } = *reading;
+        self.signs.add(&Reading { time, position, velocity, force, period, observed });
     }
 
     fn book(&mut self, step: &Step, median: f64) {
@@ -199,6 +207,9 @@ impl Books {
         let sampled = self.sampled.observe(&sample, step.to.f);
         self.held_course.add(step.to.t, held);
         self.sampled_course.add(step.to.t, sampled);
+        let Sample { t: time, x: position, f: force, .. } = step.to;
+        let (velocity, period) = (sample.velocity, sample.period);
+        self.signs.add(&Reading { time, position, velocity, force, period, observed: held });
         self.damper.add(step.to.t, self.port.damper(-held));
         self.contacts.add(&Push {
             from: step.from.t,

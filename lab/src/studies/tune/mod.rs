@@ -4,6 +4,7 @@
 
 mod document;
 mod objective;
+mod picture;
 mod report;
 mod run;
 mod search;
@@ -14,7 +15,8 @@ mod trial;
 
 pub use document::document;
 pub use objective::{Objective, ObjectiveError, Term};
-pub use report::page;
+pub use picture::figure;
+pub use report::{csv, page};
 pub use setting::{Number, Setting};
 pub use study::{Change, TuneError, Tuned, Tuning, Watch};
 pub use table::table;

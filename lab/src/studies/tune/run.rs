@@ -3,17 +3,20 @@
 use super::objective::{Objective, Term};
 use super::study::{TuneError, Watch};
 use crate::files::Scene;
-use crate::studies::compare::{RunError, own_score};
+use crate::measure::Verdict;
+use crate::studies::compare::{RunError, score_as_told};
 
-/// The cost of the run of `scene` under its own stabilizer; none where it grows or cannot be judged.
+/// The cost of the run of `scene` under the stabilizer of `told`, which knows the numbers of `told` only; none where it
+/// grows or cannot be judged.
 pub(super) fn cost(
     scene: &Scene,
+    told: &Scene,
     objective: &Objective,
     watch: &Watch<'_>,
 ) -> Result<Option<f64>, TuneError> {
     // Progress is counted in runs.
     let go_on = |_| watch(0);
-    let score = own_score(scene, &go_on).map_err(|error| match error {
+    let score = score_as_told(scene, told, &go_on).map_err(|error| match error {
         RunError::Stopped => TuneError::Stopped,
         RunError::Parameter(error) => TuneError::Parameter(error),
     })?;
@@ -21,7 +24,10 @@ pub(super) fn cost(
         return Err(TuneError::Stopped);
     }
     let costs = Term::ALL.map(|term| match term {
-        Term::Settling => score.settling_time.unwrap_or(scene.duration.get()),
+        Term::Settling => {
+            let settles = score.verdict == Verdict::Settles;
+            score.settling_time.filter(|_| settles).unwrap_or(scene.duration.get())
+        }
         Term::ForceError => score.force_error.unwrap_or(0.0),
         Term::Stiffness => (100.0 - score.stiffness_percent.unwrap_or(0.0)).max(0.0),
     });

@@ -160,8 +160,9 @@ impl Tuning {
         runs: u32,
         watch: &Watch<'_>,
     ) -> Result<Trial, TuneError> {
-        let Ok(base) = setting.on(scene) else { return Ok(Trial::refused(runs)) };
-        let one = |member: u64| cost(&ensemble.member(&base, member)?, &self.objective, watch);
+        let Ok(told) = setting.on(scene) else { return Ok(Trial::refused(runs)) };
+        let one =
+            |member: u64| cost(&ensemble.member(&told, member)?, &told, &self.objective, watch);
         let costs: Result<Vec<_>, _> = (0..u64::from(runs)).into_par_iter().map(one).collect();
         Ok(Trial::of(costs?))
     }

@@ -87,8 +87,17 @@ pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
             before.into(),
             after.into(),
             change.into(),
-            one.change().word().into(),
+            word(one).into(),
         ]);
     }
     table
+}
+
+/// How the tuned setting compares, and whether it keeps every run bounded.
+fn word(one: &Tuned) -> String {
+    let (word, judged) = (one.change().word(), &one.judged[1]);
+    match judged.runs() - judged.bounded() {
+        0 => word.to_owned(),
+        grow => format!("{word}; {grow} grow"),
+    }
 }

@@ -10,6 +10,18 @@ use crate::{NearestPoint, Solid};
 /// that axis towards the point's side.
 ///
 /// Of axes with the same depth the first counts; exactly in the middle of an axis, the side `+`.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Contact, Cuboid};
+/// use nalgebra::Vector2;
+/// let table = Cuboid::new(Vector2::zeros(), Vector2::new(0.5, 0.1))?;
+/// let mut table = Contact::with(table, 1000.0, 0.0)?;
+/// let under = PortSample::starting(1e-3, Vector2::new(0.2, 0.09), Vector2::zeros());
+/// let effort: Vector2<f64> = table.respond(&under); // out through the nearest face
+/// assert!((effort - Vector2::new(0.0, -10.0)).norm() < 1e-9);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid<V> {
     center: V,

@@ -6,6 +6,18 @@ use super::axes::{check_axes, largest_axis, length_and_direction};
 use crate::{NearestPoint, Solid};
 
 /// The half-space below a plane: `p = (point − x)·n`.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Contact, Plane};
+/// use nalgebra::Vector2;
+/// let slope = Plane::new(Vector2::zeros(), Vector2::new(1.0, 1.0))?; // the normal need not have length 1
+/// let mut floor = Contact::with(slope, 1000.0, 0.0)?;
+/// let below = PortSample::starting(1e-3, Vector2::new(-0.01, 0.0), Vector2::zeros());
+/// let effort: Vector2<f64> = floor.respond(&below);
+/// assert!((effort - Vector2::new(-5.0, -5.0)).norm() < 1e-9); // 10 N/√2 along the normal
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<V> {
     point: V,

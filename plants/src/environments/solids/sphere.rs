@@ -9,6 +9,17 @@ use crate::{NearestPoint, Solid};
 /// A ball, on two axes a disc: `p = radius − |x − center|`, `n = (x − center) / |x − center|`.
 ///
 /// At the very center all directions are equally near; it takes `+x`, the first axis.
+///
+/// ```
+/// use lyapunov_core::{OnePort, PortSample};
+/// use lyapunov_plants::{Contact, Sphere};
+/// use nalgebra::Vector3;
+/// let mut ball = Contact::with(Sphere::new(Vector3::zeros(), 0.05)?, 2000.0, 0.0)?;
+/// let inside = PortSample::starting(1e-3, Vector3::new(0.0, 0.0, 0.049), Vector3::zeros());
+/// let effort: Vector3<f64> = ball.respond(&inside); // acts against the device, which is pushed out
+/// assert!((effort - Vector3::new(0.0, 0.0, -2.0)).norm() < 1e-9);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<V: Signal> {
     center: V,

@@ -4,7 +4,7 @@ use lyapunov::{DampingLimit, ParameterError, Scalar};
 
 use super::directed_damping::Direction;
 use super::{Reference, Search};
-use crate::files::scene::Damping;
+use crate::files::scene::{Damping, Scene};
 
 /// Slots of a credit window.
 pub(super) const SLOTS: usize = 8;
@@ -45,6 +45,8 @@ pub(crate) struct Basis {
     pub(crate) normal: Direction,
     /// Position and velocity at the start, m and m/s.
     pub(crate) start: [f64; 2],
+    /// The scene, for an own stabilizer that looks there; none without one.
+    pub(crate) scene: Option<Box<Scene>>,
 }
 
 impl Basis {
@@ -73,10 +75,20 @@ impl Basis {
         if rate > 0.0 { rate } else { f64::INFINITY }
     }
 
-    /// One count of the encoder, else one tick's motion at the swing's speed, m.
-    pub(super) fn cell(&self) -> f64 {
+    /// The length of each of `cells` cells of a memory, m: one count of the encoder, else one tick's motion at the swing's
+    /// speed, or more where they would not reach [twice as deep](Self::depth) as the energy presses.
+    pub(super) fn cell(&self, cells: usize) -> f64 {
         let moved = self.count.unwrap_or(self.speed * self.limit.period);
-        if moved > 0.0 { moved } else { SMALLEST_CELL }
+        let reaching = 2.0 * self.depth() / cells as f64;
+        let cell = moved.max(reaching);
+        if cell > 0.0 && cell.is_finite() { cell } else { SMALLEST_CELL }
+    }
+
+    /// The depth at which a spring as stiff as the environment holds the energy that the motion starts with, m; 0 where
+    /// there is no such stiffness.
+    fn depth(&self) -> f64 {
+        let stiffness = self.steepest.filter(|it| *it > 0.0 && it.is_finite());
+        stiffness.map_or(0.0, |stiffness| (2.0 * self.energy / stiffness).sqrt())
     }
 
     /// What the device's damper takes from a displacement of a tick, over the square of that, N/m: `b / T`.

@@ -60,13 +60,13 @@ pub enum Spacing {
 
 impl Search {
     /// Equal ratios from `lower` to `upper`; none unless both are finite and 0 < lower < upper.
-    pub(super) fn ratios(lower: f64, upper: f64) -> Option<Self> {
+    pub fn ratios(lower: f64, upper: f64) -> Option<Self> {
         let fits = lower > 0.0 && lower < upper && upper.is_finite();
         fits.then_some(Self { lower, upper, spacing: Spacing::Logarithmic })
     }
 
     /// Equal differences from 0 to `upper`; none unless that is finite and above 0.
-    pub(super) fn up_to(upper: f64) -> Option<Self> {
+    pub fn up_to(upper: f64) -> Option<Self> {
         let fits = upper > 0.0 && upper.is_finite();
         fits.then_some(Self { lower: 0.0, upper, spacing: Spacing::Linear })
     }

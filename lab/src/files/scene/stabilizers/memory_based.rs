@@ -18,9 +18,10 @@ table! {
             position: Finite, "m", "position = 0.0  # m",
             |_, on| on.surface.unwrap_or(0.0), |_, _| None;
             /// Length of each of the 256 cells in m, greater than 0; default: one count of the encoder, without an
-            /// encoder what a tick moves at the speed of the energy that the motion starts with.
+            /// encoder what a tick moves at the speed of the energy that the motion starts with, but at least so much
+            /// that the cells reach twice as deep as a spring like the environment takes up that energy.
             cell: Positive, "m", "cell = 1e-5  # m",
-            |_, on| on.cell(), |at, _| Search::ratios(0.1 * at, 10.0 * at);
+            |_, on| on.cell(CELLS), |at, _| Search::ratios(0.1 * at, 10.0 * at);
         }
     }
 }

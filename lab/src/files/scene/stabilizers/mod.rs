@@ -14,6 +14,7 @@ mod kind;
 mod least_norm;
 mod lolc;
 mod memory_based;
+pub(crate) mod own;
 mod path_memory;
 mod pledge;
 mod popc;
@@ -33,9 +34,12 @@ mod table;
 mod tank;
 mod virtual_coupling;
 
+use std::fmt;
+
 use lyapunov::{ParameterError, Requirement, Scalar, Signal};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::{self, DeserializeSeed, Deserializer, EnumAccess, VariantAccess, Visitor};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::files::scene::OutOfRange;
 use crate::files::scene::book::{Key, count, joined};
@@ -46,6 +50,7 @@ pub use booking::{Candidate, Ledger, Work};
 pub use directed_damping::Direction;
 pub(crate) use kind::{Install, Pace, StabilizerKind};
 pub use kind::{Parameter, Search, Spacing};
+use own::{OwnSeed, OwnTable};
 pub(crate) use pledge::{Credit, LedgerKind, Manner, Pledge};
 pub(crate) use reference::Reference;
 
@@ -58,11 +63,49 @@ macro_rules! stabilizers {
         $(pub use $file::$Table;)*
 
         /// Stabilizer, which watches the port and keeps the loop bounded.
-        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-        #[serde(rename_all = "kebab-case")]
+        #[derive(Clone, Copy, Debug, PartialEq, JsonSchema)]
+        #[schemars(rename_all = "kebab-case")]
         pub enum Stabilizer {
             $($(#[$first])* $Observer($Observer),)*
             $($(#[$about])* $Table($Table),)*
+            /// One of the program's own, under its own name.
+            #[schemars(skip)]
+            Own(OwnTable),
+        }
+
+        /// The names of the tables that ship.
+        const SHIPPED: &[&str] = &[$($observer::NAME,)* $($file::NAME,)*];
+
+        impl Serialize for Stabilizer {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                // The formats of scenes write the name and not its number.
+                let name = self.name();
+                match self {
+                    $(Self::$Observer(it) => serializer.serialize_newtype_variant("Stabilizer", 0, name, it),)*
+                    $(Self::$Table(it) => serializer.serialize_newtype_variant("Stabilizer", 0, name, it),)*
+                    Self::Own(it) => serializer.serialize_newtype_variant("Stabilizer", 0, name, it),
+                }
+            }
+        }
+
+        impl<'de> Visitor<'de> for Choosing {
+            type Value = Stabilizer;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the table of a stabilizer")
+            }
+
+            fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<Stabilizer, A::Error> {
+                let (name, content) = data.variant_seed(Naming)?;
+                match name {
+                    $($observer::NAME => content.newtype_variant().map(Stabilizer::$Observer),)*
+                    $($file::NAME => content.newtype_variant().map(Stabilizer::$Table),)*
+                    own => match own::named(own) {
+                        Some(own) => content.newtype_variant_seed(OwnSeed(own)).map(Stabilizer::Own),
+                        None => Err(de::Error::unknown_variant(own, own::tables())),
+                    },
+                }
+            }
         }
 
         /// A stabilizer with one law and one name, which the observers/controllers with a choice of candidates are not.
@@ -98,6 +141,7 @@ macro_rules! stabilizers {
                 match self {
                     $(Self::$Observer(it) => it,)*
                     $(Self::$Table(it) => it,)*
+                    Self::Own(it) => it,
                 }
             }
 
@@ -105,14 +149,7 @@ macro_rules! stabilizers {
                 match self {
                     $(Self::$Observer(it) => it,)*
                     $(Self::$Table(it) => it,)*
-                }
-            }
-
-            /// The member of the family that it is, if it is one.
-            pub(crate) fn member(&self) -> Option<Member> {
-                match self {
-                    $(Self::$Observer(_) => None,)*
-                    $(Self::$Table(_) => Some(Member::$Table),)*
+                    Self::Own(it) => it,
                 }
             }
 
@@ -121,11 +158,12 @@ macro_rules! stabilizers {
                 match self {
                     $(Self::$Observer(_) => false,)*
                     $(Self::$Table(_) => stabilizers!(@is_line $place),)*
+                    Self::Own(_) => false,
                 }
             }
 
             /// The result of `to` for the library's stabilizer of one dimension; the observers/controllers need more
-            /// than their loop's [`Basis`] and are made elsewhere.
+            /// than their loop's [`Basis`], and what is the program's own a maker from above: they are made elsewhere.
             pub(crate) fn on_a_line<T: Scalar, R: Install<T>>(
                 &self,
                 on: &Basis,
@@ -134,6 +172,7 @@ macro_rules! stabilizers {
                 match self {
                     $(Self::$Observer(_) => Err(elsewhere()),)*
                     $(Self::$Table(it) => $place::make(it, on, to),)*
+                    Self::Own(_) => Err(elsewhere()),
                 }
             }
 
@@ -146,6 +185,7 @@ macro_rules! stabilizers {
                 match self {
                     $(Self::$Observer(_) => Err(elsewhere()),)*
                     $(Self::$Table(_it) => stabilizers!(@space $place _it, on, to),)*
+                    Self::Own(_) => Err(elsewhere()),
                 }
             }
         }
@@ -212,7 +252,40 @@ stabilizers! {
     }
 }
 
-/// The keys of all stabilizers, for messages.
+impl<'de> Deserialize<'de> for Stabilizer {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_enum("Stabilizer", own::tables(), Choosing)
+    }
+}
+
+/// Reader of the one table that chooses a stabilizer.
+struct Choosing;
+
+/// Reader of its name.
+struct Naming;
+
+impl<'de> DeserializeSeed<'de> for Naming {
+    type Value = &'static str;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<&'static str, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for Naming {
+    type Value = &'static str;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of a stabilizer")
+    }
+
+    fn visit_str<E: de::Error>(self, given: &str) -> Result<&'static str, E> {
+        let found = own::tables().iter().find(|name| **name == given);
+        found.copied().ok_or_else(|| E::unknown_variant(given, own::tables()))
+    }
+}
+
+/// The keys of all stabilizers that ship, for messages.
 pub(super) const KEYS: &[Key] = &joined::<{ count(TABLES) }>(TABLES);
 
 impl Stabilizer {
@@ -236,6 +309,6 @@ impl Stabilizer {
 }
 
 /// The error of a stabilizer that is not made here, or not in this number of dimensions.
-fn elsewhere() -> ParameterError {
+pub(crate) fn elsewhere() -> ParameterError {
     ParameterError { parameter: "dimensions", value: f64::NAN, requirement: Requirement::InRange }
 }

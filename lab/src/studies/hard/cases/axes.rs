@@ -14,7 +14,7 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::tally::Tally;
-use crate::studies::hard::trial::{EveryScalar, HardError, OwnStabilizer, Runs, Trial};
+use crate::studies::hard::trial::{EveryScalar, HardError, MakeStabilizer, Runs, Trial};
 use crate::studies::hard::watched::{Record, Terms, Watched};
 
 const PERIOD: f64 = 1e-3;
@@ -131,7 +131,7 @@ impl Trial for Masking {
         Runs::of_scalars(double, single).map(Some)
     }
 
-    fn with(&self, _own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, _own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Self::alone(NoStabilizer)
     }
 

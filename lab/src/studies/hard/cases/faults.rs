@@ -13,7 +13,7 @@ use crate::simulate::family::StabilizerName;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::tally::Tally;
-use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
+use crate::studies::hard::trial::{HardError, MakeStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::Terms;
 
 pub(super) const PERIOD: f64 = 1e-3;
@@ -170,7 +170,7 @@ impl Trial for Guarded {
         Ok(Some(runs))
     }
 
-    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(Some(self.runs_in::<f64, _>(0, Pledge::POPC, || Ok(own()))?))
     }
 }

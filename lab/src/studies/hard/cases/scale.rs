@@ -14,7 +14,7 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::tally::Tally;
-use crate::studies::hard::trial::{EveryScalar, HardError, OwnStabilizer, Runs, Trial};
+use crate::studies::hard::trial::{EveryScalar, HardError, MakeStabilizer, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
 
 const TICKS: u64 = 4000;
@@ -122,7 +122,7 @@ impl Trial for Scaled {
         Runs::of_scalars(double, single).map(Some)
     }
 
-    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(self.spread::<f64, _>(0, |_| Pledge::POPC, |_| Ok(own()))?.pop())
     }
 

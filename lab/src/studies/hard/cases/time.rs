@@ -19,7 +19,7 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::tally::{Tally, larger};
-use crate::studies::hard::trial::{HardError, OwnStabilizer, Play, Played, Runs, Trial};
+use crate::studies::hard::trial::{HardError, MakeStabilizer, Play, Played, Runs, Trial};
 use crate::studies::hard::watched::{Terms, Watched};
 
 /// A stabilizer that sums the observed energy in an `A`.
@@ -81,7 +81,7 @@ impl Trial for Counted {
         Ok(None)
     }
 
-    fn with(&self, _own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, _own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(None)
     }
 
@@ -157,7 +157,7 @@ impl Trial for Hour {
         Ok(None)
     }
 
-    fn with(&self, _own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, _own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(Some(Self::run::<f32>(NoStabilizer)?))
     }
 
@@ -271,7 +271,7 @@ impl Trial for Stamped {
         Ok(Some(runs))
     }
 
-    fn with(&self, own: OwnStabilizer<'_>) -> Result<Option<Tally>, HardError> {
+    fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         self.0.with(own)
     }
 

@@ -24,8 +24,6 @@ const FIELDS: &[(&str, Copy)] = &[
     ("environment.wall.position", |to, from| {
         wall(to, from, |to, from| to.position = from.position);
     }),
-    ("stabilizer.popc.damping_cap", cap),
-    ("stabilizer.lolc.damping_cap", cap),
     ("duration", |to, from| to.duration = from.duration),
     ("servo_rate", |to, from| to.servo_rate = from.servo_rate),
     ("environment_rate", |to, from| to.environment_rate = from.environment_rate),
@@ -37,17 +35,19 @@ fn wall(to: &mut Draft, from: &Draft, copy: fn(&mut Wall, &Wall)) {
     }
 }
 
-fn cap(to: &mut Draft, from: &Draft) {
-    match (&mut to.stabilizer, &from.stabilizer) {
-        (Some(Stabilizer::Popc(to)), Some(Stabilizer::Popc(from))) => {
-            to.damping_cap = from.damping_cap;
-        }
-        (Some(Stabilizer::Lolc(to)), Some(Stabilizer::Lolc(from))) => {
-            to.damping_cap = from.damping_cap;
-        }
-        _ => {}
+/// Copier of the one number of the stabilizers that the kernel has.
+pub(super) const CAP: Copy = |to, from| match (&mut to.stabilizer, &from.stabilizer) {
+    (Some(Stabilizer::Popc(to)), Some(Stabilizer::Popc(from))) => {
+        to.damping_cap = from.damping_cap;
     }
-}
+    (Some(Stabilizer::Lolc(to)), Some(Stabilizer::Lolc(from))) => {
+        to.damping_cap = from.damping_cap;
+    }
+    _ => {}
+};
+
+/// Copier of a number that the stabilizer at hand does not have.
+pub(super) const NOTHING: Copy = |_, _| {};
 
 /// Copier of the number `key`; none if lanes cannot differ in it.
 pub(super) fn copier(key: &str) -> Option<Copy> {

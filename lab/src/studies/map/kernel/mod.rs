@@ -45,6 +45,8 @@ const COUNTED: u64 = 1 << 24;
 #[derive(Debug)]
 pub struct Kernel {
     along: Along,
+    /// The same for the stabilizer whose table an axis is over; to the others that axis does nothing.
+    named: Option<(BasicName, Along)>,
     instructions: Instructions,
     lanes: Lanes,
 }
@@ -68,17 +70,33 @@ impl Kernel {
         instructions: Instructions,
         lanes: Lanes,
     ) -> Result<Option<Self>, GridError> {
-        let (Some(x), Some(y)) = (field::copier(&grid.x.key), field::copier(&grid.y.key)) else {
-            return Ok(None);
-        };
+        let copiers = [(0, &grid.x.key), (1, &grid.y.key)].map(|(which, key)| {
+            if grid.member(which).is_some() { Some(field::NOTHING) } else { field::copier(key) }
+        });
+        let [Some(x), Some(y)] = copiers else { return Ok(None) };
         if !covers(&grid.scene) {
             return Ok(None);
         }
-        let along =
-            Along { base: grid.scene.to_draft(), x: (grid.along(0)?, x), y: (grid.along(1)?, y) };
+        let base = grid.scene.to_draft();
+        let (xs, ys) = (grid.along(0)?, grid.along(1)?);
+        let named = [0, 1].into_iter().find_map(|which| grid.member(which)?.basic_name());
+        let named = named.map(|name| {
+            let is_named =
+                |which| grid.member(which).is_some_and(|it| it.basic_name() == Some(name));
+            let copier = |which, usual| if is_named(which) { field::CAP } else { usual };
+            let base = Draft { stabilizer: name.table(&base), ..base.clone() };
+            (name, Along { base, x: (xs.clone(), copier(0, x)), y: (ys.clone(), copier(1, y)) })
+        });
+        let along = Along { base, x: (xs, x), y: (ys, y) };
         let counted = |scenes: &[Scene]| scenes.iter().all(|scene| scene.ticks() < COUNTED);
         let fits = grid.scene.scalar == Width::F64 || counted(&along.x.0) && counted(&along.y.0);
-        Ok(fits.then_some(Self { along, instructions, lanes }))
+        Ok(fits.then_some(Self { along, named, instructions, lanes }))
+    }
+
+    /// The scenes along both axes for `basic_name`.
+    fn along(&self, basic_name: BasicName) -> &Along {
+        let named = self.named.as_ref().filter(|(name, _)| *name == basic_name);
+        named.map_or(&self.along, |(_, along)| along)
     }
 
     /// Number of rollouts that run side by side.
@@ -222,7 +240,7 @@ impl Run<'_> {
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
-        let candidate = match self.basic_name.table(&self.kernel.along.base) {
+        let candidate = match self.basic_name.table(&self.kernel.along(self.basic_name).base) {
             None => return self.under::<T, NoStabilizer, W>(watching),
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
             // POPC: no other has a basic name.
@@ -239,7 +257,7 @@ impl Run<'_> {
         self,
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
-        let seats = Seats::new(&self.kernel.along, self.cells);
+        let seats = Seats::new(self.kernel.along(self.basic_name), self.cells);
         let (empty, fuses) = (watching.empty(), self.kernel.fuses());
         let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
         // One rollout at a time gains nothing from vectors.

@@ -20,7 +20,6 @@ const EIGHTHS: usize = 8;
 
 /// Draws of an ensemble that belong to this study.
 mod draws {
-    pub(super) const RATE: u64 = 16;
     pub(super) const LIMIT_MASS: u64 = 17;
     pub(super) const CAP: u64 = 18;
     pub(super) const START: u64 = 19;
@@ -153,7 +152,8 @@ impl Member {
 
     fn drawn(ensemble: &Ensemble, paper: &Scene, member: u64) -> Result<Self, Conflict> {
         let uniform = |quantity| ensemble.uniform(member, quantity);
-        let index = (uniform(draws::RATE) * RATES.len() as f64) as usize;
+        // Every rate as often as the others: a share over all of them must not hang on how often one was drawn.
+        let index = (member % RATES.len() as u64) as usize;
         let start = START * (1.0 + START_MOVES * (2.0 * uniform(draws::START) - 1.0));
         let mut draft = paper.to_draft();
         draft.environment_rate = Some(paper.servo_rate);

@@ -1,0 +1,42 @@
+//! Entry of a program with own stabilizers.
+
+use std::process::ExitCode;
+
+use lyapunov_lab::own::{OwnCandidate, OwnStabilizer, Roster};
+
+use crate::commands::{self, End};
+
+/// All commands, for the stabilizers and candidates of a program among those that ship.
+#[derive(Debug, Default)]
+pub struct Bench {
+    roster: Roster,
+}
+
+impl Bench {
+    /// What the binary `lyapunov` has, and nothing else.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a stabilizer.
+    #[must_use]
+    pub fn stabilizer<S: OwnStabilizer>(self) -> Self {
+        Self { roster: self.roster.stabilizer::<S>() }
+    }
+
+    /// Adds LOLC with a candidate, as `lolc-NAME`.
+    #[must_use]
+    pub fn candidate<C: OwnCandidate>(self) -> Self {
+        Self { roster: self.roster.candidate::<C>() }
+    }
+
+    /// Runs the command that the arguments of the program ask for, and returns its exit status; ends the program where they
+    /// ask for help, or for what there is not.
+    pub fn main(self) -> ExitCode {
+        let names: Vec<&str> = self.roster.names().collect();
+        match self.roster.enter() {
+            Ok(()) => commands::run(&names),
+            Err(error) => End::input(error).exit(),
+        }
+    }
+}

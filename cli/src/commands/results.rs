@@ -1,0 +1,54 @@
+//! Results of a command, as `--out` writes them.
+
+use lyapunov_figures::Figure;
+
+use super::{End, program};
+use crate::output::Output;
+use crate::pictures::pictures;
+
+/// The files of a folder: the page `report.html`, the JSON that `--json` prints, the figures, the rows.
+#[derive(Debug)]
+pub(crate) struct Results {
+    pub(super) files: Vec<(String, Vec<u8>)>,
+    /// Rows that were written while the command computed.
+    pub(super) streamed: Option<Output>,
+}
+
+impl Results {
+    /// The page, and the JSON under `name`.
+    pub(crate) fn new(page: String, name: &str, json: &str) -> Self {
+        let page = ("report.html".to_owned(), page.into_bytes());
+        Self { files: vec![page, (name.to_owned(), json.into())], streamed: None }
+    }
+
+    /// The same with a figure, as SVG and as PNG.
+    pub(crate) fn with_figure(mut self, name: &str, figure: &Figure) -> Result<Self, End> {
+        self.files.extend(pictures(name, figure).map_err(End::internal)?);
+        Ok(self)
+    }
+
+    /// The same with a file more.
+    pub(crate) fn with_file(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
+        self.files.push((name.into(), text.into().into_bytes()));
+        self
+    }
+
+    /// The same with rows that were written while the command computed.
+    pub(crate) fn with_rows(self, rows: Output) -> Self {
+        Self { streamed: Some(rows), ..self }
+    }
+}
+
+/// The command as it was called, for the head of a page.
+pub(crate) fn command_line() -> String {
+    let is_plain = |word: &str| {
+        let plain = |it: char| it.is_alphanumeric() || "-_./=,:+".contains(it);
+        !word.is_empty() && word.chars().all(plain)
+    };
+    let quoted = |word: String| match is_plain(&word) {
+        true => word,
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    };
+    let given = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
+    std::iter::once(program().to_owned()).chain(given).collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,52 @@
+//! Signs of a mistake in a scene, a run or a log: [docs/sanity.md](../../../../docs/sanity.md) has the thresholds.
+
+mod fit;
+mod log;
+mod run;
+mod scene;
+
+use serde::Serialize;
+
+pub(crate) use log::{LogSigns, Reading, SHARE};
+pub(crate) use run::RunSigns;
+
+/// What a sign hints at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sign {
+    /// A sign is turned: the environment or the stabilizer pushes along the motion.
+    Reversed,
+    /// A number is out of anything that a hand does, as if its unit were another.
+    Unit,
+    /// Nothing was touched.
+    Untouched,
+    /// A force never acts.
+    Idle,
+}
+
+/// One sign of a mistake, in a sentence that says what was seen and where.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Oddity {
+    /// What it hints at.
+    pub sign: Sign,
+    /// The sentence.
+    pub text: String,
+}
+
+impl Oddity {
+    pub(crate) fn new(sign: Sign, text: impl Into<String>) -> Self {
+        Self { sign, text: text.into() }
+    }
+}
+
+/// Rate below which no loop holds a hand, Hz.
+const SLOWEST: f64 = 10.0;
+
+/// Rate above which no such loop runs, Hz.
+const FASTEST: f64 = 1e6;
+
+/// Distance that no hand goes to and fro, m: a tall man's arms span 2 m.
+const REACH: f64 = 2.0;
+
+/// Force that no hand exerts, N: the weight of 200 kg.
+const STRONGEST: f64 = 2000.0;

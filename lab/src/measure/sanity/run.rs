@@ -1,0 +1,161 @@
+//! Signs of a mistake in the run of a scene.
+
+use lyapunov::environments::Time;
+use lyapunov::{Mask, Scalar};
+
+use super::{Oddity, Sign, scene};
+use crate::files::Scene;
+use crate::simulate::{Space, Tick};
+use crate::text::{found, given};
+
+/// Ticks that a force may be on its way at the end of a run before that is told.
+const WAIT: u64 = 20;
+
+/// Share of the saturation's force from which on a force counts as clipped, whatever the scalar.
+const CLIPPED: f64 = 1.0 - 1e-6;
+
+/// Watches what a run touches and what acts in it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct RunSigns {
+    ticks: u64,
+    /// The tick on which the environment's force first is not 0, if there is one.
+    first: Option<u64>,
+    environment: f64,
+    applied: f64,
+    low: f64,
+    high: f64,
+    /// Ticks with damping, and those on which the saturation leaves nothing of it.
+    damped: u64,
+    clipped: u64,
+    limit: f64,
+    /// What the controller set out to dissipate, J.
+    asked: f64,
+}
+
+impl RunSigns {
+    /// A run of `scene` without ticks.
+    pub(crate) fn new(scene: &Scene) -> Self {
+        let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
+        Self {
+            ticks: 0,
+            first: None,
+            environment: 0.0,
+            applied: 0.0,
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            damped: 0,
+            clipped: 0,
+            limit: CLIPPED * limit,
+            asked: 0.0,
+        }
+    }
+
+    pub(crate) fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let size = |signal: &V| {
+            (0..V::DIMENSIONS).fold(0.0_f64, |size, axis| size.max(signal.axis(axis).abs()))
+        };
+        let (environment, position) = (size(&tick.environment), tick.truth.position.axis(0));
+        if environment != 0.0 {
+            self.first.get_or_insert(self.ticks);
+        }
+        self.environment = self.environment.max(environment);
+        self.applied = self.applied.max(size(&tick.applied));
+        (self.low, self.high) = (self.low.min(position), self.high.max(position));
+        let alpha = tick.correction.alpha.lane(0);
+        let moves = size(&tick.measured.velocity) != 0.0;
+        if Mask::all(tick.correction.accepted) && alpha != 0.0 && moves {
+            self.damped += 1;
+            let is_clipped = (0..V::DIMENSIONS).all(|axis| {
+                let forces = [&tick.environment, &tick.command].map(|it| it.axis(axis));
+                tick.measured.velocity.axis(axis) == 0.0
+                    || forces.iter().all(|force| force.abs() >= self.limit)
+                        && forces[0].signum() == forces[1].signum()
+            });
+            self.clipped += u64::from(is_clipped);
+            let power = (0..V::DIMENSIONS).map(|axis| {
+                let velocity = tick.measured.velocity.axis(axis);
+                alpha * velocity * velocity * tick.measured.period.lane(0)
+            });
+            self.asked += power.sum::<f64>();
+        }
+        self.ticks += 1;
+    }
+
+    /// Whether any force acted on the plant.
+    pub(crate) fn acts(&self) -> bool {
+        self.applied != 0.0
+    }
+
+    /// The signs of a run of `scene`, those of the scene's own numbers first.
+    pub(crate) fn finish(&self, scene: &Scene) -> Vec<Oddity> {
+        let mut signs = scene::signs(scene);
+        let further = [self.idle(scene), self.clipped(), self.driven()];
+        signs.extend(further.into_iter().flatten());
+        signs
+    }
+
+    /// A run that touches nothing, or in which no force acts.
+    fn idle(&self, scene: &Scene) -> Option<Oddity> {
+        let ticks = self.ticks;
+        if self.environment != 0.0 {
+            let waits = self.ticks - self.first.unwrap_or(0) >= WAIT.min(self.ticks);
+            let delay = u64::from(scene.delay_ticks());
+            let is_idle = self.applied == 0.0 && (waits || delay >= ticks);
+            let why = match delay {
+                0 => "check the stabilizer".to_owned(),
+                delay => format!("the delay is {delay} ticks"),
+            };
+            let most = found(self.environment);
+            return is_idle.then(|| {
+                let text = format!("f_env reaches {most} N, and f_act is 0 on all {ticks} ticks");
+                Oddity::new(Sign::Idle, format!("{text}: {why}"))
+            });
+        }
+        if ticks == 0 {
+            return None;
+        }
+        if scene.effects.dropout.is_some_and(|it| it.probability.get() == 1.0) {
+            let text = "no answer of the environment arrives: effects.dropout.probability is 1";
+            return Some(Oddity::new(Sign::Idle, text));
+        }
+        let text = format!("f_env is 0 on all {ticks} ticks: {}", self.out_of_touch(scene));
+        Some(Oddity::new(Sign::Untouched, text))
+    }
+
+    /// Where the plant is and where the environment begins.
+    fn out_of_touch(&self, scene: &Scene) -> String {
+        let stands = scene.environment.kind().frequency().is_none();
+        let surface = scene.law().and_then(|law| law.surface(Time::Seconds(0.0)));
+        let Some(surface) = surface.filter(|_| stands).map(|it| it.position) else {
+            return "nothing is touched".to_owned();
+        };
+        let (high, place) = (found(1e3 * self.high), given(1e3 * surface));
+        if self.high > surface {
+            format!("x reaches {high} mm, beyond the surface at {place} mm, but nothing pushes")
+        } else {
+            format!("x stays below {high} mm, and the surface is at {place} mm")
+        }
+    }
+
+    /// Corrections of which the saturation leaves nothing.
+    fn clipped(&self) -> Option<Oddity> {
+        let is_lost = self.damped > 0 && self.clipped == self.damped;
+        is_lost.then(|| {
+            let (ticks, limit) = (self.damped, given(self.limit / CLIPPED));
+            let text = format!(
+                "alpha is not 0 on {ticks} ticks, and the saturation of {limit} N hides all of it"
+            );
+            Oddity::new(Sign::Idle, text)
+        })
+    }
+
+    /// A stabilizer that pushes along the motion.
+    fn driven(&self) -> Option<Oddity> {
+        (self.asked < 0.0).then(|| {
+            let asked = found(1e3 * self.asked);
+            let text =
+                format!("the stabilizer pushes along the motion: alpha v^2 T sums to {asked} mJ");
+            Oddity::new(Sign::Reversed, text)
+        })
+    }
+}

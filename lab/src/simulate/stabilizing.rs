@@ -1,0 +1,28 @@
+//! What stabilizes a run, for what is told of it.
+
+use std::any::type_name;
+
+use crate::files::scene::Stabilizer;
+
+/// What stabilizes a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Stabilizing {
+    /// What a table says; none without one.
+    Table(Option<Stabilizer>),
+    /// A value of the caller's, of the type with this name.
+    Foreign(&'static str),
+}
+
+impl Stabilizing {
+    /// A value of the type `S`, by its name without path and parameters.
+    pub(crate) fn foreign<S>() -> Self {
+        let path = type_name::<S>();
+        let name = path.split('<').next().unwrap_or(path);
+        Self::Foreign(name.rsplit("::").next().unwrap_or(name))
+    }
+
+    /// Whether there is a stabilizer.
+    pub(crate) fn is_there(self) -> bool {
+        self != Self::Table(None)
+    }
+}

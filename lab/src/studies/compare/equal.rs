@@ -1,0 +1,96 @@
+//! Entrants whose runs are equal.
+
+use super::column::Column;
+use super::comparison::Outcome;
+use super::entrant_run::Curves;
+use super::score::Score;
+
+/// Entrants whose runs are equal in every number that is shown and in every curve, in the order of the table: the first
+/// stands for all.
+#[derive(Clone, Debug)]
+pub(super) struct Equals<'a>(Vec<&'a Outcome>);
+
+impl<'a> Equals<'a> {
+    /// The groups of `outcomes`, each in the place of its first.
+    pub(super) fn of(outcomes: impl IntoIterator<Item = &'a Outcome>) -> Vec<Self> {
+        let mut groups: Vec<Self> = Vec::new();
+        for outcome in outcomes {
+            match groups.iter_mut().find(|group| is_equal(group.first(), outcome)) {
+                Some(group) => group.0.push(outcome),
+                None => groups.push(Self(vec![outcome])),
+            }
+        }
+        groups
+    }
+
+    /// The outcome that stands for all.
+    pub(super) fn first(&self) -> &'a Outcome {
+        self.0[0]
+    }
+
+    /// The scores of all.
+    pub(super) fn scores(&self) -> impl Iterator<Item = &'a Score> {
+        self.0.iter().map(|outcome| &outcome.score)
+    }
+
+    /// Whether there are several.
+    pub(super) fn are_many(&self) -> bool {
+        self.0.len() > 1
+    }
+
+    /// All names, `popc = lolc-spring`.
+    pub(super) fn names(&self) -> String {
+        let names: Vec<&str> = self.scores().map(|score| &score.stabilizer[..]).collect();
+        names.join(" = ")
+    }
+
+    /// All names for a narrow place.
+    pub(super) fn short_name(&self, room: usize) -> String {
+        let names: Vec<&str> = self.scores().map(|score| &score.stabilizer[..]).collect();
+        short(&names, room)
+    }
+}
+
+/// Names of what is equal for a place of `room` characters: all, or the first and the number of the others.
+pub(super) fn short(names: &[&str], room: usize) -> String {
+    let all = names.join(" = ");
+    match names {
+        [_, _, ..] if all.chars().count() > room => match names.len() - 1 {
+            1 => format!("{} = 1 other", names[0]),
+            others => format!("{} = {others} others", names[0]),
+        },
+        _ => all,
+    }
+}
+
+/// Points of a curve.
+pub(super) type Points = Vec<(f64, f64)>;
+
+/// Curves that differ by less than this share of their range are drawn on the same pixels.
+const THIN: f64 = 1e-3;
+
+/// Whether two curves cannot be told apart.
+pub(super) fn is_same(one: &Points, other: &Points) -> bool {
+    let values = || one.iter().chain(other).map(|point| point.1);
+    let high = values().fold(f64::NEG_INFINITY, f64::max);
+    let low = values().fold(f64::INFINITY, f64::min);
+    let near = |(a, b): (&(f64, f64), &(f64, f64))| {
+        a == b || a.0 == b.0 && (a.1 - b.1).abs() <= THIN * (high - low)
+    };
+    one.len() == other.len() && one.iter().zip(other).all(near)
+}
+
+/// Whether two runs are equal, but for the cost of their steps.
+fn is_equal(one: &Outcome, other: &Outcome) -> bool {
+    let behaves = |column: &Column| {
+        !matches!(column, Column::Stabilizer | Column::StepTime | Column::StateBytes)
+    };
+    let told = |column: Column| column.cell(&one.score).text() == column.cell(&other.score).text();
+    let curves = |curves: &Curves| {
+        let Curves { position, observed_energy, force } = curves.clone();
+        [position, observed_energy, force]
+    };
+    let [one_curves, other_curves] = [one, other].map(|outcome| curves(&outcome.curves));
+    Column::ALL.into_iter().filter(behaves).all(told)
+        && one_curves.iter().zip(&other_curves).all(|(one, other)| is_same(one, other))
+}

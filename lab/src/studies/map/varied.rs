@@ -1,0 +1,120 @@
+//! A number that an axis varies: of the scene, or of one stabilizer's table.
+
+use toml::Value;
+
+use super::axis::Axis;
+use super::vary::{self, Vary, VaryError};
+use crate::files::Scene;
+use crate::simulate::family::{StabilizerName, StabilizerNames};
+
+/// A number that an axis varies.
+#[derive(Clone, Debug)]
+pub(super) enum Varied {
+    /// A number of the scene, for every stabilizer.
+    OfScene(Vary),
+    /// A number of the table of one stabilizer, `stabilizer.NAME.KEY`, whether or not the scene has that table; the other
+    /// stabilizers stay as they are.
+    OfStabilizer(StabilizerName, String),
+}
+
+impl Varied {
+    /// The number that `axis` names in `scene`, whose TOML tree is `tree`, under `members`.
+    pub(super) fn of(
+        axis: &Axis,
+        tree: &Value,
+        scene: &Scene,
+        members: &StabilizerNames,
+    ) -> Result<Self, VaryError> {
+        let Some((name, key)) =
+            axis.key.strip_prefix("stabilizer.").and_then(|rest| rest.split_once('.'))
+        else {
+            return Vary::of(axis, tree).map(Self::OfScene);
+        };
+        let problem = || format!("`{}` is of no stabilizer that takes part", axis.key);
+        let member: StabilizerName =
+            name.parse().map_err(|error| VaryError::new(problem(), format!("{error}")))?;
+        if !members.contains(&member) {
+            return Err(VaryError::new(problem(), format!("add `{name}` to --stabilizers")));
+        }
+        let varied = Self::OfStabilizer(member, key.to_owned());
+        varied.written(scene, member, axis.value(0)).map(|_| varied)
+    }
+
+    /// `scene` with `value` written in the table of `member`, if this is a number of that.
+    pub(super) fn written(
+        &self,
+        scene: &Scene,
+        member: StabilizerName,
+        value: f64,
+    ) -> Result<Option<Scene>, VaryError> {
+        let Self::OfStabilizer(name, key) = self else { return Ok(None) };
+        if *name != member {
+            return Ok(None);
+        }
+        let written = member.written_in(scene, &[(key, value)]);
+        written.map(Some).map_err(|conflict| {
+            let problem = format!("`stabilizer.{name}.{key}` = {value:?}: {conflict}");
+            VaryError::new(problem, "choose a key of its table and a range that it allows")
+        })
+    }
+
+    /// The stabilizer whose table it is of.
+    pub(super) fn member(&self) -> Option<StabilizerName> {
+        match self {
+            Self::OfScene(_) => None,
+            Self::OfStabilizer(member, _) => Some(*member),
+        }
+    }
+}
+
+/// A scene some of whose numbers are varied.
+#[derive(Clone, Debug)]
+pub(super) struct Variation {
+    scene: Scene,
+    tree: Value,
+    numbers: Vec<Varied>,
+}
+
+impl Variation {
+    /// The variation of `scene`, whose TOML tree is `tree`, in `numbers`.
+    pub(super) fn new(scene: Scene, tree: Value, numbers: Vec<Varied>) -> Self {
+        Self { scene, tree, numbers }
+    }
+
+    /// The numbers.
+    pub(super) fn numbers(&self) -> &[Varied] {
+        &self.numbers
+    }
+
+    /// The scene with `values` for those of its numbers that are of the scene and have one.
+    ///
+    /// # Errors
+    /// A value that is not whole where it has to be; values that make no scene.
+    pub(super) fn scene(&self, values: &[Option<f64>]) -> Result<Result<Scene, String>, VaryError> {
+        let mut tree = self.tree.clone();
+        for (number, value) in self.numbers.iter().zip(values) {
+            if let (Varied::OfScene(number), Some(value)) = (number, value) {
+                number.write(&mut tree, *value)?;
+            }
+        }
+        Ok(vary::read(&tree, &self.scene))
+    }
+
+    /// `scene` with those `values` that are of the table of `member`.
+    ///
+    /// # Errors
+    /// A value that the table does not allow.
+    pub(super) fn under(
+        &self,
+        mut scene: Scene,
+        member: StabilizerName,
+        values: &[f64],
+    ) -> Result<Scene, VaryError> {
+        for (number, value) in self.numbers.iter().zip(values) {
+            if let Some(written) = number.written(&scene, member, *value)? {
+                scene = written;
+            }
+        }
+        Ok(scene)
+    }
+}

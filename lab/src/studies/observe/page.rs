@@ -1,0 +1,39 @@
+//! Report page of a log.
+
+use maud::html;
+
+use super::Observed;
+use crate::show::beside::beside;
+use crate::show::csv;
+use crate::show::html;
+use crate::show::labelled::labelled;
+
+impl Observed {
+    /// The page of the log, as HTML; `command` made it.
+    pub fn to_html(&self, command: &str) -> String {
+        let lines = self.report.lines();
+        // The first line is the heading.
+        let (setting, lines) = lines.split_once('\n').unwrap_or((&lines, ""));
+        let caption = "Force, the energy that each of both sums observes, and position.";
+        let body = html! {
+            p { "By " (html::maker(command)) ". " (setting) "." }
+            (labelled(lines))
+            @if let Some(contacts) = self.report.worst_contacts() {
+                h2 { "Contacts that generated most" }
+                (contacts.to_html("short"))
+            }
+            h2 { "Over time" }
+            (html::figure(Some("observe"), &self.figure(), &html! { (caption) }))
+            (beside(&[
+                ("observe.csv", "the contacts"),
+                ("observe.json", "all numbers, in SI units"),
+            ]))
+        };
+        html::page(&format!("Log {}", self.report.log), &body)
+    }
+
+    /// The contacts of the table as comma-separated values, in SI units.
+    pub fn csv(&self) -> String {
+        csv::records(&self.report.contacts.worst)
+    }
+}

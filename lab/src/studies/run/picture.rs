@@ -1,0 +1,85 @@
+//! Figure of a run.
+
+use lyapunov_figures::{Figure, Guide, Panel, Series};
+
+use super::Curves;
+use crate::measure::summary::MILLI;
+use crate::measure::{Summary, Trace, Verdict};
+
+/// Starting swings after which the figure of a run that grows ends: what follows would flatten all before.
+const SHOWN: f64 = 10.0;
+
+/// Names of the axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Curves {
+    /// Figure of position, force, energy and velocity over time; that of a run that grows ends at ten starting swings.
+    pub fn figure(&self, name: &str, summary: &Summary) -> Figure {
+        let until = self.until(summary);
+        let panel =
+            |title: &str, label: &str| Panel::new(title, "time, s", label).with_x_range(0.0, until);
+        let points = |trace: &Trace, scale: f64| -> Vec<(f64, f64)> {
+            let points = trace.clone().finish();
+            let shown = points.into_iter().take_while(|point| point.0 <= until);
+            shown.map(|(t, y)| (t, scale * y)).collect()
+        };
+        let along = |panel: Panel, scale: f64, of: fn(&super::curves::Axis) -> &Trace| {
+            let many = self.axes.len() > 1;
+            self.axes.iter().enumerate().fold(panel, |panel, (index, axis)| {
+                let label = if many { AXES[index % AXES.len()] } else { "" };
+                panel.with_series(Series::line(label, index, points(of(axis), scale)))
+            })
+        };
+        let mut position = along(panel("position", "position, mm"), MILLI, |axis| &axis.position);
+        if let Some(wall) = summary.scene.environment.wall() {
+            position =
+                position.with_guide(Guide::horizontal(MILLI * wall.position.get(), "wall surface"));
+        }
+        let force = match self.axes.len() {
+            1 => panel("force", "force, N")
+                .with_series(Series::steps("on the plant", 1, points(&self.axes[0].force, 1.0)))
+                .with_series(Series::steps("environment", 0, points(&self.environment, 1.0))),
+            _ => along(panel("force on the plant", "force, N"), 1.0, |axis| &axis.force),
+        };
+        let mut energy = panel("energy", "energy, mJ")
+            .with_series(Series::line("into the port", 0, points(&self.port, MILLI)))
+            .with_guide(Guide::horizontal(0.0, ""));
+        if summary.scene.stabilizer.is_some() {
+            let observed = points(&self.observed, MILLI);
+            energy = energy.with_series(Series::line("observed by the stabilizer", 1, observed));
+        }
+        let velocity = along(panel("velocity", "velocity, mm/s"), MILLI, |axis| &axis.velocity);
+        [position, force, energy, velocity]
+            .into_iter()
+            .fold(Figure::new(name), Figure::with_panel)
+            .with_width(960.0)
+            .with_panel_height(190.0)
+    }
+
+    /// The last time that is shown, s.
+    fn until(&self, summary: &Summary) -> f64 {
+        let end = summary.scene.ticks() as f64 * summary.scene.period();
+        let last = summary.left_range().unwrap_or(end);
+        let criterion = summary.fate.criterion(0);
+        let (Verdict::Grows, Some(rest), [axis]) =
+            (summary.verdict(), criterion.place(), &self.axes[..])
+        else {
+            return last;
+        };
+        let reach = SHOWN * criterion.start;
+        let points = axis.position.clone().finish();
+        points.iter().find(|point| (point.1 - rest).abs() > reach).map_or(last, |point| point.0)
+    }
+
+    /// The sentence under the figure.
+    pub(super) fn caption(&self, summary: &Summary) -> String {
+        let end = summary.scene.ticks() as f64 * summary.scene.period();
+        let energy = "The energy into the port is the work of the applied force on the true motion: below 0, more came \
+                      out than went in.";
+        if self.until(summary) < end {
+            format!("Up to ten starting swings, beyond which the run grows. {energy}")
+        } else {
+            energy.to_owned()
+        }
+    }
+}

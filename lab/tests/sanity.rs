@@ -1,0 +1,294 @@
+//! Signs of a mistake: each on a scene and on a log made to show it, and none on sound ones.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use lyapunov::{Correction, PortSample, Stabilizer};
+use lyapunov_lab::compare::{Comparison, Entrants};
+use lyapunov_lab::explain::Explanation;
+use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::observe::{Settings, observe};
+use lyapunov_lab::{
+    Csv, Oddity, Rollout, Row, Scene, Sign, Space, Summary, Verdict, in_space, scenes,
+};
+
+use crate::bound::systems::{Chance, scene};
+
+fn summary<V: Space>(scene: &Scene) -> Summary {
+    Summary::of(scene, Rollout::<V>::of(scene).unwrap())
+}
+
+fn of_run(scene: &Scene) -> Vec<Oddity> {
+    in_space!(scene, Axes => summary::<Axes>(scene)).look_at()
+}
+
+/// The log of the run of `scene`, and whether it is complete and does not grow.
+fn log(scene: &Scene) -> (String, bool) {
+    let mut csv = Csv::of(Vec::new(), scene).unwrap();
+    let mut summary = Summary::new(scene);
+    for tick in Rollout::<f64>::of(scene).unwrap() {
+        csv.write(&tick).unwrap();
+        summary.add(&tick);
+    }
+    let text = String::from_utf8(csv.into_inner().unwrap()).unwrap();
+    (text, summary.verdict() != Verdict::Grows)
+}
+
+fn of_log(log: &str, columns: &str, scales: &[&str]) -> Vec<Oddity> {
+    let settings = Settings {
+        columns: columns.parse().unwrap(),
+        scales: scales.iter().map(|scale| scale.parse().unwrap()).collect(),
+        ..Settings::default()
+    };
+    observe(log.as_bytes(), "made.csv", &settings).unwrap().report.look_at
+}
+
+/// The one sign, and every word in its text.
+#[track_caller]
+fn shows(signs: &[Oddity], sign: Sign, words: &[&str]) {
+    let [found] = signs else { panic!("{signs:?}") };
+    assert_eq!(found.sign, sign, "{found:?}");
+    for word in words {
+        assert!(found.text.contains(word), "{word}: {found:?}");
+    }
+}
+
+const PRESS: [(&str, &str); 8] = [
+    ("duration", "2.0"),
+    ("servo_rate", "1000.0"),
+    ("device", "{ mass = 0.2, damping = 2.0 }"),
+    ("operator", "{ mass = 0.1, damping = 2.0, stiffness = 100.0, rest = 0.006 }"),
+    ("initial", "{ position = -0.004 }"),
+    ("environment", "{ wall = { stiffness = 800.0, damping = 1.0 } }"),
+    ("stabilizer", "{ popc = {} }"),
+    ("effects", "{}"),
+];
+
+/// A hand that presses on a soft wall; `changed` takes the place of these values, and nothing takes the key away.
+fn press(changed: &[(&str, &str)]) -> Scene {
+    let value = |(key, value): &(&'static str, &'static str)| {
+        let changed = changed.iter().find(|it| it.0 == *key);
+        (*key, changed.map_or(value.to_string(), |it| it.1.to_owned()))
+    };
+    let lines = PRESS.iter().map(value).filter(|it| !it.1.is_empty());
+    scene(&lines.map(|(key, value)| format!("{key} = {value}\n")).collect::<String>())
+}
+
+#[test]
+fn a_made_scene_shows_each_sign() {
+    let told =
+        |key, value, sign, words: &[&str]| shows(&of_run(&press(&[(key, value)])), sign, words);
+    assert_eq!(of_run(&press(&[])), []);
+    let reversed = Sign::Reversed;
+    told("environment", "{ spring = { stiffness = -800.0 } }", reversed, &["-800 N/m", "100 N/m"]);
+    let drives = "{ mass-spring-damper = { stiffness = 800.0, damping = -6.0 } }";
+    told("environment", drives, reversed, &["damping is -6 N.s/m", "burn 4"]);
+    let unit = Sign::Unit;
+    told("device", "{ mass = 200.0 }", unit, &["device.mass is 200 kg", "in g?"]);
+    let soft = "{ wall = { stiffness = 0.8 } }";
+    told("environment", soft, unit, &["environment.wall.stiffness is 0.8 N/m", "in N/mm?"]);
+    told("initial", "{ position = -4.0 }", unit, &["4.006 m", "in mm?"]);
+    let fast = "{ position = -0.004, velocity = 150.0 }";
+    told("initial", fast, unit, &["initial.velocity is 150 m/s", "in mm/s?"]);
+    told("effects", "{ encoder = { resolution = 0.01 } }", unit, &["resolution is 0.01 m", "mm?"]);
+    told("effects", "{ saturation = { force = 4e-4 } }", unit, &["force is 4e-4 N", "in kN?"]);
+    let away = "{ wall = { position = 20.0, stiffness = 800.0 } }";
+    told("environment", away, Sign::Untouched, &["all 2001 ticks", "surface is at 20000 mm"]);
+    let lost = "{ dropout = { probability = 1.0, seed = 1, policy = \"hold\" } }";
+    told("effects", lost, Sign::Idle, &["effects.dropout.probability is 1"]);
+    let late = of_run(&press(&[("duration", "0.5"), ("effects", "{ delay = { ticks = 900 } }")]));
+    shows(&late, Sign::Idle, &["f_act is 0 on all 501 ticks", "the delay is 900 ticks"]);
+    let slow = of_run(&press(&[("servo_rate", "1.0"), ("duration", "60.0")]));
+    assert!(slow.iter().any(|it| it.text.contains("servo_rate is 1 Hz")), "{slow:?}");
+}
+
+/// A damper in contact only, of either sign.
+struct Damper(f64);
+
+impl Stabilizer<f64> for Damper {
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        let alpha = if effort > 0.5 { self.0 } else { 0.0 };
+        Correction { alpha, ..Correction::none(effort + alpha * sample.velocity) }
+    }
+}
+
+#[test]
+fn a_stabilizer_of_the_wrong_sign_or_without_effect_is_told() {
+    let under = |scene: &Scene, damping: f64| {
+        let rollout = Rollout::stabilized_by(scene, Damper(damping)).unwrap();
+        Summary::of(scene, rollout).look_at()
+    };
+    let bare = press(&[]);
+    assert_eq!(under(&bare, 3.0), []);
+    shows(&under(&bare, -3.0), Sign::Reversed, &["along the motion", "mJ"]);
+    let clipped = press(&[("effects", "{ saturation = { force = 0.01 } }")]);
+    shows(&under(&clipped, 3.0), Sign::Idle, &["saturation of 0.01 N"]);
+}
+
+/// Friction and jitter ship with a wall out of reach, and the line says so.
+#[test]
+fn no_shipped_scene_looks_wrong() {
+    for shipped in scenes::SCENES.iter().filter(|it| it.name != "motion-file") {
+        let signs = of_run(&scene(shipped.text));
+        match shipped.name {
+            "friction" | "jitter" => shows(&signs, Sign::Untouched, &["surface is at 500 mm"]),
+            name => assert_eq!(signs, [], "{name}"),
+        }
+    }
+    let log = include_str!("../../scenes/logs/mujoco-wall.csv");
+    assert_eq!(of_log(log, "t,x,f", &[]), []);
+}
+
+/// Random scene of sound numbers about a hand and a device.
+fn sound(chance: &mut Chance) -> Scene {
+    let rate = chance.decades(100.0, 5000.0).round();
+    let mut text = format!(
+        "duration = 1\nservo_rate = {rate}\ndevice = {{ mass = {}, damping = {} }}\n\
+         operator = {{ mass = {}, damping = {}, stiffness = {}, rest = {} }}\n\
+         initial = {{ position = {}, velocity = {} }}\n",
+        chance.decades(0.02, 5.0),
+        chance.within(0.0, 2.0),
+        chance.within(0.0, 2.0),
+        chance.within(0.0, 5.0),
+        chance.decades(5.0, 2000.0),
+        chance.within(-0.05, 0.05),
+        chance.within(-0.1, 0.1),
+        chance.within(-1.0, 1.0),
+    );
+    let (stiffness, damping) = (chance.decades(20.0, 1e5), chance.within(0.0, 20.0));
+    let place = chance.within(-0.02, 0.02);
+    text += &match chance.whole(0, 3) {
+        0 => format!("environment.spring = {{ position = {place}, stiffness = {stiffness} }}\n"),
+        1 => format!(
+            "environment.mass-spring-damper = {{ stiffness = {stiffness}, damping = {damping} }}\n"
+        ),
+        _ => format!(
+            "environment.wall = {{ position = {place}, stiffness = {stiffness}, damping = {damping} }}\n"
+        ),
+    };
+    if chance.happens(0.3) {
+        text += &format!("effects.delay.ticks = {}\n", chance.whole(1, 4));
+    }
+    if chance.happens(0.3) {
+        text += &format!("effects.encoder.resolution = {}\n", chance.decades(1e-7, 1e-4));
+    }
+    if chance.happens(0.3) {
+        text += &format!("effects.saturation.force = {}\n", chance.decades(1.0, 100.0));
+    }
+    if chance.happens(0.3) {
+        text += "effects.filter.window = 8\n";
+    }
+    text += ["", "stabilizer.popc = {}\n", "stabilizer.lolc = {}\n"][chance.whole(0, 2) as usize];
+    scene(&text)
+}
+
+/// Also as a log, in which only what grows may leave what a hand does.
+#[test]
+fn no_sound_random_scene_looks_wrong() {
+    let mut chance = Chance::new(17);
+    let (mut untouched, mut logs) = (0, 0);
+    for _ in 0..500 {
+        let scene = sound(&mut chance);
+        let touches = Rollout::<f64>::of(&scene).unwrap().rows().any(|row: Row| row.f_env != 0.0);
+        let signs = of_run(&scene);
+        let (log, bounded) = log(&scene);
+        let in_log = of_log(&log, "t,x_measured,f_env", &[]);
+        if touches {
+            assert_eq!(signs, [], "{scene:?}");
+        } else {
+            untouched += 1;
+            assert_eq!((signs.len(), in_log.len()), (1, 1), "{scene:?}");
+            assert_eq!([signs[0].sign, in_log[0].sign], [Sign::Untouched; 2]);
+        }
+        if touches && bounded {
+            logs += 1;
+            assert_eq!(in_log, [], "{scene:?}");
+            assert_eq!(of_log(&log, "t,x_measured,f_act", &[]), [], "{scene:?}");
+        }
+    }
+    assert!((20..200).contains(&untouched) && logs > 200, "{untouched} {logs}");
+}
+
+/// A swing of 20 mm at 1 Hz into a wall of 500 N/m and 2 N·s/m, sampled at 1 kHz.
+fn swing(force: impl Fn(f64, f64) -> f64) -> String {
+    let mut text = String::from("t,x,f\n");
+    for n in 0..3000 {
+        let t = f64::from(n) * 1e-3;
+        let (x, v) = (0.02 * (TAU * t).sin(), 0.02 * TAU * (TAU * t).cos());
+        writeln!(text, "{t},{x},{}", force(x, v)).unwrap();
+    }
+    text
+}
+
+#[test]
+fn a_made_log_shows_each_sign() {
+    let wall = |x: f64, v: f64| if x > 0.0 { (500.0 * x + 2.0 * v).max(0.0) } else { 0.0 };
+    let log = swing(wall);
+    let told =
+        |scale: &str, sign, words: &[&str]| shows(&of_log(&log, "t,x,f", &[scale]), sign, words);
+    assert_eq!(of_log(&log, "t,x,f", &[]), []);
+    told("f=-1", Sign::Reversed, &["f falls by 500 N/m of x", "--scale f=-1"]);
+    told("x=-1", Sign::Reversed, &["--scale f=-1"]);
+    told("x=1e3", Sign::Unit, &["x runs from -20 to 20 m", "--scale x=1e-3"]);
+    told("x=1e6", Sign::Unit, &["--scale x=1e-6"]);
+    told("t=1e3", Sign::Unit, &["t steps by 1 s", "--scale t=1e-3"]);
+    told("t=1e6", Sign::Unit, &["t steps by 1000 s", "--scale t=1e-6"]);
+    told("f=1e-3", Sign::Unit, &["--scale f=1e3"]);
+    told("f=1e3", Sign::Unit, &["--scale f=1e-3"]);
+    let alone = |force: &dyn Fn(f64, f64) -> f64| of_log(&swing(force), "t,x,f", &[]);
+    shows(&alone(&|_, _| 0.0), Sign::Untouched, &["all 3000 rows"]);
+    shows(&alone(&|_, v| -2.0 * v), Sign::Reversed, &["2 N.s/m of v"]);
+    shows(&of_log(&log.replace('-', ""), "t,x,f", &["x=1e-300"]), Sign::Idle, &["does no work"]);
+    // A jump is told with its place, whichever its cause.
+    let jump = log.replace("\n0.313,0.0", "\n0.313,0.9");
+    assert_ne!(jump, log);
+    shows(&of_log(&jump, "t,x,f", &[]), Sign::Unit, &["m/s at 0.313 s"]);
+}
+
+#[test]
+fn a_given_threshold_above_every_force_is_told() {
+    let log = swing(|x, _| (500.0 * x).max(0.0));
+    let settings = Settings { contact: Some(50.0), ..Settings::default() };
+    let report = observe(log.as_bytes(), "made.csv", &settings).unwrap().report;
+    shows(&report.look_at, Sign::Untouched, &["f is at most 10 N", "--contact is 50 N"]);
+    assert!(report.to_string().contains("  look at     f is at most 10 N"));
+    let json = serde_json::to_value(&report).unwrap();
+    assert_eq!(json["look_at"][0]["sign"], "untouched");
+}
+
+#[test]
+fn a_wall_that_is_never_reached_gets_no_remedies() {
+    let stiff = |place: &str| {
+        let wall = format!("{{ wall = {{ position = {place}, stiffness = 9e4 }} }}");
+        let scene = press(&[("environment", &wall), ("stabilizer", "")]);
+        Explanation::of::<f64>(&scene).unwrap()
+    };
+    let reached = stiff("0.0");
+    assert!(!reached.remedies.is_empty() && reached.look_at.is_empty());
+    let away = stiff("0.5");
+    assert!(away.limits.spectral_radius.unwrap() > 1.0);
+    assert_eq!(away.remedies, []);
+    shows(&away.look_at, Sign::Untouched, &["surface is at 500 mm"]);
+    let text = away.to_string();
+    assert!(text.contains("  look at      f_env is 0") && text.contains("no force acts"), "{text}");
+    assert!(!text.contains("what helps") && !text.contains("nothing that was tried"), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&away.to_json("away").unwrap()).unwrap();
+    assert_eq!(
+        (&json["look_at"][0]["sign"], json["remedies"].as_array().map(Vec::len)),
+        (&"untouched".into(), Some(0))
+    );
+}
+
+#[test]
+fn a_comparison_tells_a_sign_once_for_all() {
+    let away = press(&[("environment", "{ wall = { position = 0.5, stiffness = 800.0 } }")]);
+    let entrants = Entrants::<f64>::of(StabilizerNames::standard().on(&away));
+    let comparison = Comparison::of("away", &away, &entrants).unwrap();
+    let text = comparison.to_string();
+    assert_eq!(text.matches("look at: f_env is 0 on all 2001 ticks").count(), 1, "{text}");
+    let json = lyapunov_lab::compare::document(&[comparison]).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let told = &json["scenes"][0]["look_at"];
+    assert_eq!((&told[0]["sign"], told.as_array().unwrap().len()), (&"untouched".into(), 1));
+    assert!(told[0]["stabilizers"].as_array().unwrap().len() > 2);
+}

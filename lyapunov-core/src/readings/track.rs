@@ -1,0 +1,190 @@
+//! What is read of a place, and the position that becomes of it.
+
+use num_traits::Zero;
+
+use crate::{
+    Angle, Axes, ParameterError, Pose, Requirement, Scalar, Screw, Signal, Snapshot, WithPose,
+    WorldAxes,
+};
+
+/// What a device tells of where it is: positions as they are ([`Positions`]), or poses ([`Poses`]).
+///
+/// [`Readings`](crate::Readings) ask for the position in the port's sample, counted from the last one that was accepted,
+/// and for the motions that no device makes.
+pub trait Track<V: Signal>: Copy {
+    /// What is read.
+    type Place: Copy;
+
+    /// The fastest motion.
+    type Speed: Copy;
+
+    /// The place of a tick without a reading.
+    fn nowhere() -> Self::Place;
+
+    /// The speed that sets no limit.
+    fn unlimited() -> Self::Speed;
+
+    /// `speed`, if it can be one.
+    ///
+    /// # Errors
+    /// A speed that is not above 0; infinity sets no limit.
+    fn checked(speed: Self::Speed) -> Result<Self::Speed, ParameterError>;
+
+    /// Where more than `speed` over `time` s was needed for `displacement`.
+    fn too_far(speed: Self::Speed, displacement: V, time: V::Scalar)
+    -> <V::Scalar as Scalar>::Mask;
+
+    /// The position of `place`, which is not finite if the place is not, counted from the position `last` where one is
+    /// `known`; and the track with this position.
+    fn lead(self, place: Self::Place, last: V, known: <V::Scalar as Scalar>::Mask) -> (V, Self);
+
+    /// `yes` where `mask` is true, else `no`.
+    fn choose(mask: <V::Scalar as Scalar>::Mask, yes: Self, no: Self) -> Self;
+}
+
+/// Readings of positions whose differences are displacements; speeds are in m/s, over all axes together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Positions;
+
+impl<V: Signal> Track<V> for Positions {
+    type Place = V;
+
+    type Speed = V::Scalar;
+
+    fn nowhere() -> V {
+        V::splat(V::Scalar::of(f64::NAN))
+    }
+
+    fn unlimited() -> V::Scalar {
+        V::Scalar::of(f64::INFINITY)
+    }
+
+    fn checked(speed: V::Scalar) -> Result<V::Scalar, ParameterError> {
+        checked("fastest motion", speed)
+    }
+
+    #[inline(always)]
+    fn too_far(speed: V::Scalar, displacement: V, time: V::Scalar) -> <V::Scalar as Scalar>::Mask {
+        let reach = speed * time;
+        displacement.inner(displacement).above(reach * reach)
+    }
+
+    #[inline(always)]
+    fn lead(self, place: V, _last: V, _known: <V::Scalar as Scalar>::Mask) -> (V, Self) {
+        (place, self)
+    }
+
+    #[inline(always)]
+    fn choose(_mask: <V::Scalar as Scalar>::Mask, yes: Self, _no: Self) -> Self {
+        yes
+    }
+}
+
+/// Readings of poses, which have no differences: the position is the sum of the displacements from one accepted pose to
+/// the next, with what the sum rounds away carried along ([`PoseTrack`](crate::PoseTrack)), and the pose beside it.
+///
+/// Speeds are a [`PartSpeeds`]. See [`Readings::of_poses`](crate::Readings::of_poses).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Poses<T, F = WorldAxes> {
+    /// What the sum has rounded away.
+    left: Screw<T, F>,
+}
+
+/// Fastest motion of a rigid body, part by part, so that m/s and rad/s share no number.
+///
+/// ```
+/// use lyapunov_core::{PartSpeeds, Readings, WithPose};
+/// let hand = PartSpeeds { translation: 2.0, rotation: 20.0 };
+/// let readings = Readings::<WithPose<f64>>::every(1e-3)?.of_poses().no_faster_than(hand)?;
+/// assert_eq!(readings.fastest(), hand);
+/// let frozen = PartSpeeds { rotation: 0.0, ..hand };
+/// assert_eq!(readings.no_faster_than(frozen).unwrap_err().parameter, "fastest rotation");
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartSpeeds<T> {
+    /// Of the reference point, m/s; infinity: no limit.
+    pub translation: T,
+    /// Of the rotation, rad/s; infinity: no limit. A displacement turns by no more than π, so a limit bites only while
+    /// it times the time since the last accepted pose is below that.
+    pub rotation: T,
+}
+
+impl<T: Angle, F: Axes> Poses<T, F> {
+    pub(crate) fn new() -> Self {
+        Self { left: Screw::zero() }
+    }
+
+    /// The position of `pose`, counted from `last`, and the track with it.
+    #[inline]
+    pub(crate) fn step(
+        self,
+        last: &WithPose<T, F>,
+        pose: &Pose<T>,
+        known: bool,
+    ) -> (WithPose<T, F>, Self) {
+        // From a pose to itself leads nothing, or, if it is not sound, a NaN.
+        let from = if known { &last.pose } else { pose };
+        let step = Screw::between(from, pose) + self.left;
+        let screw = last.screw + step;
+        (WithPose { screw, pose: *pose }, Self { left: step - (screw - last.screw) })
+    }
+}
+
+impl<T: Angle, F: Axes> Track<WithPose<T, F>> for Poses<T, F> {
+    type Place = Pose<T>;
+
+    type Speed = PartSpeeds<T>;
+
+    fn nowhere() -> Pose<T> {
+        Pose::splat(T::of(f64::NAN))
+    }
+
+    fn unlimited() -> PartSpeeds<T> {
+        let endless = T::of(f64::INFINITY);
+        PartSpeeds { translation: endless, rotation: endless }
+    }
+
+    fn checked(speed: PartSpeeds<T>) -> Result<PartSpeeds<T>, ParameterError> {
+        checked("fastest translation", speed.translation)?;
+        checked("fastest rotation", speed.rotation)?;
+        Ok(speed)
+    }
+
+    #[inline]
+    fn too_far(speed: PartSpeeds<T>, displacement: WithPose<T, F>, time: T) -> bool {
+        let Screw { translation, rotation, .. } = displacement.screw;
+        let PartSpeeds { translation: moving, rotation: turning } = speed;
+        <Positions as Track<_>>::too_far(moving, translation, time)
+            | <Positions as Track<_>>::too_far(turning, rotation, time)
+    }
+
+    #[inline]
+    fn lead(self, pose: Pose<T>, last: WithPose<T, F>, known: bool) -> (WithPose<T, F>, Self) {
+        self.step(&last, &pose, known)
+    }
+
+    #[inline]
+    fn choose(mask: bool, yes: Self, no: Self) -> Self {
+        Self { left: Screw::choose(mask, yes.left, no.left) }
+    }
+}
+
+impl<T: Angle, F: Axes> Snapshot for Poses<T, F> {
+    /// What the sum has rounded away.
+    type State = Screw<T, F>;
+
+    fn state(&self) -> Screw<T, F> {
+        self.left
+    }
+
+    fn restored(self, left: Screw<T, F>) -> Result<Self, ParameterError> {
+        Ok(Self { left: Requirement::Finite.check_axes("stored rounding", left)? })
+    }
+}
+
+fn checked<T: Scalar>(name: &'static str, speed: T) -> Result<T, ParameterError> {
+    let speed = Requirement::Limit.check(name, speed)?;
+    Requirement::Positive.check(name, speed.smaller(T::largest()))?;
+    Ok(speed)
+}
