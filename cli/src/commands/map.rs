@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
@@ -9,18 +10,22 @@ use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
     Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, MergeError, Run, RunError, Shard,
-    Survey, areas, document, figures, merge, page,
+    Survey, SweepPlan, areas, document, figures, merge, page,
 };
 use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
 
 use super::folder::Folder;
-use super::{End, heed_interrupts, program, shown, standard_output};
+use super::results::{Results, command_line};
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 use crate::output::{Output, Outputs};
 use crate::pictures::pictures;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "map.json";
+
+/// The file that `--json` prints of a sweep.
+const SWEEP: &str = "sweep.json";
 
 /// The file of the scene that the page of merged shards shows, as its commands name it.
 const MERGED: &str = "scene.toml";
@@ -31,7 +36,9 @@ const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
 ///
 /// Prints which share of the runs settles under each stabilizer, and which stays bounded. With --out it writes map.csv (a
 /// row for each cell and stabilizer, the scene in its head), heat maps (SVG and PNG), map.json and report.html.
-/// docs/map.md defines them, docs/verdicts.md the verdicts.
+///
+/// Without --y it sweeps the number --x alone and draws curves, with the rows in sweep.csv and sweep.json. An axis
+/// stabilizer.NAME.KEY applies to that stabilizer only, whether or not the scene has its table. docs/map.md defines them, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -42,11 +49,11 @@ pub(crate) struct Map {
     /// The scene file, TOML.
     #[arg(required = true, value_name = "SCENE")]
     scene: Option<PathBuf>,
-    /// The axis to the right: a number of the scene by its dotted key.
+    /// The axis to the right: a number of the scene, or of a stabilizer that takes part, by its dotted key.
     #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
     x: Option<Axis>,
-    /// The axis upwards.
-    #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
+    /// The axis upwards; without it the number of --x is swept.
+    #[arg(long, value_name = "KEY=FROM..TO:N[:log]")]
     y: Option<Axis>,
     /// Who runs in each cell, by the names of docs/family.md, or all.
     #[arg(long, default_value = "none,popc,lolc", value_name = "NAMES")]
@@ -55,10 +62,10 @@ pub(crate) struct Map {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Go on with the unfinished map in the folder.
-    #[arg(long, requires = "out")]
+    #[arg(long, requires_all = ["out", "y"])]
     resume: bool,
     /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together.
-    #[arg(long, value_name = "i/n", requires = "out")]
+    #[arg(long, value_name = "i/n", requires_all = ["out", "y"])]
     shard: Option<Shard>,
     /// Threads; by default one for each core.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -107,10 +114,11 @@ impl Map {
         if let Some(Shards::Merge(merge)) = &self.merge {
             return merge.run();
         }
-        let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) else {
+        let (Some(scene), Some(x)) = (&self.scene, &self.x) else {
             return Err(End::internal("an argument is missing"));
         };
         let scene = Scene::load(scene).map_err(End::input)?;
+        let Some(y) = &self.y else { return self.sweep(scene, x) };
         let stabilizers = self.stabilizers.on(&scene);
         let grid = Grid::new(scene, x.clone(), y.clone(), stabilizers);
         let grid = grid.map_err(|error| self.blame(error))?;
@@ -141,6 +149,46 @@ impl Map {
             checkpoint.finish().map_err(End::input)?;
         }
         self.say(&survey, bounds.as_ref(), shard, &computation, &text)
+    }
+
+    /// Sweeps the number `x` of `scene`.
+    fn sweep(&self, scene: Scene, x: &Axis) -> Result<(), End> {
+        let name = self.scene.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
+        let stabilizers = self.stabilizers.on(&scene);
+        let plan = SweepPlan::new(&name, scene, x.clone(), stabilizers);
+        let plan = plan.map_err(|error| self.blame(error))?;
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, SWEEP)).transpose()?;
+        let bar = match self.quiet {
+            true => ProgressBar::hidden(),
+            false => shown(ProgressBar::new(plan.ticks()), BAR),
+        };
+        let watch = |ticks| {
+            bar.inc(ticks);
+            match End::if_interrupted() {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        };
+        let sweep =
+            plan.run(self.threads.map(usize::from), &watch).map_err(|error| match error {
+                RunError::Stopped => End::Interrupted,
+                error @ RunError::Threads(_) => End::internal(error),
+                error => self.blame(error),
+            })?;
+        bar.finish_and_clear();
+        let text = sweep.document().map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let results = Results::new(sweep.to_html(&command_line()), SWEEP, &text);
+            let results = results.with_file("sweep.csv", sweep.csv());
+            let results = results.with_figure("verdicts", &sweep.verdicts())?;
+            folder.fill(results.with_figure("sweep", &sweep.curves())?)?;
+        }
+        let said = match (self.json, self.quiet) {
+            (true, _) => text,
+            (_, true) => return Ok(()),
+            _ => sweep.to_string(),
+        };
+        io::stdout().lock().write_all(said.as_bytes()).map_err(standard_output)
     }
 
     fn compute(

@@ -2,7 +2,7 @@
 
 use lyapunov_figures::Figure;
 
-use super::End;
+use super::{End, program};
 use crate::output::Output;
 use crate::pictures::pictures;
 
@@ -50,5 +50,5 @@ pub(crate) fn command_line() -> String {
         false => format!("'{}'", word.replace('\'', "'\\''")),
     };
     let given = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
-    std::iter::once("lyapunov".to_owned()).chain(given).collect::<Vec<_>>().join(" ")
+    std::iter::once(program().to_owned()).chain(given).collect::<Vec<_>>().join(" ")
 }

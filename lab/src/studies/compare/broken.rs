@@ -36,7 +36,7 @@ fn alone<'a>(scores: impl IntoIterator<Item = &'a Score>) -> Option<bool> {
 }
 
 /// Marks those `scores` of one scene whose run grows although that of the loop alone does not.
-pub(super) fn mark(scores: &mut [Score]) {
+pub(crate) fn mark(scores: &mut [Score]) {
     let Some(alone) = alone(&*scores) else { return };
     for score in scores {
         score.broke_it = score.verdict.judged().map(|bounded| alone && !bounded);

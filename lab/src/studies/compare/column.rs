@@ -106,7 +106,7 @@ impl Column {
     }
 
     /// The heading in the table, in lines; the last one is the unit.
-    pub(super) fn heading(self) -> &'static str {
+    pub(crate) fn heading(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
             Self::Verdict => "verdict",
@@ -136,7 +136,7 @@ impl Column {
     }
 
     /// The cell that shows `score` in the table.
-    pub(super) fn cell(self, score: &Score) -> Cell {
+    pub(crate) fn cell(self, score: &Score) -> Cell {
         match self {
             Self::Stabilizer => score.stabilizer.as_str().into(),
             Self::Verdict => score.verdict.into(),
@@ -173,7 +173,7 @@ impl Column {
     }
 
     /// The number that sorts the column.
-    pub(super) fn value(self, score: &Score) -> Option<f64> {
+    pub(crate) fn value(self, score: &Score) -> Option<f64> {
         match self {
             Self::Stabilizer | Self::Verdict | Self::JudgedBy => None,
             Self::SettlingTime => score.settling_time,

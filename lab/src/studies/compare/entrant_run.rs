@@ -7,15 +7,15 @@ use lyapunov::Scalar;
 use super::compared::{BREATH, RunError, watched};
 use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
-use super::entrants::Entrant;
+use super::entrants::{Entrant, Entrants};
 use super::score::Score;
 use crate::files::scene::{Scalar as Width, Scene};
 use crate::measure::{Chatter, Energies, Oddity, Physical, Share, Summary, Trace, Verdict};
-use crate::simulate::family::Judgement;
+use crate::simulate::family::{Judgement, StabilizerName};
 use crate::simulate::{Rollout, Space, Tick};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
-pub(super) type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
+pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
 
 /// Result of one entrant on one scene, with its curves and the samples that its step is timed with.
 #[derive(Debug)]
@@ -77,6 +77,29 @@ pub(crate) fn score_as_told(
     match scene.scalar {
         Width::F64 => in_space::<f64>(scene, told, watch),
         Width::F32 => in_space::<f32>(scene, told, watch),
+    }
+}
+
+/// The score of `scene` under `member`, in its own scalar; the time of a step is not measured.
+///
+/// # Errors
+/// [`RunError::Stopped`] if `watch` stops the run; a stabilizer that cannot be made on the scene.
+pub(crate) fn score_under(
+    scene: &Scene,
+    member: StabilizerName,
+    watch: &Watch<'_>,
+) -> Result<Score, RunError> {
+    fn of<T: Scalar + Space>(
+        scene: &Scene,
+        member: StabilizerName,
+        watch: &Watch<'_>,
+    ) -> Result<Score, RunError> {
+        let entrants = Entrants::<T>::of([member]);
+        EntrantRun::of(scene, &entrants.entries()[0], watch).map(|run| run.score)
+    }
+    match scene.scalar {
+        Width::F64 => of::<f64>(scene, member, watch),
+        Width::F32 => of::<f32>(scene, member, watch),
     }
 }
 

@@ -77,7 +77,8 @@ pub fn csv(comparisons: &[Comparison]) -> String {
     csv::text(std::iter::once("scene").chain(Column::ALL.map(Column::key)), rows)
 }
 
-fn field(column: Column, score: &Score) -> Field<'_> {
+/// A column of a row.
+pub(crate) fn field(column: Column, score: &Score) -> Field<'_> {
     match column {
         Column::Stabilizer => Field::Text(&score.stabilizer),
         Column::Verdict => Field::Text(score.verdict.word()),

@@ -66,8 +66,9 @@ struct Document<'a> {
     look_at: Vec<Oddity>,
 }
 
+/// An axis.
 #[derive(Serialize)]
-struct Along<'a> {
+pub(super) struct Along<'a> {
     key: &'a str,
     from: f64,
     to: f64,
@@ -104,7 +105,8 @@ struct Line {
     judged_by: Judgement,
 }
 
-fn along(axis: &Axis) -> Along<'_> {
+/// An axis as JSON.
+pub(super) fn along(axis: &Axis) -> Along<'_> {
     let spacing = match axis.spacing {
         Spacing::Linear => "linear",
         Spacing::Logarithmic => "log",

@@ -1,4 +1,4 @@
-//! Maps of the verdicts over any two numbers of a scene, under several stabilizers.
+//! Maps of the verdicts over any two numbers of a scene, and sweeps over one, under several stabilizers.
 
 mod axis;
 mod bounds;
@@ -15,6 +15,7 @@ mod run;
 mod shard;
 mod single;
 mod survey;
+mod sweep;
 mod table;
 mod varied;
 mod vary;
@@ -34,5 +35,6 @@ pub use report::{areas, page};
 pub use run::{Method, Run, RunError, TakeOutcomes, Workload};
 pub use shard::{Shard, ShardError};
 pub use survey::{Area, Reach, Survey};
+pub use sweep::{Point, Sweep, SweepPlan};
 pub use table::{Rows, TableError, TableHeader};
 pub use vary::VaryError;

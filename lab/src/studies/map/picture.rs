@@ -92,15 +92,15 @@ pub(super) fn label(axis: &Axis) -> String {
 }
 
 /// An axis as drawn: each cell is centred on its value.
-struct Shown {
-    numbering: Numbering,
-    range: (f64, f64),
+pub(super) struct Shown {
+    pub(super) numbering: Numbering,
+    pub(super) range: (f64, f64),
     /// From the first cell's value to the last one's: no number stands for a cell that is not there.
     numbered: (f64, f64),
 }
 
 impl Shown {
-    fn of(axis: &Axis) -> Self {
+    pub(super) fn of(axis: &Axis) -> Self {
         let numbering = match axis.spacing {
             Spacing::Linear => Numbering::Plain,
             Spacing::Logarithmic => Numbering::PowersOfTen,

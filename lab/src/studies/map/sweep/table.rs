@@ -1,0 +1,73 @@
+//! Tables of a sweep.
+
+use std::fmt;
+
+use super::Sweep;
+use crate::measure::Verdict;
+use crate::show::table::{Heading, Table};
+use crate::studies::compare::Column;
+use crate::text::given;
+
+/// The most rows that the terminal shows.
+const SHOWN: usize = 60;
+
+/// The columns of the runs.
+const COLUMNS: [Column; 6] = [
+    Column::Verdict,
+    Column::SettlingTime,
+    Column::ForceError,
+    Column::StiffnessPercent,
+    Column::EnergyGiven,
+    Column::ForceFelt,
+];
+
+impl Sweep {
+    /// For each stabilizer the values of each verdict, and the value up to which its runs stay bounded.
+    pub(super) fn counts(&self) -> Table {
+        let headings = [
+            Heading::word("stabilizer"),
+            Heading::number("settles"),
+            Heading::number("swinging"),
+            Heading::number("grows"),
+            Heading::number("too short"),
+            Heading::number("bounded up to"),
+        ];
+        let rows = self.stabilizers.iter().enumerate().map(|(index, member)| {
+            let verdicts = || self.points.iter().map(|point| point.scores[index].verdict);
+            let count = |it: Verdict| verdicts().filter(|verdict| *verdict == it).count();
+            let reach = verdicts().take_while(|verdict| *verdict != Verdict::Grows).count();
+            let bounded =
+                (0..reach).rev().find(|at| self.points[*at].scores[index].verdict.is_bounded());
+            let last = bounded.map(|at| given(self.points[at].value).to_string());
+            let counts = Verdict::ALL.map(|verdict| count(verdict).to_string().into());
+            std::iter::once(member.name().into()).chain(counts).chain([last.into()])
+        });
+        Table::new(headings).with_rows(rows.map(Iterator::collect::<Vec<_>>))
+    }
+
+    /// A row for each value and stabilizer.
+    pub(super) fn runs(&self) -> Table {
+        let heading = |column: Column| match column {
+            Column::Verdict => Heading::word(column.heading()),
+            _ => Heading::number(column.heading()),
+        };
+        let first = [Heading::word("stabilizer"), Heading::number(&self.x.key[..])];
+        let headings = first.into_iter().chain(COLUMNS.map(heading));
+        let rows = self.rows().map(|(value, score)| {
+            let cells = COLUMNS.map(|column| column.cell(score));
+            let first = [score.stabilizer.as_str().into(), given(value).to_string().into()];
+            first.into_iter().chain(cells).collect::<Vec<_>>()
+        });
+        Table::new(headings).with_rows(rows)
+    }
+}
+
+impl fmt::Display for Sweep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n{}\n\n{}", self.name, self.x, self.counts())?;
+        match self.rows().count() {
+            count if count <= SHOWN => write!(f, "\n{}", self.runs()),
+            count => writeln!(f, "\n{count} rows: --out DIR or --json has them"),
+        }
+    }
+}
