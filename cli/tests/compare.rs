@@ -79,7 +79,7 @@ fn tables_files_and_documents_agree() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     names.sort();
-    let mut expected = vec!["compare.json".to_owned()];
+    let mut expected = ["compare.csv", "compare.json", "report.html"].map(str::to_owned).to_vec();
     for scene in ["paper-50k-popc", "press-1khz"] {
         for end in [".svg", ".png", ".force.svg", ".force.png"] {
             expected.push(format!("{scene}{end}"));
@@ -207,7 +207,11 @@ fn bad_input_is_refused_and_leaves_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let (scene, out) = (shipped("paper-8k-popc.toml"), folder.path().join("out"));
     refused(&[], &["SCENE"]);
-    refused(&[&scene, &"no-such.toml", &"--out", &out], &["no-such.toml", "no such file"]);
+    refused(&[&"no-such.toml", &"--out", &out], &["no-such.toml", "no such file"]);
+    refused(
+        &[&"no-such.toml", &"nor-this.toml", &"--out", &out],
+        &["2 of 2 files left out", "nor-this"],
+    );
     refused(&[&scene, &"--json", &"--quiet"], &["--json", "--quiet"]);
     assert!(!out.exists());
 
@@ -232,6 +236,28 @@ fn bad_input_is_refused_and_leaves_nothing_behind() {
     refused(&[&scene, &"--out", &folder.path().join("taken")], &["paper-8k-popc.png"]);
     // If one file cannot be written, none appears.
     assert_eq!(fs::read_dir(folder.path().join("taken")).unwrap().count(), 1);
+}
+
+/// A scene that does not fit does not end the work on the others, and the end says so.
+#[test]
+fn a_batch_goes_on_after_a_scene_that_does_not_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let (out, names) = (folder.path().join("out"), "none,popc");
+    let (one, plane, two) =
+        (shipped("paper-8k-popc.toml"), shipped("plane.toml"), shipped("paper-50k-popc.toml"));
+    let all: [&dyn AsRef<std::ffi::OsStr>; 9] =
+        [&one, &plane, &"none.toml", &two, &"--stabilizers", &names, &"--out", &out, &"--json"];
+    let batch = compare(&all);
+    let said = text(&batch.stderr);
+    assert_eq!(batch.status.code(), Some(2));
+    assert!(said.starts_with("error: 2 of 4 files left out\n"), "{said}");
+    assert!(said.contains("plane.toml: [space]") && said.contains("none.toml"), "{said}");
+    let alone = compare(&[&one, &two, &"--stabilizers", &names, &"--json"]);
+    assert_eq!(alone.status.code(), Some(0));
+    assert_eq!(timeless(&text(&batch.stdout)), timeless(&text(&alone.stdout)));
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("Left out") && page.contains("plane.toml: [space]"));
+    assert!(out.join("paper-50k-popc.svg").is_file() && !out.join("plane.svg").exists());
 }
 
 #[test]
@@ -272,10 +298,18 @@ fn the_family_takes_part_by_name() {
     assert_eq!((all.status.code(), said.as_str()), (Some(0), ""));
     let narrow = |line: &str| line.chars().count() <= 100 || line.contains(".toml");
     assert!(table.lines().all(narrow), "{table}");
+    let equal = "popc = lolc-spring = popc-budgeted = popc-windowed = directed-damping";
+    let told = table.lines().skip_while(|line| !line.contains("popc = "));
+    let told: Vec<&str> = told.take_while(|line| !line.is_empty()).map(str::trim).collect();
+    assert!(told.join(" ").contains(equal), "{table}");
     for member in StabilizerName::ALL {
+        // Equal rows stand under the first of their names.
+        let is_first = !told.join(" ").contains(&format!("= {member}"));
         let rows = table.lines().filter(|line| line.split(' ').next() == Some(member.name()));
-        assert_eq!(rows.count(), 3, "{member}: {table}");
+        assert_eq!(rows.count(), if is_first { 3 } else { 0 }, "{member}: {table}");
     }
+    let json = timeless(&text(&compare(&[&scene, &"--stabilizers", &"all", &"--json"]).stdout));
+    assert_eq!(json["rows"].as_array().unwrap().len(), StabilizerName::ALL.len());
 
     let rows = |names: &str| {
         let output = compare(&[&scene, &"--stabilizers", &names, &"--json"]);

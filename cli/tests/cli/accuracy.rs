@@ -13,7 +13,7 @@ fn a_target_is_met_by_keys_that_a_scene_takes() {
     assert_eq!(said.out, place.text("out/accuracy.json"));
     assert_eq!(
         place.names("out"),
-        ["accuracy.json", "accuracy.png", "accuracy.svg", "report.html"]
+        ["accuracy.csv", "accuracy.json", "accuracy.png", "accuracy.svg", "report.html"]
     );
     let told: Value = serde_json::from_str(&said.out).unwrap();
     let rows = told["rows"].as_array().unwrap();
@@ -52,7 +52,8 @@ fn bad_input_is_refused_before_anything_is_made() {
     let place = Place::with_scene();
     for metres in ["0", "-1", "nan", "inf", "far"] {
         let target = format!("--target={metres}");
-        place.refuses(["accuracy", "scene.toml", &target], &[metres, "greater than 0"]);
+        let said = place.refuses(["accuracy", "scene.toml", &target], &[metres, "greater than 0"]);
+        assert!(said.err.contains("--target 1e-9") && !said.err.contains("--help"), "{said:?}");
     }
     place.refuses(["accuracy", "nothing.toml", "--out", "out"], &["nothing.toml"]);
     place.put("plane.toml", include_str!("../../../scenes/plane.toml"));

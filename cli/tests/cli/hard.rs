@@ -11,7 +11,7 @@ fn all_pass_and_the_files_say_so() {
     let said = place.run(["hard", "--out", "made", "--json"]);
     said.ended(0, &[]);
     assert_eq!(said.err, "");
-    assert_eq!(place.names("made"), ["hard.json", "report.html"]);
+    assert_eq!(place.names("made"), ["hard.csv", "hard.json", "report.html"]);
     assert_eq!(place.text("made/hard.json"), said.out);
     let told: Value = serde_json::from_str(&said.out).unwrap();
     let rows = told["rows"].as_array().unwrap();

@@ -146,7 +146,10 @@ fn files_are_written_whole_or_not_at_all() {
     };
     let ended = observe(GOOD.as_bytes(), &["--out", target, "--quiet"]);
     assert_eq!((ended.status, ended.out.as_str(), ended.error.as_str()), (Some(0), "", ""));
-    assert_eq!(names(&out), ["observe.json", "observe.png", "observe.svg"]);
+    assert_eq!(
+        names(&out),
+        ["observe.csv", "observe.json", "observe.png", "observe.svg", "report.html"]
+    );
     let both = observe(GOOD.as_bytes(), &["--json", "--quiet"]);
     assert_eq!((both.status, both.out.as_str()), (Some(2), ""));
     let json = observe(GOOD.as_bytes(), &["--json"]).out;
@@ -163,5 +166,5 @@ fn files_are_written_whole_or_not_at_all() {
     fs::create_dir(out.join("observe.png")).unwrap();
     refused(&observe(b"t,x,f\n0,0,9\n1,1,9\n", &["--out", target]), &["observe.png"]);
     assert_eq!(fs::read_to_string(file).unwrap(), json);
-    assert_eq!(names(&out).len(), 3);
+    assert_eq!(names(&out).len(), 5);
 }
