@@ -83,6 +83,11 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
         &self.inertia
     }
 
+    /// The limit for a mass of one: times the apparent inertia along the motion it is that of this tick.
+    pub fn rate(&self) -> DampingLimit<T> {
+        self.rate
+    }
+
     /// Changes share and period between ticks, without a delay: call [`delayed`](Self::delayed) again where there is one.
     ///
     /// # Errors

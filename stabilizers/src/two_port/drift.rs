@@ -54,8 +54,9 @@ impl<S, V: Signal> DriftCompensated<S, V> {
     /// # Errors
     /// `impedance` below 0, infinite or NaN.
     pub fn meeting(self, impedance: V::Scalar) -> Result<Self, ParameterError> {
-        let impedance = Requirement::NonNegative.check("impedance", impedance)?;
-        Ok(Self { impedance, ..self })
+        let mut meeting = self;
+        meeting.set_impedance(impedance)?;
+        Ok(meeting)
     }
 
     /// Displacement of the port from its position without corrections, m.
@@ -123,6 +124,20 @@ impl<S, V: Signal> DriftCompensated<S, V> {
     /// `speed` below 0 or NaN; the old one stays.
     pub fn set_speed(&mut self, speed: V::Scalar) -> Result<(), ParameterError> {
         self.speed = Requirement::Limit.check("compensation speed", speed)?;
+        Ok(())
+    }
+
+    /// The impedance that the compensation meets, N·s/m.
+    pub fn impedance(&self) -> V::Scalar {
+        self.impedance
+    }
+
+    /// Changes that impedance between ticks: a larger one counts more of the account for the same compensation.
+    ///
+    /// # Errors
+    /// `impedance` below 0, infinite or NaN; the old one stays.
+    pub fn set_impedance(&mut self, impedance: V::Scalar) -> Result<(), ParameterError> {
+        self.impedance = Requirement::NonNegative.check("impedance", impedance)?;
         Ok(())
     }
 }
