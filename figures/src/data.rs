@@ -57,7 +57,7 @@ fn digits(values: usize) -> usize {
     match values {
         0..=5_000 => 4,
         5_001..=20_000 => 3,
-        20_001..=70_000 => 2,
+        20_001..=50_000 => 2,
         _ => 0,
     }
 }
@@ -267,7 +267,7 @@ mod tests {
         };
         assert!(map(16).contains("\"values\":[1.235,"));
         assert!(map(128).contains("\"values\":[1.23,"));
-        assert!(map(256).contains("\"values\":[1.2,"));
-        assert!(map(512).contains("\"values\":[]"));
+        assert!(map(200).contains("\"values\":[1.2,"));
+        assert!(map(256).contains("\"values\":[]"));
     }
 }
