@@ -63,23 +63,22 @@ const at = async (page) => Number((await page.value("document.querySelector('.at
 const valueOf = (page, label) =>
   page.value(`[...document.querySelectorAll('.curve')].find((it) => it.textContent.startsWith(${JSON.stringify(label)})).querySelector('.value').textContent`);
 
-async function curves(browser, path, csv) {
+/** Cursor, keys and zoom of the first plot, against the `known` points of the curve `label`, to a `share`. */
+async function curves(browser, path, label, known, share) {
   const page = await browser.open(`file://${path}`);
   await ready(page);
-  const label = "lolc-decay";
-  const known = rows(csv).filter((row) => row.stabilizer === label).map((row) => ({ t: Number(row.t), v: Number(row.v) }));
   const check = async (where) => {
     const [t, v] = [await at(page), Number(await valueOf(page, label))];
     const row = known.reduce((best, one) => (Math.abs(one.t - t) < Math.abs(best.t - t) ? one : best));
     near(t, row.t, 1e-8, `${where}: time`);
-    near(v, row.v / known[0].v, 1e-3, `${where}: value at ${t}`);
+    near(v, row.v, share, `${where}: value at ${t}`);
     return t;
   };
   const over = await page.place(".u-over");
   const end = known[known.length - 1].t;
-  for (const share of [0.2, 0.5, 0.9]) {
-    await page.mouse("mouseMoved", over.left + share * over.width, over.y);
-    near(await check(`pointer at ${share}`), share * end, 0.02, "place of the pointer");
+  for (const part of [0.2, 0.5, 0.9]) {
+    await page.mouse("mouseMoved", over.left + part * over.width, over.y);
+    near(await check(`pointer at ${part}`), part * end, 0.02, "place of the pointer");
   }
 
   await page.value("document.querySelector('.plot').focus()");
@@ -91,7 +90,8 @@ async function curves(browser, path, csv) {
   near((await check("twenty to the left")) - before, -19 * step, 1e-6, "twenty steps");
 
   const left = async () => {
-    await page.mouse("mouseMoved", over.left + 1, over.y);
+    const { left: edge, y } = await page.place(".u-over");
+    await page.mouse("mouseMoved", edge + 1, y);
     return check("left edge");
   };
   for (let times = 0; times < 3; times += 1) await page.key("+");
@@ -107,13 +107,14 @@ async function curves(browser, path, csv) {
   const button = await page.place(".curve");
   await page.click(button.x, button.y);
   assert.equal(await page.value("document.querySelector('.curve').getAttribute('aria-pressed')"), "false");
-  await sorting(page);
   assert.deepEqual(page.faults(), []);
   await page.close();
 }
 
-/** The last column upwards and downwards, by keyboard, then as it came. */
-async function sorting(page) {
+/** The last column of the first table upwards and downwards, by keyboard, then as it came. */
+async function sorting(browser, path) {
+  const page = await browser.open(`file://${path}`);
+  await ready(page);
   const column = () => page.value("[...document.querySelector('table').tBodies[0].rows].map((it) => it.cells[it.cells.length - 1].textContent)");
   const order = () => page.value("document.querySelector('th:last-child').getAttribute('aria-sort')");
   const came = await column();
@@ -129,6 +130,8 @@ async function sorting(page) {
   await page.key("Enter");
   assert.deepEqual(await column(), came);
   assert.equal(await order(), null);
+  assert.deepEqual(page.faults(), []);
+  await page.close();
 }
 
 async function cells(browser, path, csv, [columns, lines]) {
@@ -173,8 +176,20 @@ try {
   const map = made("map", "map", "scenes/press-1khz.toml", "--x", `environment.wall.stiffness=100..50000:${size[0]}:log`, "--y", `environment.wall.damping=0..100:${size[1]}`);
   const paper = made("paper", "paper", "--draws", "2");
   const teleoperation = made("teleoperation", "compare", "scenes/teleoperation/constant-delay.toml");
-  for (const made of [model, map, paper, teleoperation]) await looks(browser, made("report.html"));
-  await curves(browser, model("report.html"), model("van-der-pol.csv"));
+  const run = made("run", "run", "scenes/paper-50k-popc.toml");
+  const bound = made("bound", "bound", "scenes/press-1khz.toml");
+  const explain = made("explain", "explain", "scenes/paper-50k-popc.toml");
+  const sweep = made("sweep", "map", "scenes/press-1khz.toml", "--x", "environment.wall.stiffness=100..50000:5:log");
+  const pages = [model, map, paper, teleoperation, run, bound, explain, sweep];
+  for (const made of pages) await looks(browser, made("report.html"));
+  const values = rows(model("van-der-pol.csv")).filter((row) => row.stabilizer === "lolc-decay");
+  const shares = values.map(({ t, v }) => ({ t: Number(t), v: Number(v) / Number(values[0].v) }));
+  await curves(browser, model("report.html"), "lolc-decay", shares, 1e-3);
+  const rowsOfRun = join(folder, "run.csv");
+  lyapunov("run", "scenes/paper-50k-popc.toml", "--quiet", "--csv", rowsOfRun);
+  const positions = rows(rowsOfRun).map(({ t, x }) => ({ t: Number(t), v: 1e3 * Number(x) }));
+  await curves(browser, run("report.html"), "position, mm", positions, 1e-5);
+  await sorting(browser, model("report.html"));
   await cells(browser, map("report.html"), map("map.csv"), size);
   console.log("the pages load, tell the right numbers and sort");
 } finally {

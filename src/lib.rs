@@ -131,7 +131,7 @@ pub mod effects {
 /// Functions of time that a hand or a load follows.
 pub mod trajectories {
     pub use lyapunov_plants::{
-        Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step, Trajectory, tick_of,
+        Constant, FirstAxis, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory, tick_of,
     };
 }
 

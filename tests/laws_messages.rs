@@ -119,6 +119,21 @@ fn a_ledger_tells_what_was_allowed() {
         ],
     );
 
+    // What it tells to dissipate is halved in the effort.
+    let halved = Spoilt(popc(), |sample: &PortSample<f64>, effort, told: Correction<f64>| {
+        let out = if told.accepted { 0.5 * told.alpha * sample.velocity } else { 0.0 };
+        Correction { effort: if told.accepted { effort + out } else { 0.0 }, ..told }
+    });
+    laws::stabilizer(&halved, samples).expect("what it tells adds up");
+    let broken = laws::ledger(&halved, &PortEnergy, 100.0, samples).expect_err("broken");
+    let (sample, _) = sample_of::<f64>(broken.tick);
+    assert_eq!((broken.law, broken.quantity.unit), (Law::Injects, "W"));
+    assert!(broken.value < 0.0 && broken.value > -100.0 * sample.velocity * sample.velocity);
+    tells(
+        &broken,
+        &["the damping that is told must be in the effort; the power taken less", "clipped"],
+    );
+
     let strong = Spoilt(popc(), |sample: &PortSample<f64>, effort, told: Correction<f64>| {
         let pushed = if told.alpha > 0.0 { 101.0 * sample.velocity } else { 0.0 };
         Correction { effort: effort + pushed, ..told }

@@ -75,5 +75,5 @@ pub use models::{
 };
 pub use random::{Random, Source};
 pub use trajectories::{
-    Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step, Trajectory, tick_of,
+    Constant, FirstAxis, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory, tick_of,
 };

@@ -36,7 +36,7 @@ fn run<T: Scalar>(ticks: usize) -> Result<T, ParameterError> {
         ring.push(&sample, &correction);
         applied = correction.effort;
         velocity -= (applied + of(50.0) * position) * period / mass;
-        position = position + velocity * period;
+        position += velocity * period;
     }
     black_box((meter, ring));
     Ok(position)

@@ -10,7 +10,9 @@ use proptest::{prop_assert, prop_assert_eq};
 
 use lyapunov::{
     Requirement,
-    trajectories::{Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step, Trajectory, tick_of},
+    trajectories::{
+        Constant, FirstAxis, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory, tick_of,
+    },
 };
 
 use crate::support::{Bits, CASES, hold, log_between, ordinary, unit};
@@ -88,7 +90,8 @@ fn a_ramp_reaches_its_end_and_stops() {
         let (rate, start) = instant([bits[0], bits[1], bits[2]]);
         let (from, to) = (ordinary::<f64>(bits[3], 1.0), ordinary::<f64>(bits[4], 1.0));
         let speed = if bits[5] % 8 == 0 { 0.0 } else { log_between(bits[5], 1e-4, 100.0) };
-        let ramp = Ramp::new(from, to, speed, start, rate).expect("a ramp");
+        let parts = RampParts { from, to, rate: speed, at: start };
+        let ramp = Ramp::new(parts, rate).expect("a ramp");
         let begin = (start * rate - 1e-9).ceil();
         for tick in 0..2100 {
             let n = tick as f64;
@@ -197,8 +200,9 @@ fn hostile_trajectories_stay_finite() {
     let (huge, small) = (f64::MAX, f64::from_bits(1));
     for rate in [small, f64::MIN_POSITIVE, 1e-3, 1e3, huge] {
         for (big, speed) in [(huge, huge), (huge, small), (-huge, 0.0), (small, huge), (0.0, 0.0)] {
+            let ramp = RampParts { from: big, to: -big, rate: speed, at: big };
             let courses: [Box<dyn Fn(u64) -> f64>; 4] = [
-                Box::new(move |n| at(&Ramp::new(big, -big, speed, big, rate).expect("one"), n)),
+                Box::new(move |n| at(&Ramp::new(ramp, rate).expect("one"), n)),
                 Box::new(move |n| at(&Sine::new(0.0, big, speed, rate).expect("one"), n)),
                 Box::new(move |n| at(&Pulse::new(big, big, speed, rate).expect("one"), n)),
                 Box::new(move |n| {
@@ -231,7 +235,10 @@ fn invalid_trajectories_are_refused() {
             (trajectory(Step::new(1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))), ("to", Finite)),
             (trajectory(Step::new(1.0, 1.0, bad, 1.0).map(|c| at(&c, 0))), ("at", Finite)),
             (
-                trajectory(Ramp::new(1.0, 1.0, bad, 1.0, 1.0).map(|c| at(&c, 0))),
+                trajectory(
+                    Ramp::new(RampParts { from: 1.0, to: 1.0, rate: bad, at: 1.0 }, 1.0)
+                        .map(|c| at(&c, 0)),
+                ),
                 ("rate", NonNegative),
             ),
             (trajectory(Sine::new(bad, 1.0, 1.0, 1.0).map(|c| at(&c, 0))), ("about", Finite)),

@@ -20,6 +20,9 @@ pub enum Law {
     Served,
     /// The correction is no more than the limit times the velocity.
     WithinLimit,
+    /// The power that the correction takes out of the motion is at least that of the damping it tells,
+    /// `(F − f) · v ≥ α v²`.
+    Injects,
     /// The supplied energy is the stored, less the dissipated and the shortfall.
     Balances,
     /// A sample that is not finite gives a finite effort and is reported as not accepted.
@@ -59,6 +62,7 @@ impl fmt::Display for Law {
             Self::NoLarger => "an effort that is limited must not grow or turn round",
             Self::Served => "sum, correction and shortfall together must not be below 0",
             Self::WithinLimit => "the correction must stay within its limit",
+            Self::Injects => "the damping that is told must be in the effort",
             Self::Balances => "supplied must be stored, dissipated and shortfall together",
             Self::Rejects => "a sample that is not finite must be rejected with a finite effort",
             Self::Recovers => "after a sample that is not finite, the next must be finite again",
@@ -100,9 +104,13 @@ impl Law {
             Self::WithinLimit => {
                 "a damping that is not held below its limit, or a correction that is not `α v`"
             }
+            Self::Injects => {
+                "an `alpha` that is told and not injected: `effort + α v` that was clipped, shared out or scaled \
+                 afterwards; tell the smaller `α`, and what it leaves as shortfall"
+            }
             Self::Balances => {
                 "a ledger that books something else than the candidate's decrease: sampled work in place of held, a \
-                 tick left out, a sum that loses digits, a reset; or an `alpha` that is not the one injected"
+                 tick left out, a sum that loses digits, a reset"
             }
             Self::Rejects => {
                 "a field or the effort that is not looked at: end with `Correction::checked()`, and take `α` and \

@@ -7,7 +7,7 @@ use crate::{
 };
 
 /// Check of a `stabilizer` that books held work under `candidate` and injects at most `limit` N·s/m: the laws
-/// [`WithinLimit`](Law::WithinLimit) and [`Balances`](Law::Balances) over `samples`.
+/// [`WithinLimit`](Law::WithinLimit), [`Injects`](Law::Injects) and [`Balances`](Law::Balances) over `samples`.
 ///
 /// The check sums the decreases of `candidate` beside the stabilizer, with compensation of rounding errors. At the end
 /// of every tick `supplied = stored − dissipated − shortfall`: that sum is the stored credit (the observed energy
@@ -40,12 +40,22 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
             .not_below_zero(Law::WithinLimit, (most - added).sum(), size.sum())
             .map_err(|broken| broken.under(&sample, effort))?;
 
+        let told = correction.alpha * sample.velocity.inner(sample.velocity);
+        let taken = (correction.effort - effort).inner(sample.velocity);
+        now.told(quantity::POWER_NOT_TOLD)
+            .not_below_zero(
+                Law::Injects,
+                taken - told,
+                size.inner(sample.velocity.map(Scalar::magnitude)),
+            )
+            .map_err(|broken| broken.under(&sample, effort))?;
+
         supplied.add(decrease);
         let sum = supplied.value();
         absolute += decrease.magnitude();
         largest = largest.larger(sum.magnitude());
         ticks += V::Scalar::of(1.0);
-        let burnt = correction.alpha * (sample.velocity.inner(sample.velocity) * sample.period);
+        let burnt = told * sample.period;
         let stored = correction.observed_energy.larger(zero);
         let error = sum - (stored - burnt - correction.shortfall);
         let unit = V::Scalar::epsilon() * V::Scalar::of(0.5);

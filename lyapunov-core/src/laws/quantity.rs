@@ -42,6 +42,7 @@ quantities! {
     ENERGY_VALUE: "V" in "J";
     SUM_OF_DECREASES: "sum of the decreases" in "J";
     ROOM_IN_LIMIT: "limit less the correction" in "N";
+    POWER_NOT_TOLD: "power taken less that of the damping told" in "W";
     ACCOUNT: "account" in "J";
     VALUE_AT_REST: "V at rest" in "";
     VALUE: "V" in "";

@@ -14,7 +14,7 @@ pub use clock::tick_of;
 pub use constant::Constant;
 pub use first_axis::FirstAxis;
 pub use pulse::Pulse;
-pub use ramp::Ramp;
+pub use ramp::{Ramp, RampParts};
 pub use samples::Samples;
 pub use sine::Sine;
 pub use step::Step;

@@ -2,7 +2,7 @@
 
 use lyapunov::{
     ParameterError,
-    trajectories::{Constant, Pulse, Ramp, Samples, Sine, Step, Trajectory},
+    trajectories::{Constant, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory},
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -209,7 +209,9 @@ fn rest(scene: &Scene) -> Result<Value, ParameterError> {
             Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::Ramp { at, to, rate: speed }) => {
-            let trajectory = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            let (to, at) = (to.get(), at.get());
+            let parts = RampParts { from: rest, to, rate: speed.get(), at };
+            let trajectory = Ramp::new(parts, rate)?;
             Box::new(move |tick| trajectory.at(tick))
         }
         Some(Motion::Sine { amplitude, frequency }) => {

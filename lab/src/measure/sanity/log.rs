@@ -13,10 +13,13 @@ const GRAM: f64 = 0.01;
 /// Rows in contact below which nothing is said about the sign of the force.
 const ROWS: u64 = 10;
 
-/// Partial correlation from which on, below 0, a force depends on the motion.
-const DEPENDS: f64 = -0.8;
+/// Weight from which on, below 0, a force depends on the motion.
+const DEPENDS: f64 = -0.5;
 
-/// Partial correlation with the velocity above which a force that falls over the position comes late.
+/// Weight of the position that is none.
+const NONE: f64 = 0.05;
+
+/// Weight of the velocity above which a force that falls over the position comes late.
 const LATE: f64 = 0.5;
 
 /// The most that may go in, as a share of the most that came out, of a port with its sign turned.
@@ -171,7 +174,7 @@ impl LogSigns {
         let it = self.fit.dependence();
         let gives = self.lowest < 0.0 && self.highest <= -INTO * self.lowest;
         // A force that comes late pushes along the motion too: it grows with the depth or, later still, with the velocity.
-        let falls = it.with_position <= 0.0 && it.with_velocity <= LATE;
+        let falls = it.with_position <= NONE && it.with_velocity <= LATE;
         if !(gives && falls && it.count >= ROWS) {
             return None;
         }

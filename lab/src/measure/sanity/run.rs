@@ -8,7 +8,7 @@ use crate::files::Scene;
 use crate::simulate::{Space, Tick};
 use crate::text::{found, given};
 
-/// Ticks that a force may be on its way at the end of a run before that is told.
+/// Ticks without effect, of a force on its way or of a correction, that are no chance yet.
 const WAIT: u64 = 20;
 
 /// Share of the saturation's force from which on a force counts as clipped, whatever the scalar.
@@ -139,7 +139,7 @@ impl RunSigns {
 
     /// Corrections of which the saturation leaves nothing.
     fn clipped(&self) -> Option<Oddity> {
-        let is_lost = self.damped > 0 && self.clipped == self.damped;
+        let is_lost = self.damped >= WAIT && self.clipped == self.damped;
         is_lost.then(|| {
             let (ticks, limit) = (self.damped, given(self.limit / CLIPPED));
             let text = format!(

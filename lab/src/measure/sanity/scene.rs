@@ -13,7 +13,7 @@ use crate::text::{found, given};
 /// Mass that no hand moves to and fro, kg.
 const HEAVY: f64 = 30.0;
 
-/// Time of a swing on the hand's spring, s, up to which a heavier mass is moved all the same.
+/// Time of a swing on the spring that holds it, s, up to which a heavier mass is moved all the same.
 const SWING: f64 = 8.0;
 
 /// Mass that no device is below, kg: a gram.
@@ -85,13 +85,17 @@ fn bounded(scene: &Scene) -> Vec<Bounded> {
     let (effects, operator) = (&scene.effects, &scene.operator);
     let up_to = |most: f64| [0.0, most];
     let (masses, lengths, forces) = (["g", "t"], ["mm", "km"], ["mN", "kN"]);
-    let mass = scene.device.mass.get() + operator.mass.get();
-    let is_slow = TAU * (mass / last_pull(scene)).sqrt() > SWING;
-    let heavy = if is_slow { HEAVY } else { f64::INFINITY };
+    let (hand, own) = (operator.stiffness.get(), scene.device.mass.get());
+    let together = own + operator.mass.get();
+    let (device, holder) = scene.link.map_or((together, hand), |it| (own, it.stiffness.get()));
+    let heavy = |mass: f64, spring: f64| {
+        if TAU * (mass / spring).sqrt() > SWING { HEAVY } else { f64::INFINITY }
+    };
+    let (device, operator_mass) = (heavy(device, holder), heavy(operator.mass.get(), hand));
     let mut all = vec![
         number("servo_rate", scene.servo_rate.get(), "Hz", [SLOWEST, FASTEST], ["mHz", "kHz"]),
-        number("device.mass", scene.device.mass.get(), "kg", [LIGHT, heavy], masses),
-        number("operator.mass", operator.mass.get(), "kg", up_to(heavy), masses),
+        number("device.mass", own, "kg", [LIGHT, device], masses),
+        number("operator.mass", operator.mass.get(), "kg", up_to(operator_mass), masses),
         number(
             "operator.stiffness",
             operator.stiffness.get(),

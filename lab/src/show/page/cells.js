@@ -66,14 +66,14 @@ class Cells {
     Object.entries(place).forEach(([name, value]) => this.mark.setAttribute(name, value));
     const axes = axesOf();
     const list = element("dl");
-    const add = (name, value) => {
-      const pair = element("div");
+    const add = (name, value, kind) => {
+      const pair = element("div", kind);
       pair.append(element("dt", "", name), element("dd", "", value));
       list.append(pair);
     };
     if (axes) {
-      add(axes.x.name, axes.x.values[column]);
-      add(axes.y.name, axes.y.values[row]);
+      add(axes.x.name, axes.x.values[column], "axis");
+      add(axes.y.name, axes.y.values[row], "axis");
     }
     for (const map of maps) {
       const heat = map.panels[index]?.heat;

@@ -50,17 +50,17 @@ function power(exponent) {
   return `10${[...String(Math.round(exponent))].map(raised).join("")}`;
 }
 
-// Exponents of round numbers between two exponents.
-function decades(min, max) {
+// Exponents of round numbers between two exponents, about `most` at most.
+function decades(min, max, most) {
   const width = max - min;
   const within = (exponents) => exponents.filter((it) => it >= min - 1e-9 && it <= max + 1e-9);
   const whole = Array.from({ length: Math.ceil(Math.min(width, 700)) + 2 }, (_, index) => Math.floor(min) + index);
-  const step = Math.ceil(width / 9);
-  if (width > 3) return within(whole.filter((it) => it % step === 0));
+  const step = Math.ceil((width + 1) / Math.min(most, 9));
+  if (width > 3 || (width > 0.6 && 3 * width > most)) return within(whole.filter((it) => it % step === 0));
   if (width > 0.6) return within(whole.flatMap((it) => [1, 2, 5].map((part) => it + Math.log10(part))));
   const [low, high] = [10 ** min, 10 ** max];
   const power = 10 ** Math.floor(Math.log10((high - low) / 5));
-  const even = power * [1, 2, 5, 10].find((part) => (high - low) / (part * power) <= 6);
+  const even = power * [1, 2, 5, 10].find((part) => (high - low) / (part * power) <= Math.min(most, 6)) ?? 10 * power;
   const first = Math.ceil(low / even);
   return Array.from({ length: 8 }, (_, index) => Math.log10((first + index) * even)).filter((it) => it <= max);
 }
@@ -87,7 +87,10 @@ function axis(panel, key) {
     values: (u, splits) => splits.map(written),
   };
   if (panel[key]) made.label = panel[key];
-  if (isLog) made.splits = (u, index, min, max) => decades(min, max);
+  if (isLog) {
+    const room = (u) => (key === "x" ? (u.width - 80) / 60 : (u.height - 50) / 26);
+    made.splits = (u, index, min, max) => decades(min, max, Math.max(2, room(u)));
+  }
   if (key === "x") return { ...made, size: 28, space: 56 };
   if (rows) {
     made.splits = () => rows.map((_, index) => -index);
@@ -115,13 +118,18 @@ function drawGuides(u, guides, areNames) {
   ctx.lineWidth = ratio;
   ctx.font = FONT.replace("12", String(11 * ratio));
   ctx.textBaseline = "alphabetic";
+  let above = 0;
   for (const [way, at, label] of guides) {
     const place = u.valToPos(at, way === "h" ? "y" : "x", true);
     const [from, length] = way === "h" ? [bbox.top, bbox.height] : [bbox.left, bbox.width];
     if (!(place >= from && place <= from + length)) continue;
     if (areNames) {
+      const right = bbox.left + bbox.width - 4 * ratio;
+      const start = Math.min(place + 4 * ratio, right - ctx.measureText(label).width);
       ctx.textAlign = way === "h" ? "right" : "left";
-      const corner = way === "h" ? [bbox.left + bbox.width - 4 * ratio, place - 4 * ratio] : [place + 4 * ratio, bbox.top + 12 * ratio];
+      // Names of upright guides stand below each other.
+      if (way === "v") above += 13 * ratio;
+      const corner = way === "h" ? [right, place - 4 * ratio] : [Math.max(start, bbox.left), bbox.top + above];
       ctx.strokeStyle = css("--paper");
       ctx.lineWidth = 3 * ratio;
       ctx.lineJoin = "round";

@@ -14,7 +14,7 @@ use lyapunov::{
         Coordinates, CoupledOscillators, EventLocating, Integrator, Mechanics, Oscillator,
         StickSlipOscillator,
     },
-    trajectories::{Constant, FirstAxis, Pulse, Ramp, Samples, Sine, Step},
+    trajectories::{Constant, FirstAxis, Pulse, Ramp, RampParts, Samples, Sine, Step},
 };
 
 use super::body::{AnyBody, Watched};
@@ -280,7 +280,9 @@ fn led<V: Space, P: Copy + 'static>(
             AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::Ramp { at, to, rate: speed } => {
-            let trajectory = Ramp::new(rest, to.get(), speed.get(), at.get(), rate)?;
+            let (to, at) = (to.get(), at.get());
+            let parts = RampParts { from: rest, to, rate: speed.get(), at };
+            let trajectory = Ramp::new(parts, rate)?;
             AnyBody::new(body.led_by(FirstAxis::of(trajectory, others)))
         }
         Motion::Sine { amplitude, frequency } => {

@@ -126,10 +126,18 @@ mod tests {
         signs.into_iter().map(|it| it.text).collect()
     }
 
-    /// A hard case is hard on purpose: nothing in it looks like a mistake.
+    /// Cases that are out of anything a hand does on purpose.
+    const STRANGE: [&str; 5] = [
+        "grazing contact",
+        "an active environment",
+        "a stiff wall, two ticks late",
+        "a fifth of the answers lost",
+        "works of femtojoules",
+    ];
+
     #[test]
-    fn no_hard_case_shows_a_sign_of_a_mistake() {
-        let mut scenes = 0;
+    fn a_hard_case_looks_like_no_mistake_unless_it_is_strange_on_purpose() {
+        let (mut scenes, mut strange) = (0, Vec::new());
         for case in Catalogue::cases() {
             let Some(text) = case.trial.scene() else { continue };
             let scene = Scene::parse(text, case.name).unwrap();
@@ -138,9 +146,15 @@ mod tests {
                 2 => look_at::<nalgebra::SVector<f64, 2>>(&scene),
                 _ => look_at::<nalgebra::SVector<f64, 3>>(&scene),
             };
-            assert_eq!(signs, [""; 0], "{}", case.name);
             scenes += 1;
+            if !signs.is_empty() {
+                strange.push(case.name);
+            }
         }
+        strange.sort_unstable();
+        let mut expected = STRANGE;
+        expected.sort_unstable();
+        assert_eq!(strange, expected);
         assert!(scenes > 20, "{scenes}");
     }
 }
