@@ -1,9 +1,9 @@
 //! Folder for results.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use lyapunov_lab::OutputError;
 
@@ -11,16 +11,19 @@ use super::End;
 use super::results::Results;
 use crate::output::{Output, Outputs};
 
-/// Folder for results. A folder that had to be made is removed again unless it is [kept](Folder::keep).
+/// Folder for results. It and the folders above it that had to be made are removed again unless it is [kept](Folder::keep).
 pub(crate) struct Folder<'a> {
     path: &'a Path,
-    is_new: Cell<bool>,
+    /// The folders that were made, the innermost first.
+    made: RefCell<Vec<PathBuf>>,
 }
 
 impl<'a> Folder<'a> {
     /// Makes the folder and checks, before the work starts, that a file called `name` can be written into it.
     pub(crate) fn claim(path: &'a Path, name: &str) -> Result<Self, End> {
-        let is_new = Cell::new(!path.exists());
+        let missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
+        let made = path.ancestors().take_while(missing).map(Path::to_owned).collect();
+        let folder = Self { path, made: RefCell::new(made) };
         fs::create_dir_all(path).map_err(|error| {
             let error = match path.exists() && !path.is_dir() {
                 true => io::ErrorKind::NotADirectory.into(),
@@ -28,7 +31,6 @@ impl<'a> Folder<'a> {
             };
             End::input(OutputError::new(path, error))
         })?;
-        let folder = Self { path, is_new };
         Output::create(&path.join(name)).map_err(End::input)?;
         Ok(folder)
     }
@@ -49,14 +51,14 @@ impl<'a> Folder<'a> {
 
     /// Lets the folder stay.
     pub(crate) fn keep(&self) {
-        self.is_new.set(false);
+        self.made.borrow_mut().clear();
     }
 }
 
 impl Drop for Folder<'_> {
     fn drop(&mut self) {
-        if self.is_new.get() {
-            let _ = fs::remove_dir(self.path);
+        for folder in self.made.borrow().iter() {
+            let _ = fs::remove_dir(folder);
         }
     }
 }

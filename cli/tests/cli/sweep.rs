@@ -41,7 +41,7 @@ fn a_sweep_is_as_many_comparisons() {
     }
     assert_eq!(swept, alone);
     let verdicts = |word: &str| swept.iter().filter(|row| row["verdict"] == word).count();
-    assert!(verdicts("grows") > 0 && verdicts("settles") > 0, "{swept:?}");
+    assert!((1..swept.len()).contains(&verdicts("grows")), "{swept:?}");
 }
 
 #[test]
@@ -57,7 +57,7 @@ fn one_value_makes_a_sweep() {
     let refuses = |x: &str, words: &[&str]| {
         place.refuses(["map", "scene.toml", "--x", x], words);
     };
-    refuses("device.mass=1..2:1", &["one value is not the range 1..2", "1..1:1"]);
+    refuses("device.mass=1..2:1", &["one value is a range of its own, 1..1:1"]);
     refuses("device.mass=1..1:2", &["1..1 is empty"]);
 }
 

@@ -103,7 +103,7 @@ impl FromStr for Axis {
         };
         if (from == to) != (count == 1) {
             return no(match count {
-                1 => format!("one value is not the range {from}..{to}: give {from}..{from}:1"),
+                1 => format!("one value is a range of its own, {from}..{from}:1"),
                 _ => format!("the range {from}..{to} is empty: FROM has to be less than TO"),
             });
         }

@@ -72,7 +72,9 @@ impl Sweep {
     fn shared(&self, column: Column) -> Vec<(String, Vec<(f64, f64)>)> {
         let mut curves: Vec<(String, Vec<Option<f64>>)> = Vec::new();
         for (index, member) in self.stabilizers.iter().enumerate() {
-            let of = |score: &Score| column.value(score);
+            // A run that grows only shows how long it ran, and would flatten the others.
+            let of =
+                |score: &Score| column.value(score).filter(|_| score.verdict != Verdict::Grows);
             let values: Vec<_> = self.points.iter().map(|point| of(&point.scores[index])).collect();
             if values.iter().all(Option::is_none) {
                 continue;

@@ -21,7 +21,7 @@ impl Sweep {
             p { "Bounded up to: the last value that settles or swings before the first that grows." }
             h2 { "Curves" }
             (html::figure(Some("sweep"), &self.curves(), &html! {
-                "Where a run grows it has no settling time, force error or stiffness felt; equal curves are drawn once."
+                "Runs that grow are left out; equal curves are drawn once."
             }))
             (beside(&[
                 ("sweep.csv", "a row for each value and stabilizer"),
