@@ -132,7 +132,7 @@ fn a_map_is_merged_by_its_own_names() {
     let scene = scene.unwrap().replace("[stabilizer.popc]", "[stabilizer.my-popc]");
     fs::write(place.path().join("mine.toml"), scene).unwrap();
     let map = "map mine.toml --x environment.wall.stiffness=500..8000:4 \
-        --y stabilizer.my-popc.damping_cap=0.1..1:2 --stabilizers popc,my-popc,lolc-my-damping";
+        --y device.damping=0.1..1:2 --stabilizers popc,my-popc,lolc-my-damping";
     for shard in 0..2 {
         let line = format!("{map} --shard {shard}/2 --out shard-{shard} --quiet");
         let (status, _, err) = ran("own", &line, place.path());
