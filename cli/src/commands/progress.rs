@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, TermLike};
 use super::say;
 
 /// Time between two lines; work that takes less has none.
-const EVERY: Duration = Duration::from_secs(10);
+const EVERY: Duration = Duration::from_secs(30);
 
 const TEMPLATE: &str = "{msg}{percent} %, {eta} left";
 

@@ -10,7 +10,8 @@ fn all_pass_and_the_files_say_so() {
     let place = Place::new();
     let said = place.run(["hard", "--out", "made", "--json"]);
     said.ended(0, &[]);
-    assert_eq!(said.err, "");
+    // On a slow machine the progress of half a minute is told.
+    assert!(said.err.lines().all(|line| line.ends_with(" left")), "{}", said.err);
     assert_eq!(place.names("made"), ["hard.csv", "hard.json", "report.html"]);
     assert_eq!(place.text("made/hard.json"), said.out);
     let told: Value = serde_json::from_str(&said.out).unwrap();
