@@ -87,7 +87,11 @@ fn rival_by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
         "energy-bounding" => AnyStabilizer::new(EnergyBounding::of_damping(0.25, PERIOD).unwrap()),
         "force-bounding" => AnyStabilizer::new(ForceBounding::of_damping(0.25).unwrap()),
         "memory-based" => {
-            let memory = MemoryBased::<f64, 256>::beyond(0.001, 256.0 * 1e-5);
+            // Twice as deep as a spring of the wall's largest slope takes up the energy: more than 256 counts.
+            let slope = 20000.0 + 2.0 * 1.0 / (1.0 / 250.0);
+            let depth: f64 = 2.0 * (2.0 * ENERGY / slope).sqrt();
+            assert!(depth > 256.0 * 1e-5);
+            let memory = MemoryBased::<f64, 256>::beyond(0.001, depth);
             AnyStabilizer::new(memory.unwrap())
         }
         "reference-following" => {

@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use approx::assert_relative_eq;
+use lyapunov::{DampingLimit, Popc, PortEnergy};
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::tune::{Change, Objective, TuneError, Tuned, Tuning, document};
-use lyapunov_lab::{Ensemble, Rollout, Scene, Summary, Verdict};
+use lyapunov_lab::{AnyStabilizer, Ensemble, Rollout, Scene, Summary, Verdict};
 
 const SCENE: &str = "duration = 2.0\nservo_rate = 500.0\n\
     operator = { mass = 0.1, damping = 1.0, stiffness = 200.0, rest = 0.01 }\n\
@@ -32,13 +33,16 @@ fn tuned(tuning: &Tuning, scene: &Scene, of: &str) -> Result<Tuned, TuneError> {
 
 /// Mean settling of POPC with a cap over the members of an ensemble, and how many of these are bounded.
 fn settling(scene: &Scene, cap: f64, seed: u64, runs: u64) -> (usize, f64) {
-    let set = name("popc").written_in(scene, &[("damping_cap", cap)]).unwrap();
     let ensemble = Ensemble { seed, moves: Tuning::default().moves };
     let runs = (0..runs).map(|member| {
-        let scene = ensemble.member(&set, member).unwrap();
-        let summary = Summary::of(&scene, Rollout::<f64>::of(&scene).unwrap());
+        let moved = ensemble.member(scene, member).unwrap();
+        // The stabilizer knows the mass of the scene as it is written, and the plant has another.
+        let limit = DampingLimit::of_mass(cap, 0.1 + 0.2, 1.0 / 500.0);
+        let popc = AnyStabilizer::new(Popc::new(PortEnergy, limit.unwrap()));
+        let summary = Summary::of(&moved, Rollout::<f64>::stabilized_by(&moved, popc).unwrap());
+        let settles = summary.verdict() == Verdict::Settles;
         (summary.verdict() != Verdict::Grows)
-            .then(|| summary.settled.unwrap_or(scene.duration.get()))
+            .then(|| summary.settled.filter(|_| settles).unwrap_or(moved.duration.get()))
     });
     let costs: Vec<f64> = runs.flatten().collect();
     (costs.len(), costs.iter().sum::<f64>() / costs.len() as f64)

@@ -84,7 +84,7 @@ impl Trial {
         Ok(Self { verdict, verdict_by, whole, first, feel, look_at })
     }
 
-    /// Runs `scene`; none if the run grows or is too short to judge, or if the loop is linear, has no stabilizer and does not decay in contact.
+    /// Runs `scene`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.
     pub(crate) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
         let decays = scene.stabilizer.is_some()
             || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
@@ -92,7 +92,7 @@ impl Trial {
         if !decays {
             return None;
         }
-        Self::of::<V>(scene).ok().filter(|trial| trial.verdict.is_bounded())
+        Self::of::<V>(scene).ok().filter(|trial| trial.verdict != Verdict::Grows)
     }
 }
 

@@ -10,10 +10,10 @@ use crate::simulate::family::{StabilizerName, StabilizerNames};
 /// A number that an axis varies.
 #[derive(Clone, Debug)]
 pub(super) enum Varied {
-    /// A number of the scene, for every stabilizer.
+    /// A number of the scene, for every stabilizer; also of the table of a stabilizer that the scene names.
     OfScene(Vary),
-    /// A number of the table of one stabilizer, `stabilizer.NAME.KEY`, whether or not the scene has that table; the other
-    /// stabilizers stay as they are.
+    /// A number of the table of a stabilizer that the scene does not name, `stabilizer.NAME.KEY`; the other stabilizers
+    /// stay as they are.
     OfStabilizer(StabilizerName, String),
 }
 
@@ -30,6 +30,9 @@ impl Varied {
         else {
             return Vary::of(axis, tree).map(Self::OfScene);
         };
+        if scene.stabilizer.is_some_and(|own| own.name() == name) {
+            return Vary::of(axis, tree).map(Self::OfScene);
+        }
         let problem = || format!("`{}` is of no stabilizer that takes part", axis.key);
         let member: StabilizerName =
             name.parse().map_err(|error| VaryError::new(problem(), format!("{error}")))?;

@@ -27,6 +27,8 @@ const FIELDS: &[(&str, Copy)] = &[
     ("duration", |to, from| to.duration = from.duration),
     ("servo_rate", |to, from| to.servo_rate = from.servo_rate),
     ("environment_rate", |to, from| to.environment_rate = from.environment_rate),
+    ("stabilizer.popc.damping_cap", CAP),
+    ("stabilizer.lolc.damping_cap", CAP),
 ];
 
 fn wall(to: &mut Draft, from: &Draft, copy: fn(&mut Wall, &Wall)) {
