@@ -38,7 +38,8 @@ const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
 /// row for each cell and stabilizer, the scene in its head), heat maps (SVG and PNG), map.json and report.html.
 ///
 /// Without --y it sweeps the number --x alone and draws curves, with the rows in sweep.csv and sweep.json. An axis
-/// stabilizer.NAME.KEY applies to that stabilizer only, whether or not the scene has its table. docs/map.md defines them, docs/verdicts.md the verdicts.
+/// stabilizer.NAME.KEY applies to that stabilizer only, whether or not the scene has its table. With --refine it finds only where
+/// the runs begin to grow, from few of the grid's runs. docs/map.md defines them, docs/verdicts.md the verdicts.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
@@ -60,22 +61,25 @@ pub(crate) struct Map {
     stabilizers: StabilizerNames,
     /// Write the map into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    pub(super) out: Option<PathBuf>,
     /// Go on with the unfinished map in the folder.
     #[arg(long, requires_all = ["out", "y"])]
     resume: bool,
     /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together.
     #[arg(long, value_name = "i/n", requires_all = ["out", "y"])]
     shard: Option<Shard>,
+    /// Find the edge of stability at the resolution of the grid, from few of its runs.
+    #[arg(long, requires = "y", conflicts_with_all = ["resume", "shard"])]
+    refine: bool,
     /// Threads; by default one for each core.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Print map.json instead of the table.
     #[arg(long, conflicts_with = "quiet")]
-    json: bool,
+    pub(super) json: bool,
     /// Print nothing but errors.
     #[arg(long)]
-    quiet: bool,
+    pub(super) quiet: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -125,6 +129,9 @@ impl Map {
         let shard = self.shard.unwrap_or(Shard::WHOLE);
         let run =
             Run::of(&grid, self.threads.map(usize::from)).map_err(|error| self.blame(error))?;
+        if self.refine {
+            return self.refine(&grid, &run);
+        }
         let mut survey = Survey::of(&grid);
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let mut checkpoint = match &folder {
@@ -235,7 +242,7 @@ impl Map {
     }
 
     /// Input error about the map in this file.
-    fn blame(&self, error: impl std::fmt::Display) -> End {
+    pub(super) fn blame(&self, error: impl std::fmt::Display) -> End {
         let file =
             self.scene.as_deref().map_or_else(String::new, |path| path.display().to_string());
         End::input(format!("{file}: {error}"))

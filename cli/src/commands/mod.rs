@@ -12,6 +12,7 @@ mod map;
 mod observe;
 mod paper;
 mod progress;
+mod refine;
 mod results;
 mod run;
 mod scenes;

@@ -293,3 +293,30 @@ fn every_key_of_a_map_is_on_its_page() {
     sorted.sort_unstable();
     assert_eq!(sorted, [1, 2, 3]);
 }
+
+#[test]
+fn the_edge_alone_agrees_with_the_whole_map() {
+    let place = place();
+    let (x, y) = ("environment.wall.stiffness=100..5000:40", "environment.wall.damping=0..80:36");
+    let map = |more: &[&'static str]| {
+        let mut all = vec!["map", "scene.toml", "--x", x, "--y", y, "--stabilizers", "none"];
+        all.extend(more);
+        all
+    };
+    place.run(map(&["--out", "whole", "--quiet"])).ended(0, &[]);
+    place.run(map(&["--out", "edge", "--refine"])).ended(0, &["judged", "the cell"]);
+    let whole = place.text("whole/map.csv");
+    let judged = place.text("edge/judged.csv");
+    let rows: Vec<&str> = judged.lines().skip(1).collect();
+    assert!((40..40 * 36).contains(&rows.len()), "{}", rows.len());
+    for row in &rows {
+        let (cell, side) = row.rsplit_once(',').unwrap();
+        let start = format!("{cell},");
+        let full = whole.lines().find_map(|line| line.strip_prefix(&start)).unwrap();
+        assert_eq!(full.starts_with("grows"), side == "grows", "{row}");
+    }
+    let json: serde_json::Value = serde_json::from_str(&place.text("edge/refined.json")).unwrap();
+    assert_eq!(json["edges"][0]["judged_cells"], rows.len());
+    assert!(place.text("edge/report.html").contains("<figure class=\"cells\""));
+    place.run(map(&["--out", "edge", "--refine", "--resume"])).ended(2, &["--resume"]);
+}

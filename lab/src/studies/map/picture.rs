@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, Spacing};
 use super::bounds::{Bounds, Curve};
+use super::grid::Grid;
 use super::outcome::Measure;
 use super::survey::Survey;
 use crate::files::scene::unit;
@@ -12,6 +13,9 @@ use lyapunov_figures::{Figure, HeatMap, Numbering, Panel, Series};
 const WIDTH: f64 = 560.0;
 
 const HEIGHT: f64 = 330.0;
+
+/// The most picture elements along an axis; a larger map is drawn by the means of its cells.
+pub(super) const FINEST: u64 = 512;
 
 /// A heat map with the name of its files and its caption.
 #[derive(Debug)]
@@ -59,7 +63,16 @@ fn range(survey: &Survey, measure: usize) -> Option<(f64, f64)> {
 }
 
 fn figure(survey: &Survey, words: &str, curves: &[Curve], of: impl Fn(usize) -> HeatMap) -> Figure {
-    let grid = survey.grid();
+    panels(survey.grid(), words, curves, |index| (of(index), Vec::new()))
+}
+
+/// A figure with a heat map for each stabilizer, with `curves` and the series `of` each.
+pub(super) fn panels(
+    grid: &Grid,
+    words: &str,
+    curves: &[Curve],
+    of: impl Fn(usize) -> (HeatMap, Vec<Series>),
+) -> Figure {
     let columns = if grid.stabilizers.len() > 1 { 2 } else { 1 };
     let mut figure = Figure::new(words)
         .with_width(WIDTH * columns as f64)
@@ -67,8 +80,9 @@ fn figure(survey: &Survey, words: &str, curves: &[Curve], of: impl Fn(usize) -> 
         .with_panel_height(HEIGHT);
     for (index, member) in grid.stabilizers.iter().enumerate() {
         let (x, y) = (Shown::of(&grid.x), Shown::of(&grid.y));
+        let (heat, series) = of(index);
         let mut panel = Panel::new(member.name(), label(&grid.x), label(&grid.y))
-            .with_heat(of(index))
+            .with_heat(heat)
             .with_numbers(x.numbering, y.numbering)
             .with_numbers_within(x.numbered, y.numbered)
             .with_x_range(x.range.0, x.range.1)
@@ -78,7 +92,7 @@ fn figure(survey: &Survey, words: &str, curves: &[Curve], of: impl Fn(usize) -> 
             let series = Series::line(curve.label, curve.colour, points);
             panel = panel.with_series(if curve.is_dashed { series.dashed() } else { series });
         }
-        figure = figure.with_panel(panel);
+        figure = figure.with_panel(series.into_iter().fold(panel, Panel::with_series));
     }
     figure
 }
@@ -115,7 +129,7 @@ impl Shown {
         Self { range: (from - half, to + half), numbered: (from, to), ..shown }
     }
 
-    fn place(&self, value: f64) -> f64 {
+    pub(super) fn place(&self, value: f64) -> f64 {
         match self.numbering {
             Numbering::Plain => value,
             Numbering::PowersOfTen => libm::log10(value),

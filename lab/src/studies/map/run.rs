@@ -126,6 +126,11 @@ impl<'a> Run<'a> {
         Ok(Self { grid, method, pool })
     }
 
+    /// The grid of the map.
+    pub fn grid(&self) -> &'a Grid {
+        self.grid
+    }
+
     /// Method by which the cells are computed.
     pub fn method(&self) -> &Method {
         &self.method
@@ -171,6 +176,24 @@ impl<'a> Run<'a> {
             size = ((size as f64 * share.clamp(0.25, 4.0)) as usize).clamp(self.threads(), MOST);
         }
         Ok(effort)
+    }
+
+    /// The verdicts on `cells`, in any order, under `member`; polls `go_on` now and then.
+    ///
+    /// # Errors
+    /// [`RunError::Stopped`] if `go_on` returns false, and a cell whose values make no scene.
+    pub(super) fn verdicts(
+        &self,
+        member: StabilizerName,
+        cells: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<Verdict>, RunError> {
+        if let (Method::Lanes(kernel), Some(name)) = (&self.method, member.basic_name()) {
+            let verdicts = self.shared(cells, |cells| kernel.verdicts(name, cells, go_on))?;
+            return Ok(verdicts.into_iter().map(|(verdict, _)| verdict).collect());
+        }
+        let outcomes = self.alone(member, cells, go_on, &mut Workload::default())?;
+        Ok(outcomes.into_iter().map(|outcome| outcome.verdict).collect())
     }
 
     /// Size of the first band, so small that it is short whatever a cell takes.

@@ -2,13 +2,11 @@
 
 use super::grid::Grid;
 use super::outcome::{Measure, Outcome};
+use super::picture::FINEST;
 use super::rendered::{Rendered, Tally};
 use crate::measure::sanity::Sign;
 use crate::measure::{Oddity, Verdict, Yardstick};
 use crate::simulate::family::{BasicName, StabilizerName};
-
-/// The most picture elements along an axis; a larger map is drawn by the means of its cells.
-const FINEST: u64 = 512;
 
 /// Survey of a map, filled cell by cell.
 #[derive(Clone, Debug)]

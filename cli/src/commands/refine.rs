@@ -1,0 +1,49 @@
+//! `lyapunov map --refine`: the edge of stability from few runs.
+
+use std::io::{self, Write};
+
+use indicatif::ProgressBar;
+use lyapunov_lab::map::{Bounds, Grid, Refined, Run, RunError};
+
+use super::folder::Folder;
+use super::map::Map;
+use super::results::{Results, command_line};
+use super::{End, shown, standard_output};
+
+/// The file that `--json` prints.
+const RESULTS: &str = "refined.json";
+
+const BAR: &str = "{spinner} {pos} cells judged, {per_sec}";
+
+impl Map {
+    /// Finds the edge of stability on `grid`.
+    pub(super) fn refine(&self, grid: &Grid, run: &Run<'_>) -> Result<(), End> {
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let bar = match self.quiet {
+            true => ProgressBar::hidden(),
+            false => shown(ProgressBar::no_length(), BAR),
+        };
+        let watch = |judged| {
+            bar.inc(judged);
+            End::if_interrupted().is_ok()
+        };
+        let refined = Refined::of(run, &watch).map_err(|error| match error {
+            RunError::Stopped => End::Interrupted,
+            error => self.blame(error),
+        })?;
+        bar.finish_and_clear();
+        let text = refined.document().map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let bounds = Bounds::of(grid);
+            let page = refined.to_html(bounds.as_ref(), &command_line());
+            let results = Results::new(page, RESULTS, &text).with_file("judged.csv", refined.csv());
+            folder.fill(results.with_figure("edge", &refined.figure(bounds.as_ref()))?)?;
+        }
+        let said = match (self.json, self.quiet) {
+            (true, _) => text,
+            (_, true) => return Ok(()),
+            _ => refined.to_string(),
+        };
+        io::stdout().lock().write_all(said.as_bytes()).map_err(standard_output)
+    }
+}
