@@ -74,9 +74,13 @@ impl StabilizerName {
         }
     }
 
-    /// Whether `scene` has the numbers that this stabilizer is set by; some rely on a damping of the device.
+    /// Whether `scene` has the axes and the numbers that this stabilizer is set by; some are for one axis only, and some
+    /// rely on a damping of the device.
     pub fn fits(self, scene: &Scene) -> bool {
-        self.table(scene).is_none_or(|table| table.kind().lacks(&Basis::of(scene)).is_none())
+        self.table(scene).is_none_or(|table| {
+            let has_axes = scene.dimensions() == 1 || !table.is_on_a_line();
+            has_axes && table.kind().lacks(&Basis::of(scene)).is_none()
+        })
     }
 
     /// The stabilizer on the loop of `scene`, whatever `scene` names.

@@ -54,11 +54,6 @@ pub enum CompareError {
         /// The parameter's error.
         error: ParameterError,
     },
-    /// The scene has more than one dimension; the meters measure along one axis.
-    Space {
-        /// The scene.
-        scene: String,
-    },
     /// `watch` stopped the runs.
     Stopped,
 }
@@ -69,10 +64,6 @@ impl fmt::Display for CompareError {
             Self::Parameter { stabilizer, scene, error } => {
                 write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
                 f.write_str("change that value in the scene, or compute in f64 if it says f32")
-            }
-            Self::Space { scene } => {
-                write!(f, "{scene}: [space] is not for a comparison\n  = ")?;
-                f.write_str("compare scenes of one dimension")
             }
             Self::Stopped => f.write_str("the comparison was stopped"),
         }
@@ -85,7 +76,7 @@ impl Comparison {
     /// Runs all `entrants` on `scene` in the scalar of `V`, whatever scalar `scene` names, and times their steps.
     ///
     /// # Errors
-    /// A stabilizer that cannot be made on this scene; a scene of more than one dimension.
+    /// A stabilizer that cannot be made on this scene.
     pub fn of<V: Space>(
         name: &str,
         scene: &Scene,
@@ -105,9 +96,6 @@ impl Comparison {
         entrants: &Entrants<V>,
         watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, CompareError> {
-        if scene.dimensions() > 1 {
-            return Err(CompareError::Space { scene: name.to_owned() });
-        }
         let refused = |stabilizer: &str, error| CompareError::Parameter {
             stabilizer: stabilizer.to_owned(),
             scene: name.to_owned(),

@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::contacts::wall;
 use super::look_at::LookAt;
 use super::score::Score;
 use super::{Broken, Comparison};
@@ -48,7 +47,7 @@ struct Line<'a> {
 pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
         let cap = comparison.settings.damping_cap;
-        (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
+        (comparison.scene.environment.surface_stiffness(), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {
         let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{ParameterError, Scalar, Stabilizer};
+use lyapunov::{ParameterError, Stabilizer};
 
 use crate::files::Scene;
 use crate::simulate::family::{Judgement, StabilizerName, StabilizerNames};
@@ -92,7 +92,7 @@ impl<V: Space> Entrants<V> {
     }
 }
 
-impl<T: Scalar + Space> Entrants<T> {
+impl<V: Space> Entrants<V> {
     /// The entrants of [`StabilizerNames::standard`].
     pub fn standard() -> Self {
         Self::of(StabilizerNames::standard())

@@ -33,8 +33,6 @@ pub enum GridError {
     Axis(VaryError),
     /// The same number twice.
     SameKey(String),
-    /// A scene of more than one dimension: a map measures along one axis.
-    Space,
     /// A stabilizer named twice, or none at all.
     StabilizerNames(StabilizerNamesError),
     /// A scene that cannot be written as TOML.
@@ -55,7 +53,6 @@ impl fmt::Display for GridError {
             Self::SameKey(key) => {
                 write!(f, "both axes are `{key}`\n  = give two different numbers of the scene")
             }
-            Self::Space => f.write_str("[space] is not for a map\n  = map scenes of one dimension"),
             Self::StabilizerNames(error) => error.fmt(f),
             Self::Unwritten(problem) => f.write_str(problem),
             Self::Cell { cell, reason } => write!(
@@ -78,17 +75,14 @@ impl Grid {
     /// The map of `scene` over `x` and `y`.
     ///
     /// # Errors
-    /// A key that is no number of the scene, or the same twice; a value that the scene does not allow; a scene in more
-    /// than one dimension; a stabilizer named twice.
+    /// A key that is no number of the scene, or the same twice; a value that the scene does not allow; a stabilizer
+    /// named twice.
     pub fn new(
         scene: Scene,
         x: Axis,
         y: Axis,
         members: impl IntoIterator<Item = impl Into<StabilizerName>>,
     ) -> Result<Self, GridError> {
-        if scene.dimensions() > 1 {
-            return Err(GridError::Space);
-        }
         if x.key == y.key {
             return Err(GridError::SameKey(x.key));
         }

@@ -61,14 +61,14 @@ impl Curves {
         let end = summary.scene.ticks() as f64 * summary.scene.period();
         let last = summary.left_range().unwrap_or(end);
         let criterion = summary.fate.criterion(0);
-        let (Verdict::Grows, Some(rest), [axis]) =
-            (summary.verdict(), criterion.place(), &self.axes[..])
-        else {
-            return last;
-        };
+        let rest = criterion.equilibrium.filter(|_| criterion.place().is_some());
+        let (Verdict::Grows, Some(rest)) = (summary.verdict(), rest) else { return last };
         let reach = SHOWN * criterion.start;
-        let points = axis.position.clone().finish();
-        points.iter().find(|point| (point.1 - rest).abs() > reach).map_or(last, |point| point.0)
+        let left = self.axes.iter().zip(rest.axes()).filter_map(|(axis, rest)| {
+            let points = axis.position.clone().finish();
+            points.iter().find(|point| (point.1 - rest).abs() > reach).map(|point| point.0)
+        });
+        left.fold(last, f64::min)
     }
 
     /// The sentence under the figure.

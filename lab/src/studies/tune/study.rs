@@ -28,8 +28,6 @@ pub enum TuneError {
         /// What the scene lacks.
         lacks: &'static str,
     },
-    /// A scene of more than one dimension: the costs are measured along one axis.
-    Space,
     /// A moved number that the scene does not allow.
     Member(Conflict),
     /// A number out of the range of the scalar.
@@ -48,9 +46,6 @@ impl fmt::Display for TuneError {
                     term.name()
                 )?;
                 f.write_str("\n  = choose another with --objective")
-            }
-            Self::Space => {
-                f.write_str("[space] is not for tuning\n  = tune on a scene of one dimension")
             }
             Self::Member(conflict) => write!(f, "a scene of the ensemble is none: {conflict}"),
             Self::Parameter(error) => error.fmt(f),
@@ -169,15 +164,12 @@ impl Tuning {
 
     /// Refuses a scene that the objective says nothing about.
     fn fits(&self, scene: &Scene) -> Result<(), TuneError> {
-        if scene.dimensions() > 1 {
-            return Err(TuneError::Space);
-        }
         let has_rest = Criterion::of(scene).place().is_some();
-        let has_wall = scene.environment.wall().is_some();
+        let has_wall = scene.environment.surface_stiffness().is_some();
         for term in self.objective.terms() {
             let (has, lacks) = match term {
                 Term::Settling => (has_rest, "a place where the motion comes to rest"),
-                Term::ForceError | Term::Stiffness => (has_wall, "a wall"),
+                Term::ForceError | Term::Stiffness => (has_wall, "a wall or a solid"),
             };
             if !has {
                 return Err(TuneError::Objective { term, lacks });

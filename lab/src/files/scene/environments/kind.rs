@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance};
+use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance, environments::Solid};
 use nalgebra::SVector;
 
 use super::render::Render;
@@ -31,6 +31,11 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
     /// The direction in which it pushes, if that is the same everywhere and of no axis in particular.
     fn normal(&self) -> Option<Coordinates> {
         None
+    }
+
+    /// Its flat faces; empty of a kind without a surface, or whose surface is one.
+    fn faces(&self) -> Vec<Face> {
+        Vec::new()
     }
 
     /// The spring that a device at rest feels, beyond the surface if there is one; none if the force is no straight
@@ -69,6 +74,17 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
     fn words(&self, number: Number) -> String;
 }
 
+/// A face square to an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Face {
+    /// The index of the axis.
+    pub(crate) axis: usize,
+    /// 1 where the solid lies below it, −1 where it lies above.
+    pub(crate) outward: f64,
+    /// Its place along the axis, m.
+    pub(crate) position: f64,
+}
+
 /// An environment of one dimension.
 pub(super) trait OnALine: EnvironmentKind {
     /// The result of `to` for the library's environment.
@@ -78,6 +94,11 @@ pub(super) trait OnALine: EnvironmentKind {
 
 /// An environment of several dimensions.
 pub(super) trait InSpace: EnvironmentKind {
+    /// The solid that the device touches.
+    fn solid<T: Scalar, const N: usize>(
+        &self,
+    ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError>;
+
     /// The result of `to` for the library's environment.
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
