@@ -90,7 +90,7 @@ impl Compare {
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let compared = self.compare(&scenes, &named, &mut left_out)?;
         let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
-        let text = document(&comparisons).map_err(End::internal)?;
+        let text = document(&comparisons, left_out.reasons()).map_err(End::internal)?;
         if let Some(folder) = folder {
             fill(&folder, &comparisons, &answers, &left_out, &text)?;
         }

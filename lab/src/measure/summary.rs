@@ -20,8 +20,8 @@ pub struct Summary {
     pub rows: u64,
     /// The last tick.
     pub last: Option<Row>,
-    /// The position where the operator's spring and the environment balance, m on each axis; none where no spring pulls,
-    /// where no place is known, or if it is out of range.
+    /// The place where the operator's spring and the environment balance, m on each axis, of several the nearest to the last
+    /// position; none where no spring pulls, where no place is known, or if it is out of range.
     pub equilibrium: Option<Vec<f64>>,
     /// Half the width of the band about the equilibrium that counts as settled, m.
     pub band: f64,
@@ -59,7 +59,8 @@ impl Summary {
         let criterion = fate.criterion(0);
         let (rest, band) = criterion.rest();
         let shown = |metres: &f64| (MILLI * metres).is_finite();
-        let equilibrium = criterion.equilibrium.map(|place| place.axes().to_vec());
+        let first = criterion.equilibria.first();
+        let equilibrium = first.map(|place| place.axes().to_vec());
         let equilibrium =
             equilibrium.filter(|place| band >= 0.0 && shown(&band) && place.iter().all(shown));
         let place = equilibrium.as_ref().map(|_| (rest, band));
@@ -115,6 +116,10 @@ impl Summary {
         let criterion = self.fate.criterion(0);
         let coordinate = criterion.coordinate(tick.truth.position);
         self.away = (coordinate - criterion.rest().0).abs();
+        if criterion.equilibria.len() > 1 && self.equilibrium.is_some() {
+            let nearest = criterion.nearest(tick.truth.position);
+            self.equilibrium = nearest.map(|place| place.axes().to_vec());
+        }
         self.settling.add(coordinate);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
@@ -144,6 +149,13 @@ impl Summary {
 
     /// The signs of a mistake in the scene or its run; docs/sanity.md has the thresholds.
     pub fn look_at(&self) -> Vec<Oddity> {
+        let mut signs = self.seen();
+        signs.extend(self.scene.stabilizer.and_then(|own| Oddity::outside(&self.scene, own)));
+        signs
+    }
+
+    /// The same without the stabilizer's assumptions, for a run under another than the scene names.
+    pub(crate) fn seen(&self) -> Vec<Oddity> {
         self.signs.finish(&self.scene)
     }
 

@@ -26,12 +26,12 @@ impl From<Verdict> for Cell {
 /// The quantity that a scene is judged by, if it is not its distance from the equilibrium, and the reason.
 pub(crate) fn by_speed(scene: &Scene) -> Option<String> {
     let criterion = Criterion::of(scene);
-    let why = match criterion.equilibrium {
+    let why = match criterion.equilibria.first() {
         _ if criterion.place().is_some() => return None,
         Some(_) => "it starts where it rests",
         None if last_pull(scene) == 0.0 => "no spring of the operator pulls the plant anywhere",
         None if never_rests(scene) => "what moves the plant never rests",
-        None if scene.dimensions() > 1 => "no single place to rest at is known before the run",
+        None if scene.dimensions() > 1 => "no place to rest at is known",
         None => "there is no place to rest at",
     };
     Some(format!("by speed, as {why}"))

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use lyapunov::environments::Time;
 
-use super::equilibrium::{driven, equilibrium, last_pull, swing};
+use super::equilibrium::{driven, equilibria, last_pull, swing};
 use super::{Place, Space};
 use crate::files::scene::Draft;
 
@@ -24,12 +24,12 @@ const ANSWERS: u64 = 20;
 const ROUNDING: f64 = 1e-9;
 
 /// Place and scale that the motion of a scene is judged by.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Criterion {
-    /// The place where the plant comes to rest.
-    pub(crate) equilibrium: Option<Place>,
-    /// The place that distances in a space are measured from: the equilibrium, else the hand's rest; none on a line.
-    middle: Option<Place>,
+    /// The places where the plant may come to rest; one at most on a line.
+    pub(crate) equilibria: Vec<Place>,
+    /// The places that distances in a space are measured from: the equilibria, else the hand's rest; none on a line.
+    middles: Vec<Place>,
     /// The swing that a run is measured against, m; 0 without an equilibrium.
     pub(crate) start: f64,
     /// Half the width of the band about the equilibrium that counts as settled, m; below 0 without an equilibrium.
@@ -49,7 +49,9 @@ pub(crate) enum Shortage {
 
 impl Criterion {
     pub(crate) fn of(scene: &Draft) -> Self {
-        let equilibrium = equilibrium(scene);
+        let equilibria = equilibria(scene);
+        let start = Place::of(&scene.initial.position, scene.dimensions());
+        let equilibrium = nearest(&equilibria, |axis| start.axes()[axis]).copied();
         let swing = equilibrium.map_or(0.0, |rest| swing(scene, &rest));
         // The starting swing, or the spring's deflection at the equilibrium if that is larger, so that a start in
         // balance is not measured against zero.
@@ -57,36 +59,49 @@ impl Criterion {
         let start = equilibrium.map_or(0.0, |rest| swing.max(deflection(rest)));
         let width = BAND * if swing > BALANCE * start { swing } else { start };
         let band = if equilibrium.is_some() { width } else { -1.0 };
-        let hand = || Place::of(&scene.operator.rest, scene.dimensions());
-        let middle = (scene.dimensions() > 1).then(|| equilibrium.unwrap_or_else(hand));
-        Self { equilibrium, middle, start, band, shortage: Shortage::of(scene) }
+        let hand = Place::of(&scene.operator.rest, scene.dimensions());
+        let middles = match (scene.dimensions(), equilibria.is_empty()) {
+            (1, _) => Vec::new(),
+            (_, false) => equilibria.clone(),
+            (_, true) => vec![hand],
+        };
+        Self { equilibria, middles, start, band, shortage: Shortage::of(scene) }
     }
 
-    /// The coordinate that a motion is judged along, m: on a line the position, in a space the distance from the
+    /// The coordinate that a motion is judged along, m: on a line the position, in a space the distance from the nearest
     /// equilibrium, or from the hand's rest where there is none.
     pub(crate) fn coordinate<V: Space>(&self, position: V) -> f64 {
-        match &self.middle {
-            None => position.axis(0),
-            Some(middle) => middle.distance(|axis| position.axis(axis)),
-        }
+        let distances = self.middles.iter().map(|it| it.distance(|axis| position.axis(axis)));
+        distances.reduce(f64::min).unwrap_or_else(|| position.axis(0))
+    }
+
+    /// The equilibrium nearest to a position.
+    pub(crate) fn nearest<V: Space>(&self, position: V) -> Option<&Place> {
+        nearest(&self.equilibria, |axis| position.axis(axis))
     }
 
     /// The coordinate that the plant's distance is measured from, m; none where its speed is judged instead: without an
     /// equilibrium, or without a scale for the distance.
     pub(crate) fn place(&self) -> Option<f64> {
-        self.equilibrium.filter(|_| self.start > 0.0).map(|rest| self.along(rest))
+        self.equilibria.first().filter(|_| self.start > 0.0).map(|rest| self.along(rest))
     }
 
     /// The coordinate where the plant comes to rest and half the width of the band about it that counts as settled, m; a
     /// band below 0 where there is no such place.
     pub(crate) fn rest(&self) -> (f64, f64) {
-        (self.equilibrium.map_or(0.0, |rest| self.along(rest)), self.band)
+        (self.equilibria.first().map_or(0.0, |rest| self.along(rest)), self.band)
     }
 
     /// The coordinate of the equilibrium.
-    fn along(&self, rest: Place) -> f64 {
-        if self.middle.is_some() { 0.0 } else { rest.axes()[0] }
+    fn along(&self, rest: &Place) -> f64 {
+        if self.middles.is_empty() { rest.axes()[0] } else { 0.0 }
     }
+}
+
+/// The place nearest to the point with the coordinate `of` each axis.
+fn nearest(places: &[Place], of: impl Fn(usize) -> f64) -> Option<&Place> {
+    let distance = |place: &&Place| place.distance(&of);
+    places.iter().min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
 
 impl Shortage {
@@ -145,7 +160,7 @@ mod tests {
 
     /// The equilibrium on a line.
     fn at(criterion: &Criterion) -> Option<f64> {
-        criterion.equilibrium.map(|place| place.axes()[0])
+        criterion.equilibria.first().map(|place| place.axes()[0])
     }
 
     #[test]
@@ -168,7 +183,7 @@ mod tests {
         let idle = criterion("initial.position = 0.0\n");
         assert_eq!((at(&idle), idle.start, idle.place()), (Some(0.0), 0.0, None));
         let loose = criterion("operator.stiffness = 0.0\n");
-        assert_eq!((loose.equilibrium, loose.place(), loose.rest()), (None, None, (0.0, -1.0)));
+        assert_eq!((at(&loose), loose.place(), loose.rest()), (None, None, (0.0, -1.0)));
     }
 
     /// Whether a run of so many seconds is judged.

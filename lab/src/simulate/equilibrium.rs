@@ -12,14 +12,14 @@ const HALVINGS: usize = 200;
 /// Share of the hand's force by which two forces that balance may differ.
 const BALANCED: f64 = 1e-9;
 
-/// Place where the operator's spring, the environment and the forces that push at the end balance; none where no spring
-/// pulls and where something never rests, and in a space where it is not known before the run: a box of which more than
-/// one face holds the hand, the middle of a ball, and a force that a saturation turns.
-pub(crate) fn equilibrium(scene: &Draft) -> Option<Place> {
+/// Places where the operator's spring, the environment and the forces that push at the end balance: on a line and before a
+/// solid with one surface one, before a box one for each face that holds the hand. None where no spring pulls and where
+/// something never rests; in a space neither in the middle of a ball, nor where a saturation turns the force.
+pub(crate) fn equilibria(scene: &Draft) -> Vec<Place> {
     match scene.dimensions() {
-        1 => on_a_line(scene).map(Place::on_a_line),
-        2 => in_space::<2>(scene).map(Place::at),
-        _ => in_space::<3>(scene).map(Place::at),
+        1 => on_a_line(scene).map(Place::on_a_line).into_iter().collect(),
+        2 => in_space::<2>(scene).into_iter().flatten().map(Place::at).collect(),
+        _ => in_space::<3>(scene).into_iter().flatten().map(Place::at).collect(),
     }
 }
 
@@ -40,10 +40,10 @@ pub(crate) fn never_rests(scene: &Draft) -> bool {
     last_rest(scene).is_none() || scene.environment.kind().frequency().is_some()
 }
 
-/// The place where a solid and the hand hold each other, if there is one only. A hand that pulls to `free` rests on a side
+/// The places where a solid and the hand hold each other. A hand that pulls to `free` rests on a side
 /// of the solid with the normal `n`, below which `free` lies `d` deep, at `free + n d K / (k + K)`, if that side is the
 /// nearest there too.
-fn in_space<const N: usize>(scene: &Draft) -> Option<SVector<f64, N>> {
+fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>> {
     let (pull, rest) = (last_pull(scene), last_rest(scene)?);
     if pull <= 0.0 {
         return None;
@@ -63,9 +63,8 @@ fn in_space<const N: usize>(scene: &Draft) -> Option<SVector<f64, N>> {
     let pressed = sides(scene, &*solid, free)?.into_iter().filter(|side| side.depth > 0.0);
     let pressed = pressed.map(|side| free + side.normal * (side.depth * push / (pull + push)));
     let alone = Some(free).filter(|free| force(*free).norm() == 0.0);
-    let mut held = alone.into_iter().chain(pressed.filter(balances));
-    let place = held.next().filter(|_| held.next().is_none())?;
-    clipped(scene, free, place, pull)
+    let held = alone.into_iter().chain(pressed.filter(balances));
+    held.map(|place| clipped(scene, free, place, pull)).collect()
 }
 
 /// The sides of a `solid` seen from `free`; none in the middle of a ball, where no direction leads out.

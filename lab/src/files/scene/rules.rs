@@ -118,16 +118,31 @@ impl Draft {
                 },
             ));
         }
-        if dimensions > 1 && self.effects.friction.is_some() {
-            return Err(Conflict::new(
-                "effects.friction",
-                format!(
-                    "`effects.friction` is simulated in one dimension only, and the scene has {dimensions}"
-                ),
-                "leave it out, or leave out [space]",
-            ));
-        }
+        self.check_friction_in_space()?;
         kind.check()
+    }
+
+    fn check_friction_in_space(&self) -> Result<(), Conflict> {
+        let dimensions = self.dimensions();
+        if dimensions == 1 || self.effects.friction.is_none() {
+            return Ok(());
+        }
+        let other = match (self.link.is_some(), self.integrator) {
+            (true, _) => {
+                "behind a `link` it would leave rest within a period, in a direction that turns"
+            }
+            (_, Integrator::Exact) => return Ok(()),
+            _ => {
+                "an integrator finds the instants of rest by the sign of the velocity, and a vector has none"
+            }
+        };
+        Err(Conflict::new(
+            "effects.friction",
+            format!(
+                "`effects.friction` in {dimensions} dimensions is for one mass that moves exactly: {other}"
+            ),
+            "take `integrator = \"exact\"` without a `link`, or leave out the friction",
+        ))
     }
 
     fn check_stabilizer(&self) -> Result<(), Conflict> {

@@ -147,7 +147,7 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
     }
 
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {
-        plant::frictionless(scene, operator)
+        plant::in_space(scene, operator)
     }
 }
 

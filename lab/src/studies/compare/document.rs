@@ -15,6 +15,9 @@ struct Document<'a> {
     scenes: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
     broken: Broken,
+    /// The files that did not fit, with the reasons.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    left_out: &'a [String],
 }
 
 /// Values that all rows of a scene share.
@@ -40,11 +43,11 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/compare.md lists the keys.
+/// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/compare.md lists the keys.
 ///
 /// # Errors
 /// None: every part can be written as JSON.
-pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
+pub fn document(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
         let cap = comparison.settings.damping_cap;
         (comparison.scene.environment.surface_stiffness(), cap.is_finite().then_some(cap))
@@ -70,6 +73,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
         scenes: scenes.collect(),
         rows: rows.collect(),
         broken: Broken::of(comparisons),
+        left_out,
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

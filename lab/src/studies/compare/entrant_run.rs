@@ -11,7 +11,7 @@ use super::entrants::{Entrant, Entrants};
 use super::score::Score;
 use crate::files::scene::Scene;
 use crate::measure::{Chatter, Energies, Oddity, Physical, Share, Summary, Trace, Verdict};
-use crate::simulate::family::{Judgement, StabilizerName};
+use crate::simulate::family::StabilizerName;
 use crate::simulate::{Rollout, Space, Tick, in_space};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
@@ -57,11 +57,14 @@ impl<V: Space> EntrantRun<V> {
                 samples.push((tick.measured, tick.environment));
             }
         })?;
-        let look_at = meters.summary.look_at();
+        let mut look_at = meters.summary.seen();
+        let table = entrant.like.and_then(|like| like.table(scene));
+        look_at.extend(table.and_then(|table| Oddity::outside(scene, table)));
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
-        let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
-        let active = score.active.filter(|_| damps);
-        let score = Score { active, judged_by: entrant.judgement, ..score };
+        let reports = entrant.like.is_none_or(StabilizerName::reports_damping);
+        let active = score.active.filter(|_| reports);
+        let judged_by = entrant.like.map(StabilizerName::judgement);
+        let score = Score { active, judged_by, ..score };
         Ok(Self { score, curves, samples, look_at })
     }
 }

@@ -64,10 +64,10 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
 
 /// The coordinate that positions are drawn along: what it is, and its name on the axis.
 fn coordinate(scene: &Scene) -> (&'static str, &'static str) {
-    match (scene.dimensions(), Criterion::of(scene).equilibrium) {
+    match (scene.dimensions(), Criterion::of(scene).equilibria.len()) {
         (1, _) => ("position", "position"),
-        (_, Some(_)) => ("distance from the equilibrium", "distance"),
-        (_, None) => ("distance from the hand's rest", "distance"),
+        (_, 1..) => ("distance from the equilibrium", "distance"),
+        (_, 0) => ("distance from the hand's rest", "distance"),
     }
 }
 

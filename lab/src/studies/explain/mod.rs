@@ -55,6 +55,8 @@ impl Explanation {
         let limits = Limits::of(scene);
         let is_unstable =
             scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
+        let outside = scene.stabilizer.and_then(|own| Oddity::outside(scene, own));
+        let look_at = trial.look_at.into_iter().chain(outside).collect();
         let acts = trial.feel.peak != 0.0;
         let needs_one = acts && (trial.verdict == Verdict::Grows || is_unstable);
         let remedies = if needs_one { remedy::remedies::<V>(scene) } else { vec![] };
@@ -68,7 +70,7 @@ impl Explanation {
             whole_run: trial.whole,
             peak_force: trial.feel.peak,
             remedies,
-            look_at: trial.look_at,
+            look_at,
         })
     }
 }

@@ -46,7 +46,7 @@ fn run<V: Space>(
         Verdict::Grows => Measures::default(),
         _ => {
             let measures = meters.finish(scene);
-            Measures { active: measures.active.filter(|_| member.adds_damping()), ..measures }
+            Measures { active: measures.active.filter(|_| member.reports_damping()), ..measures }
         }
     };
     Ok(Some(Outcome { verdict, verdict_by: fate.verdict_by(0), measures }))
@@ -68,7 +68,7 @@ impl<V: Space> Meters<V> {
     fn new(scene: &Scene, criterion: &Criterion) -> Self {
         let (rest, band) = criterion.rest();
         Self {
-            criterion: *criterion,
+            criterion: criterion.clone(),
             ticks: 0,
             active: 0,
             peak: 0.0,

@@ -49,6 +49,12 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
         None
     }
 
+    /// Whether it gives energy by its own law: a part that pushes along the motion, or a law that changes with time.
+    fn is_active(&self) -> bool {
+        let pushes = |it: Impedance<f64>| it.stiffness < 0.0 || it.damping < 0.0;
+        self.frequency().is_some() || self.impedance().is_some_and(pushes)
+    }
+
     /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
     fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
         let _ = stiffness;
