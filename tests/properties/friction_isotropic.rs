@@ -82,7 +82,7 @@ fn it_stops_in_a_turn_at_the_instant_of_the_closed_form() {
 fn on_a_line_it_is_the_law_on_a_line() {
     let parts = [0.3, 0.4, 200.0];
     let law = law(0.5, 0.9, 0.02);
-    let effort = |tick: i32| 2.0 * (0.05 * f64::from(tick)).sin() + 0.7 * f64::from(tick % 7);
+    let effort = |tick: i32| 1.5 * (0.004 * f64::from(tick)).sin();
     let impedance = Impedance { mass: parts[0], damping: parts[1], stiffness: parts[2] };
     let body = Body::new(impedance, 1e-3).unwrap().starting(0.004_f64, -0.3);
     let mut line = Friction::new(body, impedance, law).unwrap();

@@ -14,7 +14,7 @@ const BALANCED: f64 = 1e-9;
 
 /// Places where the operator's spring, the environment and the forces that push at the end balance: on a line and before a
 /// solid with one surface one, before a box one for each face that holds the hand. None where no spring pulls and where
-/// something never rests; in a space neither in the middle of a ball, nor where a saturation turns the force.
+/// something never rests; in a space neither in the middle of a ball, nor where a saturation turns the force of a side.
 pub(crate) fn equilibria(scene: &Draft) -> Vec<Place> {
     match scene.dimensions() {
         1 => on_a_line(scene).map(Place::on_a_line).into_iter().collect(),
@@ -51,9 +51,11 @@ fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>> {
     let mut free = SVector::<f64, N>::at(&scene.operator.rest);
     free[0] = rest + last_push(scene) / pull;
     let (solid, push) = (SVector::solid(scene)?, scene.environment.surface_stiffness()?);
+    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());
+    let clipped = |force: SVector<f64, N>| force.map(|axis| axis.clamp(-most, most));
     let force = |place: SVector<f64, N>| {
         let NearestPoint { depth, normal } = solid.nearest(place);
-        normal * (push * depth.max(0.0))
+        clipped(normal * (push * depth.max(0.0)))
     };
     let balances = |place: &SVector<f64, N>| {
         let hand = (free - *place) * pull;
@@ -61,10 +63,12 @@ fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>> {
         (hand + force(*place)).norm() <= BALANCED * (hand.norm() + pull * free.norm())
     };
     let pressed = sides(scene, &*solid, free)?.into_iter().filter(|side| side.depth > 0.0);
-    let pressed = pressed.map(|side| free + side.normal * (side.depth * push / (pull + push)));
+    let pressed = pressed.map(|side| {
+        let held = side.normal * (side.depth * push / (pull + push) * pull);
+        free + clipped(held) / pull
+    });
     let alone = Some(free).filter(|free| force(*free).norm() == 0.0);
-    let held = alone.into_iter().chain(pressed.filter(balances));
-    held.map(|place| clipped(scene, free, place, pull)).collect()
+    Some(alone.into_iter().chain(pressed.filter(balances)).collect())
 }
 
 /// The sides of a `solid` seen from `free`; none in the middle of a ball, where no direction leads out.
@@ -86,24 +90,6 @@ fn sides<const N: usize>(
         NearestPoint { depth: face.outward * (face.position - free[face.axis]), normal }
     };
     Some(faces.into_iter().map(side).collect())
-}
-
-/// The place that is left of `place` where the saturation clips the force that holds it: known where that acts along one
-/// axis.
-fn clipped<const N: usize>(
-    scene: &Draft,
-    free: SVector<f64, N>,
-    mut place: SVector<f64, N>,
-    pull: f64,
-) -> Option<SVector<f64, N>> {
-    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());
-    let pushed = (free - place) * pull;
-    let Some(axis) = pushed.iter().position(|pushed| pushed.abs() > most) else {
-        return Some(place);
-    };
-    place[axis] = free[axis] - most.copysign(pushed[axis]) / pull;
-    let acting = pushed.iter().filter(|pushed| **pushed != 0.0);
-    (acting.count() == 1).then_some(place)
 }
 
 /// Position where a spring of `pull` N/m that would rest at `free` balances the environment.
