@@ -85,7 +85,7 @@ impl Draft {
     fn check_space(&self) -> Result<(), Conflict> {
         self.check_environment()?;
         let dimensions = self.dimensions();
-        self.check_stabilizer()?;
+        self.stabilizer.as_ref().map_or(Ok(()), |stabilizer| self.check_axes_of(stabilizer))?;
         let mut vectors = vec![
             ("initial.position".to_owned(), self.initial.position.len()),
             ("initial.velocity".to_owned(), self.initial.velocity.len()),
@@ -145,20 +145,23 @@ impl Draft {
         ))
     }
 
-    fn check_stabilizer(&self) -> Result<(), Conflict> {
-        let on_a_line = self.stabilizer.filter(Stabilizer::is_on_a_line);
-        match on_a_line {
-            Some(stabilizer) if self.dimensions() > 1 => Err(Conflict::new(
-                format!("stabilizer.{}", stabilizer.name()),
-                format!(
-                    "`stabilizer.{}` works in one dimension only, and the scene has {}",
-                    stabilizer.name(),
-                    self.dimensions()
-                ),
-                "take another, such as popc, or leave out [space]",
-            )),
-            _ => Ok(()),
+    /// Checks that a stabilizer works in as many dimensions as the scene has.
+    ///
+    /// # Errors
+    /// A stabilizer for one dimension in a space.
+    pub(crate) fn check_axes_of(&self, stabilizer: &Stabilizer) -> Result<(), Conflict> {
+        if self.dimensions() == 1 || !stabilizer.is_on_a_line() {
+            return Ok(());
         }
+        Err(Conflict::new(
+            format!("stabilizer.{}", stabilizer.name()),
+            format!(
+                "`stabilizer.{}` works in one dimension only, and the scene has {}",
+                stabilizer.name(),
+                self.dimensions()
+            ),
+            "take another, such as popc, or leave out [space]",
+        ))
     }
 
     fn check_environment(&self) -> Result<(), Conflict> {

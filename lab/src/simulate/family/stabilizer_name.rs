@@ -78,9 +78,16 @@ impl StabilizerName {
     /// rely on a damping of the device.
     pub fn fits(self, scene: &Scene) -> bool {
         self.table(scene).is_none_or(|table| {
-            let has_axes = scene.dimensions() == 1 || !table.is_on_a_line();
-            has_axes && table.kind().lacks(&Basis::of(scene)).is_none()
+            scene.check_axes_of(&table).is_ok() && table.kind().lacks(&Basis::of(scene)).is_none()
         })
+    }
+
+    /// Checks that it works in as many dimensions as `scene` has.
+    ///
+    /// # Errors
+    /// A stabilizer for one dimension in a space.
+    pub fn check_axes(self, scene: &Scene) -> Result<(), Conflict> {
+        self.table(scene).map_or(Ok(()), |table| scene.check_axes_of(&table))
     }
 
     /// The stabilizer on the loop of `scene`, whatever `scene` names.

@@ -8,6 +8,7 @@ use super::axis::Axis;
 use super::varied::{Variation, Varied};
 use super::vary::VaryError;
 use crate::files::Scene;
+use crate::files::scene::Conflict;
 use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
 
 /// A scene with two of its numbers varied, under several stabilizers.
@@ -33,6 +34,8 @@ pub enum GridError {
     Axis(VaryError),
     /// The same number twice.
     SameKey(String),
+    /// A stabilizer for one dimension on a scene in a space.
+    Axes(Conflict),
     /// A stabilizer named twice, or none at all.
     StabilizerNames(StabilizerNamesError),
     /// A scene that cannot be written as TOML.
@@ -52,6 +55,9 @@ impl fmt::Display for GridError {
             Self::Axis(error) => error.fmt(f),
             Self::SameKey(key) => {
                 write!(f, "both axes are `{key}`\n  = give two different numbers of the scene")
+            }
+            Self::Axes(conflict) => {
+                write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())
             }
             Self::StabilizerNames(error) => error.fmt(f),
             Self::Unwritten(problem) => f.write_str(problem),
@@ -87,6 +93,7 @@ impl Grid {
             return Err(GridError::SameKey(x.key));
         }
         let members = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
+        members.iter().try_for_each(|it| it.check_axes(&scene)).map_err(GridError::Axes)?;
         let tree =
             Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
         let numbers = [&x, &y].map(|axis| Varied::of(axis, &tree, &scene, &members));

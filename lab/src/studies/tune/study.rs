@@ -28,6 +28,8 @@ pub enum TuneError {
         /// What the scene lacks.
         lacks: &'static str,
     },
+    /// A stabilizer for one dimension on a scene in a space.
+    Axes(Conflict),
     /// A moved number that the scene does not allow.
     Member(Conflict),
     /// A number out of the range of the scalar.
@@ -46,6 +48,9 @@ impl fmt::Display for TuneError {
                     term.name()
                 )?;
                 f.write_str("\n  = choose another with --objective")
+            }
+            Self::Axes(conflict) => {
+                write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())
             }
             Self::Member(conflict) => write!(f, "a scene of the ensemble is none: {conflict}"),
             Self::Parameter(error) => error.fmt(f),
@@ -123,6 +128,7 @@ impl Tuning {
         watch: &Watch<'_>,
     ) -> Result<Tuned, TuneError> {
         self.fits(scene)?;
+        name.check_axes(scene).map_err(TuneError::Axes)?;
         let default = Setting::of(scene, name);
         let seen = Ensemble { seed: self.seed, moves: self.moves };
         let run = |setting: &Setting| self.trial(scene, setting, &seen, self.runs, watch);

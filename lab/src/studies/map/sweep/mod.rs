@@ -65,6 +65,7 @@ impl SweepPlan {
         members: impl IntoIterator<Item = impl Into<StabilizerName>>,
     ) -> Result<Self, GridError> {
         let stabilizers = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
+        stabilizers.iter().try_for_each(|it| it.check_axes(&scene)).map_err(GridError::Axes)?;
         let tree =
             Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
         let number = Varied::of(&x, &tree, &scene, &stabilizers)?;
