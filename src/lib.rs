@@ -115,8 +115,9 @@ pub mod environments {
 pub mod bodies {
     pub use lyapunov_plants::{
         Body, DampedMass, ElasticJoint, ExternalForce, Friction, FromParts, Grip, HandMotion,
-        Impedance, IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, RigidBody, RigidParts,
-        Stribeck, Transition, Transitions, TwoMassBody, TwoMassParts, held_input,
+        Impedance, IntegratedPlant, IsotropicFriction, Jitter, Linear, OperatedBody, PlantExt,
+        RigidBody, RigidParts, Stribeck, Transition, Transitions, TwoMassBody, TwoMassParts,
+        held_input,
     };
 }
 

@@ -49,14 +49,22 @@ fn timeless(document: &str) -> Value {
 }
 
 #[test]
-fn a_scene_in_space_is_refused_and_leaves_nothing() {
+fn a_scene_in_space_has_every_file_and_measure() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("results");
-    refused(
-        &[&shipped("sphere.toml"), &"--out", &out],
-        &["sphere.toml", "[space]", "one dimension"],
-    );
-    assert!(!out.exists());
+    let names = "none,popc,iss";
+    let said =
+        compare(&[&shipped("sphere.toml"), &"--stabilizers", &names, &"--out", &out, &"--json"]);
+    assert_eq!(said.status.code(), Some(0));
+    let document = timeless(&text(&said.stdout));
+    assert_eq!(document["scenes"][0]["stiffness_asked_n_per_m"], 3000.0);
+    for row in document["rows"].as_array().unwrap() {
+        assert!(row["stiffness_felt_percent"].as_f64().unwrap() > 90.0, "{row}");
+        assert!(row["force_felt_percent"].as_f64().unwrap() > 90.0, "{row}");
+        // A port around the environment has no share of ticks with damping to tell.
+        assert_eq!(row["active_percent"].is_null(), row["stabilizer"] == "iss", "{row}");
+    }
+    assert!(out.join("sphere.svg").is_file() && out.join("sphere.energy.csv").is_file());
 }
 
 #[test]
@@ -243,20 +251,27 @@ fn bad_input_is_refused_and_leaves_nothing_behind() {
 fn a_batch_goes_on_after_a_scene_that_does_not_fit() {
     let folder = tempfile::tempdir().unwrap();
     let (out, names) = (folder.path().join("out"), "none,popc");
-    let (one, plane, two) =
-        (shipped("paper-8k-popc.toml"), shipped("plane.toml"), shipped("paper-50k-popc.toml"));
+    let plane = folder.path().join("plane.toml");
+    let space = fs::read_to_string(shipped("plane.toml")).unwrap();
+    fs::write(&plane, space.replace("dimensions = 2", "dimensions = 3")).unwrap();
+    let (one, two) = (shipped("paper-8k-popc.toml"), shipped("paper-50k-popc.toml"));
     let all: [&dyn AsRef<std::ffi::OsStr>; 9] =
         [&one, &plane, &"none.toml", &two, &"--stabilizers", &names, &"--out", &out, &"--json"];
     let batch = compare(&all);
     let said = text(&batch.stderr);
     assert_eq!(batch.status.code(), Some(2));
     assert!(said.starts_with("error: 2 of 4 files left out\n"), "{said}");
-    assert!(said.contains("plane.toml: [space]") && said.contains("none.toml"), "{said}");
+    assert!(said.contains("3 dimensions") && said.contains("none.toml"), "{said}");
     let alone = compare(&[&one, &two, &"--stabilizers", &names, &"--json"]);
     assert_eq!(alone.status.code(), Some(0));
-    assert_eq!(timeless(&text(&batch.stdout)), timeless(&text(&alone.stdout)));
+    let mut told = timeless(&text(&batch.stdout));
+    let left_out = told.as_object_mut().unwrap().remove("left_out").unwrap();
+    let reasons: Vec<&str> =
+        left_out.as_array().unwrap().iter().map(|reason| reason.as_str().unwrap()).collect();
+    assert!(reasons[0].contains("3 dimensions") && reasons[1].contains("none.toml"), "{reasons:?}");
+    assert_eq!(told, timeless(&text(&alone.stdout)));
     let page = fs::read_to_string(out.join("report.html")).unwrap();
-    assert!(page.contains("Left out") && page.contains("plane.toml: [space]"));
+    assert!(page.contains("Left out") && page.contains("3 dimensions"));
     assert!(out.join("paper-50k-popc.svg").is_file() && !out.join("plane.svg").exists());
 }
 

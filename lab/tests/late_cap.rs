@@ -94,7 +94,7 @@ fn a_cap_above_the_limit_of_the_delay_is_told() {
             compared.to_string(),
             run.to_json("press").unwrap(),
             explained.to_json("press").unwrap(),
-            lyapunov_lab::compare::document(&[compared]).unwrap(),
+            lyapunov_lab::compare::document(&[compared], &[]).unwrap(),
         ]
     };
     let short = |text: &str| text.replace("duration = 4.0", "duration = 0.4");

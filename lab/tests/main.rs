@@ -14,6 +14,7 @@ mod map;
 mod models;
 mod sanity;
 mod shipped;
+mod space;
 mod tables;
 mod telemetry;
 mod teleoperation;

@@ -290,7 +290,7 @@ fn a_comparison_tells_a_sign_once_for_all() {
     let comparison = Comparison::of("away", &away, &entrants).unwrap();
     let text = comparison.to_string();
     assert_eq!(text.matches("look at: f_env is 0 on all 2001 ticks").count(), 1, "{text}");
-    let json = lyapunov_lab::compare::document(&[comparison]).unwrap();
+    let json = lyapunov_lab::compare::document(&[comparison], &[]).unwrap();
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let told = &json["scenes"][0]["look_at"];
     assert_eq!((&told[0]["sign"], told.as_array().unwrap().len()), (&"untouched".into(), 1));

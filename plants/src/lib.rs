@@ -46,8 +46,8 @@ pub use affine::{
 };
 pub use bodies::{
     Body, DampedMass, ElasticJoint, ExternalForce, Friction, Grip, HandMotion, Impedance,
-    IntegratedPlant, Jitter, Linear, OperatedBody, PlantExt, RigidBody, RigidParts, Stribeck,
-    Transition, Transitions, TwoMassBody, TwoMassParts, held_input,
+    IntegratedPlant, IsotropicFriction, Jitter, Linear, OperatedBody, PlantExt, RigidBody,
+    RigidParts, Stribeck, Transition, Transitions, TwoMassBody, TwoMassParts, held_input,
 };
 pub use channels::{Channel, ConstantDelay, LossyChannel, VaryingDelay};
 pub use dynamics::{

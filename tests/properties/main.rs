@@ -15,6 +15,7 @@ mod dropout;
 mod environments;
 mod filter_order;
 mod friction;
+mod friction_isotropic;
 mod friction_limits;
 mod friction_of_two;
 mod guard;

@@ -11,7 +11,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::Results;
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 
 /// The file that `--json` prints.
 const RESULTS: &str = "accuracy.json";
@@ -109,7 +109,7 @@ impl Accuracy {
         target: Option<f64>,
         text: &str,
     ) -> Result<(), End> {
-        let command = format!("lyapunov accuracy {}", self.scene.display());
+        let command = format!("{} accuracy {}", program(), self.scene.display());
         let command = match target {
             None => command,
             Some(metres) => format!("{command} --target {metres:e}"),

@@ -13,9 +13,9 @@ use lyapunov_lab::compare::{
     Broken, Column, CompareError, Comparison, Energies, Entrants, TradeOff, csv, document, report,
 };
 use lyapunov_lab::family::StabilizerNames;
-use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::scene::Scene;
 use lyapunov_lab::tune::{Objective, Tuned, Tuning};
-use lyapunov_lab::{Space, models, teleoperation};
+use lyapunov_lab::{Space, in_space, models, teleoperation};
 
 use super::folder::Folder;
 use super::left_out::LeftOut;
@@ -90,7 +90,7 @@ impl Compare {
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let compared = self.compare(&scenes, &named, &mut left_out)?;
         let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
-        let text = document(&comparisons).map_err(End::internal)?;
+        let text = document(&comparisons, left_out.reasons()).map_err(End::internal)?;
         if let Some(folder) = folder {
             fill(&folder, &comparisons, &answers, &left_out, &text)?;
         }
@@ -147,10 +147,9 @@ impl Compare {
         let mut compared = Vec::new();
         for (name, scene, tuned) in &met {
             bar.set_message(format!("{name}: "));
-            let one = match scene.scalar {
-                Scalar::F64 => self.meet(name, scene, &entered::<f64>(named, scene, tuned), &bar),
-                Scalar::F32 => self.meet(name, scene, &entered::<f32>(named, scene, tuned), &bar),
-            };
+            let one = in_space!(scene, Axes => {
+                self.meet(name, scene, &entered::<Axes>(named, scene, tuned), &bar)
+            });
             compared.extend(left_out.unless(one)?);
         }
         bar.finish_and_clear();
@@ -174,11 +173,11 @@ impl Compare {
         shown(ProgressBar::new(ticks), BAR)
     }
 
-    fn meet<T: lyapunov::Scalar + Space>(
+    fn meet<V: Space>(
         &self,
         name: &str,
         scene: &Scene,
-        entrants: &Entrants<T>,
+        entrants: &Entrants<V>,
         bar: &ProgressBar,
     ) -> Result<(Comparison, Answers), End> {
         let watch = |ticks| {
@@ -210,11 +209,7 @@ impl Compare {
 }
 
 /// The stabilizers that are `named`, then the `tuned` ones.
-fn entered<T: lyapunov::Scalar + Space>(
-    named: &StabilizerNames,
-    scene: &Scene,
-    tuned: &[Tuned],
-) -> Entrants<T> {
+fn entered<V: Space>(named: &StabilizerNames, scene: &Scene, tuned: &[Tuned]) -> Entrants<V> {
     tuned.iter().fold(Entrants::of(named.on(scene)), |entrants, one| {
         let (name, setting) = (format!("{} tuned", one.name), one.settings[1].clone());
         entrants.with_fitted(name, one.name, move |scene| setting.fitted(scene))

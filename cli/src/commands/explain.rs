@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lyapunov_lab::explain::Explanation;
-use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::in_space;
+use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line};
@@ -40,10 +41,7 @@ impl Explain {
         heed_interrupts(self.out.is_some());
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
-        let explanation = match scene.scalar {
-            Scalar::F64 => Explanation::of::<f64>(&scene),
-            Scalar::F32 => Explanation::of::<f32>(&scene),
-        };
+        let explanation = in_space!(scene, Axes => Explanation::of::<Axes>(&scene));
         let name = self.scene.display().to_string();
         let explanation =
             explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;

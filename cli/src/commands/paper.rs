@@ -13,7 +13,7 @@ use lyapunov_lab::paper::{Case, Draws, PaperError, Study, figures};
 use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
 
 use super::folder::Folder;
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::{BAR, End, heed_interrupts, program, shown, standard_output};
 use crate::output::Outputs;
 use crate::pictures::pictures;
 
@@ -61,7 +61,8 @@ impl Paper {
         let study = studied(draws, bar.clone())?;
         bar.finish_and_clear();
         folder.keep();
-        let command = format!("lyapunov paper{} --out {}", self.ensemble(), self.out.display());
+        let command =
+            format!("{} paper{} --out {}", program(), self.ensemble(), self.out.display());
         fill(folder.path(), &study, &command)?;
         if self.quiet {
             return Ok(());

@@ -93,8 +93,6 @@ fn no_folder_stays_behind_after_bad_input() {
         place.refuses([command, "bad.toml", "--out", "out"], &["bad.toml", "duration"]);
         place.refuses([command, "scene.toml", "--out", "scene.toml"], &["name a folder"]);
     }
-    place.put("space.toml", include_str!("../../../scenes/plane.toml"));
-    place.refuses(["explain", "space.toml", "--out", "out"], &["[space]"]);
 }
 
 /// The effects of a scene are those that it names.

@@ -2,33 +2,33 @@
 
 use std::f64::consts::TAU;
 
-use lyapunov::Scalar;
+use lyapunov::{Scalar, Signal};
 
 /// The band, Hz: the hand feels it as buzzing.
 const BAND: (f64, f64) = (5.0, 50.0);
 
 /// Watches a force's root mean square between 5 and 50 Hz by Welch's method: the mean over segments of one
-/// second, overlapping by half, of the power in the band under a Hann window.
+/// second, overlapping by half, of the power in the band under a Hann window; in several dimensions the power of all axes.
 ///
 /// The window keeps a force that merely stays or drifts from leaking into the band. The sums run along with the ticks,
 /// one turning phasor per frequency, and keep no sample: a transform of the whole run would need memory in proportion
 /// to its length.
 #[derive(Clone, Debug)]
-pub(crate) struct Chatter<T> {
+pub(crate) struct Chatter<V: Signal> {
     length: u64,
     hop: u64,
     tick: u64,
     windows: [Phasor; 2],
-    lines: Vec<Line<T>>,
-    power: T,
+    lines: Vec<Line<V>>,
+    power: V::Scalar,
     segments: u64,
 }
 
 /// One frequency: its phasor, and the sums of the two segments that overlap.
 #[derive(Clone, Copy, Debug)]
-struct Line<T> {
+struct Line<V> {
     phasor: Phasor,
-    sums: [(T, T); 2],
+    sums: [(V, V); 2],
     /// 2 for a line that also stands for its mirror image.
     weight: f64,
 }
@@ -55,7 +55,7 @@ impl Phasor {
     }
 }
 
-impl<T: Scalar> Chatter<T> {
+impl<V: Signal> Chatter<V> {
     /// A meter of a force at `rate` samples per second; none below 100, where the samples do not hold the band.
     pub(crate) fn new(rate: f64) -> Option<Self> {
         // Above 1e9 no scene lasts a second.
@@ -69,7 +69,7 @@ impl<T: Scalar> Chatter<T> {
         let line = |index: u64| {
             let angle = TAU * index as f64 / length;
             let weight = if 2.0 * index as f64 == length { 1.0 } else { 2.0 };
-            Line { phasor: Phasor::new(angle), sums: [(T::zero(), T::zero()); 2], weight }
+            Line { phasor: Phasor::new(angle), sums: [(V::zero(), V::zero()); 2], weight }
         };
         let lines = (first..=last).map(line).collect();
         let windows = [Phasor::new(TAU / length); 2];
@@ -80,13 +80,13 @@ impl<T: Scalar> Chatter<T> {
             tick: 0,
             windows,
             lines,
-            power: T::zero(),
+            power: V::Scalar::of(0.0),
             segments: 0,
         })
     }
 
     #[inline(always)]
-    pub(crate) fn add(&mut self, force: T) {
+    pub(crate) fn add(&mut self, force: V) {
         let parts = [0, 1].map(|which| self.windowed(which, force));
         // Every line comes round within a segment; restarting there keeps rounding from accumulating.
         let anew = self.tick.is_multiple_of(self.length);
@@ -95,8 +95,8 @@ impl<T: Scalar> Chatter<T> {
         for line in self.lines.iter_mut().take_while(|line| line.weight > 0.0) {
             let (cos, sin) = line.phasor.next(anew);
             for (sum, part) in line.sums.iter_mut().zip(parts) {
-                sum.0 += part * T::of(cos);
-                sum.1 += part * T::of(sin);
+                sum.0 = sum.0 + part.scale(V::Scalar::of(cos));
+                sum.1 = sum.1 + part.scale(V::Scalar::of(sin));
             }
         }
         for which in [0, 1] {
@@ -115,26 +115,26 @@ impl<T: Scalar> Chatter<T> {
 
     /// The force under the Hann window of the tick's segment of even or odd number.
     #[inline(always)]
-    fn windowed(&mut self, which: u64, force: T) -> T {
-        let Some(place) = self.place(which) else { return T::zero() };
+    fn windowed(&mut self, which: u64, force: V) -> V {
+        let Some(place) = self.place(which) else { return V::zero() };
         let (cos, _) = self.windows[which as usize].next(place == 0);
-        force * T::of(0.5 - 0.5 * cos)
+        force.scale(V::Scalar::of(0.5 - 0.5 * cos))
     }
 
     fn close(&mut self, which: usize) {
         for line in &mut self.lines {
-            let (re, im) = std::mem::replace(&mut line.sums[which], (T::zero(), T::zero()));
-            self.power += T::of(line.weight) * (re * re + im * im);
+            let (re, im) = std::mem::replace(&mut line.sums[which], (V::zero(), V::zero()));
+            self.power += V::Scalar::of(line.weight) * (re.inner(re) + im.inner(im));
         }
         self.segments += 1;
     }
 
     /// The root mean square in the band, N; none before a whole second has passed.
-    pub(crate) fn root_mean_square(&self) -> Option<T> {
+    pub(crate) fn root_mean_square(&self) -> Option<V::Scalar> {
         let length = self.length as f64;
         // The squares of a Hann window of this length sum to 3/8 of it.
         let scale = length * 0.375 * length * self.segments as f64;
-        (self.segments > 0).then(|| (self.power / T::of(scale)).sqrt())
+        (self.segments > 0).then(|| (self.power / V::Scalar::of(scale)).sqrt())
     }
 }
 

@@ -1,29 +1,30 @@
 //! Energies that environment and controller give and take.
 
-use lyapunov::Scalar;
+use lyapunov::{Scalar, Signal};
 
 /// Sums the work of both parts of the force over the plant's true displacements.
 ///
-/// `W_e(n) = Σ f_e(i) (x(i+1) − x(i))` over `i < n`, and `W_c` likewise; together they are the work at the port.
+/// `W_e(n) = Σ f_e(i) (x(i+1) − x(i))` over `i < n`, and `W_c` likewise, as inner products in several dimensions;
+/// together they are the work at the port.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Energies<T> {
-    position: T,
-    environment: T,
-    controller: T,
-    given: T,
-    least: T,
-    taken: T,
+pub(crate) struct Energies<V: Signal> {
+    position: V,
+    environment: V,
+    controller: V,
+    given: V::Scalar,
+    least: V::Scalar,
+    taken: V::Scalar,
 }
 
-impl<T: Scalar> Energies<T> {
+impl<V: Signal> Energies<V> {
     /// Sums that are still 0.
     pub(crate) fn new() -> Self {
-        let zero = T::zero();
+        let (still, zero) = (V::zero(), V::Scalar::of(0.0));
         // Before the first tick no force acts, so no work is done wherever the plant starts.
         Self {
-            position: zero,
-            environment: zero,
-            controller: zero,
+            position: still,
+            environment: still,
+            controller: still,
             given: zero,
             least: zero,
             taken: zero,
@@ -32,23 +33,23 @@ impl<T: Scalar> Energies<T> {
 
     /// Adds one more tick: the plant's true position, and the two parts of the force from here on.
     #[inline(always)]
-    pub(crate) fn add(&mut self, position: T, environment: T, controller: T) {
+    pub(crate) fn add(&mut self, position: V, environment: V, controller: V) {
         let moved = position - self.position;
-        self.given += self.environment * moved;
-        self.taken += self.controller * moved;
+        self.given += self.environment.inner(moved);
+        self.taken += self.controller.inner(moved);
         self.least = self.given.smaller(self.least);
         *self = Self { position, environment, controller, ..*self };
     }
 
     /// `max(0, −min W_e(n))`, J: the energy that the environment gave beyond all it had been given. No passive wall
     /// gives any, so it comes from sampling, hold, encoder, saturation and delay.
-    pub(crate) fn injected(&self) -> T {
+    pub(crate) fn injected(&self) -> V::Scalar {
         -self.least
     }
 
     /// `W_c` at the end, J: the energy that the controller's force took out of the motion; negative if it fed the
     /// motion.
-    pub(crate) fn taken(&self) -> T {
+    pub(crate) fn taken(&self) -> V::Scalar {
         self.taken
     }
 }

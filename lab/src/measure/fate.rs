@@ -56,7 +56,8 @@ impl<T: Scalar> Fate<T> {
         Self { criteria, positions: Stretches::new(last), speeds }
     }
 
-    /// Adds the position and the velocity of one more tick, as they really are.
+    /// Adds the position and the velocity of one more tick, as they really are; in a space the
+    /// [coordinate](Criterion::coordinate) and the speed.
     #[inline(always)]
     pub(crate) fn add(&mut self, position: T, velocity: T) {
         self.positions.add(position);
@@ -150,10 +151,10 @@ fn add_speed<T: Scalar>(speeds: &mut Stretches<T>, velocity: T) {
 }
 
 impl Fate<f64> {
-    /// Adds one more tick: its position along the first axis, and its speed along all of them.
+    /// Adds one more tick: the coordinate that its motion is judged along, and its speed.
     pub(crate) fn add_tick<V: Space>(&mut self, tick: &Tick<V>) {
-        let velocity = (0..V::DIMENSIONS).map(|axis| tick.truth.velocity.axis(axis));
-        self.add(tick.truth.position.axis(0), velocity.fold(0.0, f64::hypot));
+        let coordinate = self.criteria[0].coordinate(tick.truth.position);
+        self.add(coordinate, tick.truth.velocity.length());
     }
 }
 

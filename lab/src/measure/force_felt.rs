@@ -1,30 +1,31 @@
 //! Share of the environment's own force that is felt.
 
-use lyapunov::Scalar;
+use lyapunov::{Scalar, Signal};
 
 use super::law::{Law, Motion};
 use crate::files::scene::Scene;
 use crate::simulate::{Space, Tick};
 
 /// Watches the factor that fits the applied force to the environment's own law on the true motion, `f*`: the `c` of the
-/// least `Σ (f_act − c f*)²`, which is `Σ f_act f* / Σ f*²`.
+/// least `Σ (f_act − c f*)²`, which is `Σ f_act f* / Σ f*²`, in several dimensions with inner products.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ForceFelt<T> {
-    product: T,
-    square: T,
+pub(crate) struct ForceFelt<V: Signal> {
+    product: V::Scalar,
+    square: V::Scalar,
 }
 
-impl<T: Scalar> ForceFelt<T> {
+impl<V: Signal> ForceFelt<V> {
     /// A meter that has felt nothing.
     pub(crate) fn new() -> Self {
-        Self { product: T::zero(), square: T::zero() }
+        let zero = V::Scalar::of(0.0);
+        Self { product: zero, square: zero }
     }
 
     /// Adds one more tick: the force applied from here on, and the one that the law gives here.
     #[inline(always)]
-    pub(crate) fn add(&mut self, applied: T, ideal: T) {
-        self.product += applied * ideal;
-        self.square += ideal * ideal;
+    pub(crate) fn add(&mut self, applied: V, ideal: V) {
+        self.product += applied.inner(ideal);
+        self.square += ideal.inner(ideal);
     }
 
     /// The factor in a lane, in percent; none where the law never gave a force.
@@ -36,9 +37,9 @@ impl<T: Scalar> ForceFelt<T> {
 
 /// The law of a scene's environment on a run's true motion.
 #[derive(Debug)]
-pub(crate) struct Ideal(Option<Law>);
+pub(crate) struct Ideal<V: Signal>(Option<Law<V>>);
 
-impl Ideal {
+impl<V: Space<Scalar = f64>> Ideal<V> {
     /// The law of `scene`; unknown of an environment with a mass, since no tick has an acceleration.
     pub(crate) fn of(scene: &Scene) -> Self {
         let impedance = scene.environment.kind().impedance();
@@ -47,10 +48,10 @@ impl Ideal {
     }
 
     /// The force that the law gives at `tick`, N; 0 where it is unknown.
-    pub(crate) fn force<V: Space>(&self, tick: &Tick<V>) -> f64 {
-        let (position, velocity) = (tick.truth.position.axis(0), tick.truth.velocity.axis(0));
-        let motion = Motion { time: tick.time, position, velocity, acceleration: 0.0 };
-        self.0.as_ref().map_or(0.0, |law| law.force(motion))
+    pub(crate) fn force<S: Space<Double = V>>(&self, tick: &Tick<S>) -> V {
+        let (position, velocity) = (tick.truth.position.double(), tick.truth.velocity.double());
+        let motion = Motion { time: tick.time, position, velocity, acceleration: V::zero() };
+        self.0.as_ref().map_or(V::zero(), |law| law.force(motion))
     }
 }
 
@@ -64,7 +65,7 @@ mod tests {
 
     #[test]
     fn a_scaled_law_is_felt_by_its_factor() {
-        let mut felt = ForceFelt::new();
+        let mut felt = ForceFelt::<f64>::new();
         assert_eq!(felt.percent(0), None);
         for n in 0..100 {
             let law = f64::from(n).sin().max(0.0);
@@ -77,7 +78,7 @@ mod tests {
 
     /// `percent` over a run, with the force in place of the applied one.
     fn percent(scene: &Scene, force: impl Fn(&Tick<f64>) -> f64) -> Option<f64> {
-        let (mut felt, ideal) = (ForceFelt::new(), Ideal::of(scene));
+        let (mut felt, ideal) = (ForceFelt::<f64>::new(), Ideal::<f64>::of(scene));
         let ticks = Rollout::<f64>::of(scene).unwrap();
         ticks.for_each(|tick| felt.add(force(&tick), ideal.force(&tick)));
         felt.percent(0)

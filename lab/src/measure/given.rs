@@ -1,20 +1,21 @@
 //! Physical energy that a port gave.
 
-use lyapunov::Scalar;
+use lyapunov::{Scalar, Signal};
 
 use crate::files::scene::Draft;
 
 /// Sums the work of the applied force over the plant's own motion, without the device's damper and with it.
 ///
-/// `W(n) = Σ f_act(i−1) Δx(i)` over `i ≤ n`, exact under a held force whatever was measured. Over a period a damper `b`
+/// `W(n) = Σ f_act(i−1) Δx(i)` over `i ≤ n`, exact under a held force whatever was measured; in
+/// several dimensions an inner product. Over a period a damper `b`
 /// takes `b ∫ v² dt ≥ b Δx² / T`, so port and damper together took `W(n) + Σ b Δx(i)² / T` or more.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Given<T> {
-    damper: T,
-    port: T,
-    both: T,
-    least: T,
-    least_of_both: T,
+pub(crate) struct Given<V: Signal> {
+    damper: V::Scalar,
+    port: V::Scalar,
+    both: V::Scalar,
+    least: V::Scalar,
+    least_of_both: V::Scalar,
 }
 
 /// `b / T` of a scene's device, N/m; NaN, unknown, with jitter, where a period is not `T`.
@@ -23,32 +24,32 @@ pub(crate) fn device_damper(scene: &Draft) -> f64 {
     if scene.effects.jitter.is_none() { damper } else { f64::NAN }
 }
 
-impl<T: Scalar> Given<T> {
+impl<V: Signal> Given<V> {
     /// Sums that are still 0, beside a device's `damper`, [`device_damper`].
-    pub(crate) fn new(damper: T) -> Self {
-        let zero = T::zero();
+    pub(crate) fn new(damper: V::Scalar) -> Self {
+        let zero = V::Scalar::of(0.0);
         Self { damper, port: zero, both: zero, least: zero, least_of_both: zero }
     }
 
     /// Adds one more tick: how far the plant moved over the period just past, and the applied force's work on the way.
     #[inline(always)]
-    pub(crate) fn add(&mut self, work: T, moved: T) {
+    pub(crate) fn add(&mut self, work: V::Scalar, moved: V) {
         self.port += work;
-        self.both += work + self.damper * moved * moved;
+        self.both += work + moved.scale(self.damper).inner(moved);
         // In this order a NaN stays.
         self.least = self.least.smaller(self.port);
         self.least_of_both = self.least_of_both.smaller(self.both);
     }
 
     /// `max(0, −min W(n))`, J: the most that the port had given beyond all it had taken.
-    pub(crate) fn by_port(&self) -> T {
-        T::zero() - self.least
+    pub(crate) fn by_port(&self) -> V::Scalar {
+        V::Scalar::of(0.0) - self.least
     }
 
     /// `max(0, −min (W(n) + Σ b Δx² / T))`, J: the most that the port had given beyond what it and the device's damper
     /// had taken; NaN with an unknown damper.
-    pub(crate) fn beyond_damper(&self) -> T {
-        T::zero() - self.least_of_both
+    pub(crate) fn beyond_damper(&self) -> V::Scalar {
+        V::Scalar::of(0.0) - self.least_of_both
     }
 }
 
@@ -125,7 +126,7 @@ mod tests {
         assert_eq!(device_damper(&dissipating), 50.0);
         let jitter =
             scene("device.damping = 0.5\neffects.jitter = { deviation = 1e-4, seed = 1 }\n");
-        let mut given = Given::new(device_damper(&jitter));
+        let mut given = Given::<f64>::new(device_damper(&jitter));
         given.add(-1.0, 1e-3);
         given.add(1.0, 1e-3);
         assert_eq!(given.by_port(), 1.0);
@@ -135,8 +136,8 @@ mod tests {
     #[test]
     fn every_lane_is_its_scalar_run() {
         let motion = |lane: usize, n: u32| 1e-3 * (f64::from(n) * (0.1 + lane as f64)).sin();
-        let mut lanes = Given::new(AutoF64x8::of(30.0));
-        let mut alone = [Given::new(30.0); 8];
+        let mut lanes = Given::<AutoF64x8>::new(AutoF64x8::of(30.0));
+        let mut alone = [Given::<f64>::new(30.0); 8];
         for n in 0..500 {
             let moved = |lane| motion(lane, n);
             let work = |lane| 1e3 * moved(lane) * motion(lane, 3 * n);

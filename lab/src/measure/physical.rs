@@ -1,43 +1,58 @@
 //! Energy and forces of a run on its true motion.
 
+use std::fmt;
+
+use lyapunov::Signal;
+use lyapunov::environments::{NearestPoint, Solid};
+
 use super::force_felt::{ForceFelt, Ideal};
 use super::given::{Given, device_damper};
 use super::share::Split;
 use super::stiffness_felt::StiffnessFelt;
 use crate::files::Scene;
-use crate::files::scene::Wall;
 use crate::simulate::{Space, Tick};
 
 /// Watches one run for what its port gave and how much of the environment was felt, whatever a stabilizer counted.
-#[derive(Debug)]
-pub(crate) struct Physical {
-    given: Given<f64>,
-    ideal: Ideal,
-    force: ForceFelt<f64>,
-    wall: Option<Wall>,
+pub(crate) struct Physical<V: Signal> {
+    given: Given<V>,
+    ideal: Ideal<V>,
+    force: ForceFelt<V>,
+    solid: Option<Box<dyn Solid<V>>>,
+    /// Stiffness of the environment beyond its surface, N/m.
+    asked: Option<f64>,
     stiffness: StiffnessFelt<f64>,
 }
 
-impl Physical {
+impl<V: Signal> fmt::Debug for Physical<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Physical").finish_non_exhaustive()
+    }
+}
+
+impl<V: Space<Scalar = f64>> Physical<V> {
     /// The meters of a run of `scene`.
     pub(crate) fn new(scene: &Scene) -> Self {
         Self {
             given: Given::new(device_damper(scene)),
             ideal: Ideal::of(scene),
             force: ForceFelt::new(),
-            wall: scene.environment.wall().copied(),
+            solid: V::solid(scene),
+            asked: scene.environment.surface_stiffness(),
             stiffness: StiffnessFelt::new(scene.servo_rate.get()),
         }
     }
 
     /// Adds one more tick, whose applied force is `split`.
-    pub(crate) fn add<V: Space>(&mut self, tick: &Tick<V>, split: &Split) {
-        let (force, moved) = (tick.applied.axis(0), tick.truth.displacement.axis(0));
-        self.given.add(tick.truth.applied.axis(0) * moved, moved);
+    pub(crate) fn add<S: Space<Double = V>>(&mut self, tick: &Tick<S>, split: &Split<V>) {
+        let (force, moved) = (tick.applied.double(), tick.truth.displacement.double());
+        self.given.add(tick.truth.applied.double().inner(moved), moved);
         self.force.add(force, self.ideal.force(tick));
-        let surface = self.wall.map(|wall| wall.position.get());
-        let depth = surface.map_or(0.0, |surface| tick.truth.position.axis(0) - surface);
-        self.stiffness.add(force, split.environment, depth);
+        if let Some(solid) = &self.solid {
+            let NearestPoint { depth, normal } = solid.nearest(tick.truth.position.double());
+            // A force that pushes out along the normal is felt as one against it.
+            let inward = V::zero() - normal;
+            self.stiffness.add(force.inner(inward), split.environment.length(), depth);
+        }
     }
 
     /// The most that the port had given, alone and beyond what the device's damper had taken, mJ.
@@ -50,10 +65,9 @@ impl Physical {
         self.force.percent(0)
     }
 
-    /// The stiffness felt in long contacts, N/m and percent of the wall's.
+    /// The stiffness felt in long contacts, N/m and percent of the environment's.
     pub(crate) fn stiffness_felt(&self) -> Option<(f64, f64)> {
-        let wall = self.wall?;
         let felt = self.stiffness.stiffness(0)?;
-        Some((felt, 100.0 * felt / wall.stiffness.get()))
+        Some((felt, 100.0 * felt / self.asked?))
     }
 }

@@ -7,49 +7,49 @@ use lyapunov::Scalar;
 use crate::files::Scene;
 use crate::simulate::{Space, Tick};
 
-/// The applied force, split into the environment's and the controller's share, along the first axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Split {
+/// The applied force, split into the environment's and the controller's share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Split<V> {
     /// The environment's force that is due now, before saturation, N: `f_env(n − d)`, 0 for `n < d`.
-    pub(crate) late: f64,
+    pub(crate) late: V,
     /// The environment's share, N: `f_e(n) = clip(f_env(n − d))`, the force that would act now without a controller.
-    pub(crate) environment: f64,
+    pub(crate) environment: V,
     /// The rest of the applied force, N: the controller's share.
-    pub(crate) controller: f64,
+    pub(crate) controller: V,
 }
 
 /// Splits the applied force tick by tick: saturates and delays the environment's force as the loop does the whole.
 #[derive(Clone, Debug)]
-pub(crate) struct Share {
+pub(crate) struct Share<V> {
     limit: f64,
-    waiting: VecDeque<f64>,
+    waiting: VecDeque<V>,
 }
 
-impl Share {
-    /// The shares in `scene`, whose loop computes in the scalar of `V`.
-    pub(crate) fn new<V: Space>(scene: &Scene) -> Self {
+impl<V: Space<Scalar = f64>> Share<V> {
+    /// The shares in `scene`, whose loop computes in the scalar of `S`.
+    pub(crate) fn new<S: Space<Double = V>>(scene: &Scene) -> Self {
         let ticks = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
         // Rounded as the loop rounds it.
-        let limit = |force: f64| V::Scalar::of(force).lane(0);
+        let limit = |force: f64| S::Scalar::of(force).lane(0);
         let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| limit(it.force.get()));
-        Self { limit, waiting: VecDeque::from(vec![0.0; ticks.into()]) }
+        Self { limit, waiting: VecDeque::from(vec![V::zero(); ticks.into()]) }
     }
 
     /// Splits the force applied from `tick` on.
-    pub(crate) fn split<V: Space>(&mut self, tick: &Tick<V>) -> Split {
-        self.of(tick.environment.axis(0), tick.applied.axis(0))
+    pub(crate) fn split<S: Space<Double = V>>(&mut self, tick: &Tick<S>) -> Split<V> {
+        self.of(tick.environment.double(), tick.applied.double())
     }
 
-    fn of(&mut self, environment: f64, applied: f64) -> Split {
+    fn of(&mut self, environment: V, applied: V) -> Split<V> {
         self.waiting.push_back(environment);
-        let late = self.waiting.pop_front().unwrap_or_default();
-        let environment = late.clamp(-self.limit, self.limit);
+        let late = self.waiting.pop_front().unwrap_or_else(V::zero);
+        let environment = late.map(|axis| axis.clamp(-self.limit, self.limit));
         Split { late, environment, controller: applied - environment }
     }
 
     /// Whether a force of the environment does not act yet.
     pub(crate) fn is_waiting(&self) -> bool {
-        self.waiting.iter().any(|force| *force != 0.0)
+        self.waiting.iter().any(|force| *force != V::zero())
     }
 }
 
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn the_limit_is_rounded_as_the_loop_rounds_it() {
         let clipped = scene("effects.saturation.force = 0.1\n");
-        let split = |mut share: Share| share.of(1.0, 0.0).environment;
+        let split = |mut share: Share<f64>| share.of(1.0, 0.0).environment;
         assert_eq!(split(Share::new::<f64>(&clipped)), 0.1);
         assert_eq!(split(Share::new::<f32>(&clipped)), f64::from(0.1_f32));
     }

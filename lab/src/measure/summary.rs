@@ -20,14 +20,16 @@ pub struct Summary {
     pub rows: u64,
     /// The last tick.
     pub last: Option<Row>,
-    /// The position where the operator's spring and the environment balance, m; none where no spring pulls, or if it is
-    /// out of range.
-    pub equilibrium: Option<f64>,
+    /// The place where the operator's spring and the environment balance, m on each axis, of several the nearest to the last
+    /// position; none where no spring pulls, where no place is known, or if it is out of range.
+    pub equilibrium: Option<Vec<f64>>,
     /// Half the width of the band about the equilibrium that counts as settled, m.
     pub band: f64,
     /// The time since when the plant has stayed in the band, s; none if it is outside.
     pub settled: Option<f64>,
     settling: Settling<f64>,
+    /// The distance from the equilibrium on the last tick, m.
+    pub(crate) away: f64,
     pub(crate) fate: Fate<f64>,
     /// Largest magnitude of the environment's force, N.
     pub environment_peak: f64,
@@ -54,19 +56,24 @@ impl Summary {
     /// A summary without ticks, of a run under the stabilizer that `scene` names.
     pub fn new(scene: &Scene) -> Self {
         let fate = Fate::of(scene);
-        let (rest, band) = fate.criterion(0).rest();
-        let shown = |metres: f64| (MILLI * metres).is_finite();
-        let place = (band >= 0.0 && shown(rest) && shown(band)).then_some((rest, band));
-        let (equilibrium, band) = place.unzip();
+        let criterion = fate.criterion(0);
+        let (rest, band) = criterion.rest();
+        let shown = |metres: &f64| (MILLI * metres).is_finite();
+        let first = criterion.equilibria.first();
+        let equilibrium = first.map(|place| place.axes().to_vec());
+        let equilibrium =
+            equilibrium.filter(|place| band >= 0.0 && shown(&band) && place.iter().all(shown));
+        let place = equilibrium.as_ref().map(|_| (rest, band));
         Self {
             scene: scene.clone(),
             stabilizing: Stabilizing::Table(scene.stabilizer),
             rows: 0,
             last: None,
             equilibrium,
-            band: band.unwrap_or_default(),
+            band: place.map_or(0.0, |(_, band)| band),
             settled: None,
             settling: rest_of(place),
+            away: 0.0,
             fate,
             environment_peak: 0.0,
             acting_peak: 0.0,
@@ -106,7 +113,14 @@ impl Summary {
         }
         self.fate.add_tick(tick);
         self.signs.add(tick);
-        self.settling.add(row.x);
+        let criterion = self.fate.criterion(0);
+        let coordinate = criterion.coordinate(tick.truth.position);
+        self.away = (coordinate - criterion.rest().0).abs();
+        if criterion.equilibria.len() > 1 && self.equilibrium.is_some() {
+            let nearest = criterion.nearest(tick.truth.position);
+            self.equilibrium = nearest.map(|place| place.axes().to_vec());
+        }
+        self.settling.add(coordinate);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
         self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
@@ -135,6 +149,13 @@ impl Summary {
 
     /// The signs of a mistake in the scene or its run; docs/sanity.md has the thresholds.
     pub fn look_at(&self) -> Vec<Oddity> {
+        let mut signs = self.seen();
+        signs.extend(self.scene.stabilizer.and_then(|own| Oddity::outside(&self.scene, own)));
+        signs
+    }
+
+    /// The same without the stabilizer's assumptions, for a run under another than the scene names.
+    pub(crate) fn seen(&self) -> Vec<Oddity> {
         self.signs.finish(&self.scene)
     }
 

@@ -60,6 +60,15 @@ pub(crate) fn maker(command: &str) -> Markup {
     html! { code { (command) } ", lyapunov " (env!("CARGO_PKG_VERSION")) }
 }
 
+/// A text in which what stands between backticks is code.
+pub(crate) fn coded(text: &str) -> Markup {
+    html! {
+        @for (index, part) in text.split('`').enumerate() {
+            @if index % 2 == 1 { code { (part) } } @else { (part) }
+        }
+    }
+}
+
 /// A figure with a caption: drawn as SVG, with its data for curves that can be zoomed or cells that tell their numbers.
 pub(crate) fn figure(id: Option<&str>, figure: &Figure, caption: &Markup) -> Markup {
     let has_cells = figure.panels.iter().any(|panel| panel.heat.is_some());
@@ -107,6 +116,12 @@ mod tests {
         assert!(!cells.contains("var uPlot=") && cells.contains("class Cells"));
         let words = page(HOSTILE, &html! { p { (HOSTILE) } });
         assert!(!words.contains("var uPlot=") && !words.contains("class Cells"));
+    }
+
+    #[test]
+    fn what_stands_between_backticks_is_code() {
+        let told = coded("`lyapunov explain` says <why>").into_string();
+        assert_eq!(told, "<code>lyapunov explain</code> says &lt;why&gt;");
     }
 
     #[test]

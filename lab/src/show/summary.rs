@@ -19,13 +19,30 @@ struct Document<'a> {
     verdict: Verdict,
     verdict_by: Yardstick,
     settling_time_s: Option<f64>,
-    equilibrium_mm: Option<f64>,
+    equilibrium_mm: Option<Place>,
     band_mm: Option<f64>,
     peak_force_environment_n: f64,
     peak_force_acting_n: f64,
     energy_into_port_mj: f64,
     stabilizer: Option<Observed>,
     look_at: Vec<Oddity>,
+}
+
+/// A place in mm: a number on a line, a list in a space.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Place {
+    OnALine(f64),
+    InSpace(Vec<f64>),
+}
+
+impl Place {
+    fn of(metres: &[f64]) -> Self {
+        match metres {
+            [x] => Self::OnALine(MILLI * x),
+            axes => Self::InSpace(axes.iter().map(|axis| MILLI * axis).collect()),
+        }
+    }
 }
 
 /// Observed energies and corrections of a stabilizer.
@@ -58,8 +75,8 @@ impl Summary {
             verdict: self.verdict(),
             verdict_by: self.verdict_by(),
             settling_time_s,
-            equilibrium_mm: self.equilibrium.map(|rest| MILLI * rest),
-            band_mm: self.equilibrium.map(|_| MILLI * self.band),
+            equilibrium_mm: self.equilibrium.as_deref().map(Place::of),
+            band_mm: self.equilibrium.as_ref().map(|_| MILLI * self.band),
             peak_force_environment_n: self.environment_peak,
             peak_force_acting_n: self.acting_peak,
             energy_into_port_mj: MILLI * self.absorbed,

@@ -26,15 +26,25 @@ impl From<Verdict> for Cell {
 /// The quantity that a scene is judged by, if it is not its distance from the equilibrium, and the reason.
 pub(crate) fn by_speed(scene: &Scene) -> Option<String> {
     let criterion = Criterion::of(scene);
-    let why = match criterion.equilibrium {
+    let why = match criterion.equilibria.first() {
         _ if criterion.place().is_some() => return None,
         Some(_) => "it starts where it rests",
-        None if scene.dimensions() > 1 => "no place to rest at is known in several dimensions",
         None if last_pull(scene) == 0.0 => "no spring of the operator pulls the plant anywhere",
         None if never_rests(scene) => "what moves the plant never rests",
+        None if scene.dimensions() > 1 => "no place to rest at is known",
         None => "there is no place to rest at",
     };
     Some(format!("by speed, as {why}"))
+}
+
+/// A place in words, from m: `x = 1 mm`, `(x, y) = (1, 2) mm`.
+fn place(rest: &[f64]) -> String {
+    let told: Vec<String> = rest.iter().map(|axis| found(MILLI * axis).to_string()).collect();
+    match &told[..] {
+        [x] => format!("x = {x} mm"),
+        [x, y] => format!("(x, y) = ({x}, {y}) mm"),
+        axes => format!("(x, y, z) = ({}) mm", axes.join(", ")),
+    }
 }
 
 impl Summary {
@@ -83,10 +93,10 @@ impl Summary {
 
     fn distances(&self, verdict: Verdict) -> String {
         let millimetres = |metres: f64| format!("{} mm", found(MILLI * metres));
-        let (Some(rest), Some(last)) = (self.equilibrium, self.last) else {
+        let Some(rest) = self.equilibrium.as_deref().filter(|_| self.last.is_some()) else {
             return "the place to rest at is out of range".to_owned();
         };
-        let (band, place) = (millimetres(self.band), millimetres(rest));
+        let (band, place) = (millimetres(self.band), place(rest));
         match (verdict, self.settled) {
             (Verdict::Grows, _) => {
                 let sizes = self.fate.sizes(0);
@@ -95,21 +105,21 @@ impl Summary {
                     let widest = millimetres(sizes.widest);
                     let start = millimetres(self.fate.criterion(0).start);
                     return format!(
-                        "up to {widest} from x = {place}, more than ten times the {start} of the start"
+                        "up to {widest} from {place}, more than ten times the {start} of the start"
                     );
                 }
-                format!("up to {end} from x = {place} in the last quarter, {second} in the second")
+                format!("up to {end} from {place} in the last quarter, {second} in the second")
             }
             (Verdict::Settles, Some(time)) => {
-                format!("from t = {} s on within {band} of x = {place}", given(time))
+                format!("from t = {} s on within {band} of {place}", given(time))
             }
             // One last swing through the band is not rest.
             (_, Some(time)) => {
-                format!("within {band} of x = {place} only since t = {} s", given(time))
+                format!("within {band} of {place} only since t = {} s", given(time))
             }
             (_, None) => {
-                let away = millimetres((last.x - rest).abs());
-                format!("at the end {away} from x = {place}, not within {band}")
+                let away = millimetres(self.away);
+                format!("at the end {away} from {place}, not within {band}")
             }
         }
     }

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use lyapunov::environments::Time;
 
-use super::equilibrium::{driven, equilibrium, last_pull, swing};
+use super::equilibrium::{driven, equilibria, last_pull, swing};
+use super::{Place, Space};
 use crate::files::scene::Draft;
 
 /// Largest distance from the equilibrium that counts as settled, as a share of the starting swing.
@@ -23,10 +24,12 @@ const ANSWERS: u64 = 20;
 const ROUNDING: f64 = 1e-9;
 
 /// Place and scale that the motion of a scene is judged by.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Criterion {
-    /// The position where the plant comes to rest, m.
-    pub(crate) equilibrium: Option<f64>,
+    /// The places where the plant may come to rest; one at most on a line.
+    pub(crate) equilibria: Vec<Place>,
+    /// The places that distances in a space are measured from: the equilibria, else the hand's rest; none on a line.
+    middles: Vec<Place>,
     /// The swing that a run is measured against, m; 0 without an equilibrium.
     pub(crate) start: f64,
     /// Half the width of the band about the equilibrium that counts as settled, m; below 0 without an equilibrium.
@@ -46,28 +49,59 @@ pub(crate) enum Shortage {
 
 impl Criterion {
     pub(crate) fn of(scene: &Draft) -> Self {
-        let equilibrium = equilibrium(scene);
-        let swing = equilibrium.map_or(0.0, |rest| swing(scene, rest));
+        let equilibria = equilibria(scene);
+        let start = Place::of(&scene.initial.position, scene.dimensions());
+        let equilibrium = nearest(&equilibria, |axis| start.axes()[axis]).copied();
+        let swing = equilibrium.map_or(0.0, |rest| swing(scene, &rest));
         // The starting swing, or the spring's deflection at the equilibrium if that is larger, so that a start in
         // balance is not measured against zero.
-        let deflection = |rest: f64| (scene.operator.rest.get() - rest).abs();
+        let deflection = |rest: Place| rest.distance(|axis| scene.operator.rest.axis(axis));
         let start = equilibrium.map_or(0.0, |rest| swing.max(deflection(rest)));
         let width = BAND * if swing > BALANCE * start { swing } else { start };
         let band = if equilibrium.is_some() { width } else { -1.0 };
-        Self { equilibrium, start, band, shortage: Shortage::of(scene) }
+        let hand = Place::of(&scene.operator.rest, scene.dimensions());
+        let middles = match (scene.dimensions(), equilibria.is_empty()) {
+            (1, _) => Vec::new(),
+            (_, false) => equilibria.clone(),
+            (_, true) => vec![hand],
+        };
+        Self { equilibria, middles, start, band, shortage: Shortage::of(scene) }
     }
 
-    /// The place that the plant's distance is measured from, m; none where its speed is judged instead: without an
+    /// The coordinate that a motion is judged along, m: on a line the position, in a space the distance from the nearest
+    /// equilibrium, or from the hand's rest where there is none.
+    pub(crate) fn coordinate<V: Space>(&self, position: V) -> f64 {
+        let distances = self.middles.iter().map(|it| it.distance(|axis| position.axis(axis)));
+        distances.reduce(f64::min).unwrap_or_else(|| position.axis(0))
+    }
+
+    /// The equilibrium nearest to a position.
+    pub(crate) fn nearest<V: Space>(&self, position: V) -> Option<&Place> {
+        nearest(&self.equilibria, |axis| position.axis(axis))
+    }
+
+    /// The coordinate that the plant's distance is measured from, m; none where its speed is judged instead: without an
     /// equilibrium, or without a scale for the distance.
     pub(crate) fn place(&self) -> Option<f64> {
-        self.equilibrium.filter(|_| self.start > 0.0)
+        self.equilibria.first().filter(|_| self.start > 0.0).map(|rest| self.along(rest))
     }
 
-    /// The position where the plant comes to rest and half the width of the band about it that counts as settled, m; a
-    /// band below 0 where there is no such position.
+    /// The coordinate where the plant comes to rest and half the width of the band about it that counts as settled, m; a
+    /// band below 0 where there is no such place.
     pub(crate) fn rest(&self) -> (f64, f64) {
-        (self.equilibrium.unwrap_or(0.0), self.band)
+        (self.equilibria.first().map_or(0.0, |rest| self.along(rest)), self.band)
     }
+
+    /// The coordinate of the equilibrium.
+    fn along(&self, rest: &Place) -> f64 {
+        if self.middles.is_empty() { rest.axes()[0] } else { 0.0 }
+    }
+}
+
+/// The place nearest to the point with the coordinate `of` each axis.
+fn nearest(places: &[Place], of: impl Fn(usize) -> f64) -> Option<&Place> {
+    let distance = |place: &&Place| place.distance(&of);
+    places.iter().min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
 
 impl Shortage {
@@ -124,10 +158,15 @@ mod tests {
         Criterion::of(&scene.unwrap_or_else(|fault| panic!("{fault}")))
     }
 
+    /// The equilibrium on a line.
+    fn at(criterion: &Criterion) -> Option<f64> {
+        criterion.equilibria.first().map(|place| place.axes()[0])
+    }
+
     #[test]
     fn the_scale_is_the_swing_or_the_deflection_if_that_is_larger() {
         let free = criterion("");
-        assert_eq!((free.equilibrium, free.place()), (Some(0.0), Some(0.0)));
+        assert_eq!((at(&free), free.place()), (Some(0.0), Some(0.0)));
         assert_abs_diff_eq!(free.start, 0.004, epsilon = 1e-15);
         assert_abs_diff_eq!(free.band, 0.0002, epsilon = 1e-15);
         // 50 N/m pulling from 22 mm against 1 kN/m at 1 mm: balance at 2 mm, deflection 20 mm.
@@ -142,9 +181,9 @@ mod tests {
         assert_abs_diff_eq!(balanced.start, 0.020, epsilon = 1e-12);
         assert_abs_diff_eq!(balanced.band, 0.001, epsilon = 1e-12);
         let idle = criterion("initial.position = 0.0\n");
-        assert_eq!((idle.equilibrium, idle.start, idle.place()), (Some(0.0), 0.0, None));
+        assert_eq!((at(&idle), idle.start, idle.place()), (Some(0.0), 0.0, None));
         let loose = criterion("operator.stiffness = 0.0\n");
-        assert_eq!((loose.equilibrium, loose.place(), loose.rest()), (None, None, (0.0, -1.0)));
+        assert_eq!((at(&loose), loose.place(), loose.rest()), (None, None, (0.0, -1.0)));
     }
 
     /// Whether a run of so many seconds is judged.

@@ -1,17 +1,31 @@
 //! Equilibrium of a scene.
 
-use lyapunov::environments::{Kinematics, Time};
+use lyapunov::environments::{Kinematics, NearestPoint, Solid, Time};
+use nalgebra::SVector;
 
-use crate::files::scene::{Draft, Motion, StaticSpring};
+use super::{Place, Space};
+use crate::files::scene::{Draft, Face, Motion, StaticSpring};
 
 /// Halvings of an interval: more than f64 has digits.
 const HALVINGS: usize = 200;
 
-/// Position where the operator's spring, the environment and the forces that push at the end balance, m; none where no
-/// spring pulls, where something never rests, and in more than one dimension.
-pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
+/// Share of the hand's force by which two forces that balance may differ.
+const BALANCED: f64 = 1e-9;
+
+/// Places where the operator's spring, the environment and the forces that push at the end balance: on a line and before a
+/// solid with one surface one, before a box one for each face that holds the hand. None where no spring pulls and where
+/// something never rests; in a space neither in the middle of a ball, nor where a saturation turns the force of a side.
+pub(crate) fn equilibria(scene: &Draft) -> Vec<Place> {
+    match scene.dimensions() {
+        1 => on_a_line(scene).map(Place::on_a_line).into_iter().collect(),
+        2 => in_space::<2>(scene).into_iter().flatten().map(Place::at).collect(),
+        _ => in_space::<3>(scene).into_iter().flatten().map(Place::at).collect(),
+    }
+}
+
+fn on_a_line(scene: &Draft) -> Option<f64> {
     let (pull, rest) = (last_pull(scene), last_rest(scene)?);
-    if scene.dimensions() > 1 || pull <= 0.0 {
+    if pull <= 0.0 {
         return None;
     }
     let free = rest + last_push(scene) / pull;
@@ -24,6 +38,58 @@ pub(crate) fn equilibrium(scene: &Draft) -> Option<f64> {
 /// Whether something drives the scene for as long as it lasts.
 pub(crate) fn never_rests(scene: &Draft) -> bool {
     last_rest(scene).is_none() || scene.environment.kind().frequency().is_some()
+}
+
+/// The places where a solid and the hand hold each other. A hand that pulls to `free` rests on a side
+/// of the solid with the normal `n`, below which `free` lies `d` deep, at `free + n d K / (k + K)`, if that side is the
+/// nearest there too.
+fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>> {
+    let (pull, rest) = (last_pull(scene), last_rest(scene)?);
+    if pull <= 0.0 {
+        return None;
+    }
+    let mut free = SVector::<f64, N>::at(&scene.operator.rest);
+    free[0] = rest + last_push(scene) / pull;
+    let (solid, push) = (SVector::solid(scene)?, scene.environment.surface_stiffness()?);
+    let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());
+    let clipped = |force: SVector<f64, N>| force.map(|axis| axis.clamp(-most, most));
+    let force = |place: SVector<f64, N>| {
+        let NearestPoint { depth, normal } = solid.nearest(place);
+        clipped(normal * (push * depth.max(0.0)))
+    };
+    let balances = |place: &SVector<f64, N>| {
+        let hand = (free - *place) * pull;
+        // Coordinates are rounded too.
+        (hand + force(*place)).norm() <= BALANCED * (hand.norm() + pull * free.norm())
+    };
+    let pressed = sides(scene, &*solid, free)?.into_iter().filter(|side| side.depth > 0.0);
+    let pressed = pressed.map(|side| {
+        let held = side.normal * (side.depth * push / (pull + push) * pull);
+        free + clipped(held) / pull
+    });
+    let alone = Some(free).filter(|free| force(*free).norm() == 0.0);
+    Some(alone.into_iter().chain(pressed.filter(balances)).collect())
+}
+
+/// The sides of a `solid` seen from `free`; none in the middle of a ball, where no direction leads out.
+fn sides<const N: usize>(
+    scene: &Draft,
+    solid: &dyn Solid<SVector<f64, N>>,
+    free: SVector<f64, N>,
+) -> Option<Vec<NearestPoint<SVector<f64, N>>>> {
+    let faces = scene.environment.kind().faces();
+    if faces.is_empty() {
+        let nearest = solid.nearest(free);
+        let beside = free - nearest.normal * (BALANCED * nearest.depth);
+        let is_known = solid.nearest(beside).normal.dot(&nearest.normal) > 0.0;
+        return is_known.then(|| vec![nearest]);
+    }
+    let side = |face: Face| {
+        let mut normal = SVector::zeros();
+        normal[face.axis] = face.outward;
+        NearestPoint { depth: face.outward * (face.position - free[face.axis]), normal }
+    };
+    Some(faces.into_iter().map(side).collect())
 }
 
 /// Position where a spring of `pull` N/m that would rest at `free` balances the environment.
@@ -55,11 +121,12 @@ fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
 }
 
 /// Distance that the plant would swing about `rest` if nothing else acted.
-pub(crate) fn swing(scene: &Draft, rest: f64) -> f64 {
+pub(crate) fn swing(scene: &Draft, rest: &Place) -> f64 {
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let frequency = (last_pull(scene) / mass).sqrt();
-    let away = scene.initial.position.get() - rest;
-    away.hypot(scene.initial.velocity.get() / frequency)
+    let away = rest.distance(|axis| scene.initial.position.axis(axis));
+    let still = Place::origin(scene.dimensions());
+    away.hypot(still.distance(|axis| scene.initial.velocity.axis(axis)) / frequency)
 }
 
 /// Frequency at which the operator's rest swings, Hz, if it does.

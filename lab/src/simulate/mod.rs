@@ -9,15 +9,17 @@ pub mod family;
 pub(crate) mod load;
 pub(crate) mod models;
 pub(crate) mod own;
+pub(crate) mod place;
 pub(crate) mod rollout;
 pub(crate) mod row;
 pub(crate) mod stabilizing;
 pub(crate) mod teleoperation;
 pub(crate) mod tick;
 
-pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Space};
+pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Space, in_space};
 pub(crate) use criterion::Criterion;
 pub use load::Subject;
+pub(crate) use place::Place;
 pub(crate) use rollout::Rollout;
 pub(crate) use row::Row;
 pub(crate) use stabilizing::Stabilizing;

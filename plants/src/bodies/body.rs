@@ -76,6 +76,21 @@ impl<V: Signal> Body<V> {
         Self { rest, ..self }
     }
 
+    /// The rest of the spring, m.
+    pub(super) fn rest(&self) -> V {
+        self.rest
+    }
+
+    /// The position, m.
+    pub(super) fn place(&self) -> V {
+        self.position
+    }
+
+    /// The velocity, m/s.
+    pub(super) fn pace(&self) -> V {
+        self.velocity
+    }
+
     /// The same body at `position` m, moving at `velocity` m/s.
     pub fn starting(self, position: V, velocity: V) -> Self {
         Self { position, velocity, ..self }

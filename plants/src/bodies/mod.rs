@@ -19,7 +19,7 @@ mod two_mass_parts;
 pub use body::Body;
 pub(crate) use body::impedance_increments;
 pub use external_force::ExternalForce;
-pub use friction::{Friction, Stribeck, Transition, Transitions};
+pub use friction::{Friction, IsotropicFriction, Stribeck, Transition, Transitions};
 pub use grip::Grip;
 pub use hand_motion::HandMotion;
 pub use impedance::Impedance;

@@ -32,6 +32,14 @@ impl Coordinates {
         SVector::from_fn(|index, _| T::of(self.axis(index)))
     }
 
+    /// The same with a number for each axis of a space of so many `dimensions`, where none is given.
+    pub(super) fn written_in(self, dimensions: usize) -> Self {
+        if self.0.is_empty() && dimensions > 1 {
+            return Self(vec![Finite::default(); dimensions]);
+        }
+        self
+    }
+
     /// The number of coordinates given.
     pub(crate) fn len(&self) -> usize {
         self.0.len()

@@ -85,7 +85,7 @@ impl Draft {
     fn check_space(&self) -> Result<(), Conflict> {
         self.check_environment()?;
         let dimensions = self.dimensions();
-        self.check_stabilizer()?;
+        self.stabilizer.as_ref().map_or(Ok(()), |stabilizer| self.check_axes_of(stabilizer))?;
         let mut vectors = vec![
             ("initial.position".to_owned(), self.initial.position.len()),
             ("initial.velocity".to_owned(), self.initial.velocity.len()),
@@ -118,32 +118,50 @@ impl Draft {
                 },
             ));
         }
-        if dimensions > 1 && self.effects.friction.is_some() {
-            return Err(Conflict::new(
-                "effects.friction",
-                format!(
-                    "`effects.friction` is simulated in one dimension only, and the scene has {dimensions}"
-                ),
-                "leave it out, or leave out [space]",
-            ));
-        }
+        self.check_friction_in_space()?;
         kind.check()
     }
 
-    fn check_stabilizer(&self) -> Result<(), Conflict> {
-        let on_a_line = self.stabilizer.filter(Stabilizer::is_on_a_line);
-        match on_a_line {
-            Some(stabilizer) if self.dimensions() > 1 => Err(Conflict::new(
-                format!("stabilizer.{}", stabilizer.name()),
-                format!(
-                    "`stabilizer.{}` works in one dimension only, and the scene has {}",
-                    stabilizer.name(),
-                    self.dimensions()
-                ),
-                "take another, such as popc, or leave out [space]",
-            )),
-            _ => Ok(()),
+    fn check_friction_in_space(&self) -> Result<(), Conflict> {
+        let dimensions = self.dimensions();
+        if dimensions == 1 || self.effects.friction.is_none() {
+            return Ok(());
         }
+        let other = match (self.link.is_some(), self.integrator) {
+            (true, _) => {
+                "behind a `link` it would leave rest within a period, in a direction that turns"
+            }
+            (_, Integrator::Exact) => return Ok(()),
+            _ => {
+                "an integrator finds the instants of rest by the sign of the velocity, and a vector has none"
+            }
+        };
+        Err(Conflict::new(
+            "effects.friction",
+            format!(
+                "`effects.friction` in {dimensions} dimensions is for one mass that moves exactly: {other}"
+            ),
+            "take `integrator = \"exact\"` without a `link`, or leave out the friction",
+        ))
+    }
+
+    /// Checks that a stabilizer works in as many dimensions as the scene has.
+    ///
+    /// # Errors
+    /// A stabilizer for one dimension in a space.
+    pub(crate) fn check_axes_of(&self, stabilizer: &Stabilizer) -> Result<(), Conflict> {
+        if self.dimensions() == 1 || !stabilizer.is_on_a_line() {
+            return Ok(());
+        }
+        Err(Conflict::new(
+            format!("stabilizer.{}", stabilizer.name()),
+            format!(
+                "`stabilizer.{}` works in one dimension only, and the scene has {}",
+                stabilizer.name(),
+                self.dimensions()
+            ),
+            "take another, such as popc, or leave out [space]",
+        ))
     }
 
     fn check_environment(&self) -> Result<(), Conflict> {

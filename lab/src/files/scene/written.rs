@@ -95,7 +95,14 @@ impl TryFrom<Keys> for Draft {
 impl From<Draft> for Keys {
     fn from(scene: Draft) -> Self {
         let (integrator, steps_per_tick, tolerance) = scene.integrator.keys();
-        let stabilizer = with_cap(&scene);
+        let (stabilizer, dimensions) = (with_cap(&scene), scene.dimensions());
+        let Initial { position, velocity } = scene.initial;
+        let initial = Initial {
+            position: position.written_in(dimensions),
+            velocity: velocity.written_in(dimensions),
+        };
+        let rest = scene.operator.rest.written_in(dimensions);
+        let operator = Operator { rest, ..scene.operator };
         Self {
             integrator,
             steps_per_tick,
@@ -105,11 +112,11 @@ impl From<Draft> for Keys {
             environment_rate: scene.environment_rate,
             velocity: scene.velocity,
             scalar: scene.scalar,
-            operator: scene.operator,
+            operator,
             device: scene.device,
             link: scene.link,
             space: scene.space,
-            initial: scene.initial,
+            initial,
             environment: scene.environment,
             stabilizer,
             effects: scene.effects,

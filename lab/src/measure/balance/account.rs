@@ -1,5 +1,6 @@
 //! Energies of a run by cause.
 
+use lyapunov::Signal;
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
@@ -101,24 +102,24 @@ impl Balance {
 }
 
 /// One tick, as a balance needs it.
-#[derive(Clone, Copy, Debug, Default)]
-struct Moment {
-    masses: Masses,
-    measured: f64,
-    estimated: f64,
-    environment: f64,
-    acting: f64,
-    split: Split,
+#[derive(Clone, Copy, Debug)]
+struct Moment<V> {
+    masses: Masses<V>,
+    measured: V,
+    estimated: V,
+    environment: V,
+    acting: V,
+    split: Split<V>,
 }
 
 /// Balance that grows tick by tick.
-pub(super) struct Account {
+pub(super) struct Account<V: Signal> {
     scene: Scene,
-    law: Law,
+    law: Law<V>,
     body: Body,
-    share: Share,
+    share: Share<V>,
     ticks: u64,
-    last: Option<(Moment, Samples)>,
+    last: Option<(Moment<V>, Samples<V>)>,
     whole: Balance,
     first: Option<Balance>,
     touching: bool,
@@ -126,18 +127,19 @@ pub(super) struct Account {
 }
 
 /// Motions that the law is evaluated on, from the measured to the true one.
-#[derive(Clone, Copy, Debug, Default)]
-struct Samples {
-    filtered: Motion,
-    counted: Motion,
-    truly: Motion,
+#[derive(Clone, Copy, Debug)]
+struct Samples<V> {
+    filtered: Motion<V>,
+    counted: Motion<V>,
+    truly: Motion<V>,
 }
 
-impl Account {
-    pub(super) fn new<V: Space>(scene: &Scene, body: Body) -> Self {
+impl<V: Space<Scalar = f64>> Account<V> {
+    /// The account of a run of `scene` in the scalar of `S`.
+    pub(super) fn new<S: Space<Double = V>>(scene: &Scene, body: Body) -> Self {
         Self {
             body,
-            share: Share::new::<V>(scene),
+            share: Share::new::<S>(scene),
             ticks: 0,
             last: None,
             whole: Balance::default(),
@@ -150,17 +152,18 @@ impl Account {
     }
 
     /// Books one more tick; false once the numbers are out of range.
-    pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) -> bool {
+    pub(super) fn add<S: Space<Double = V>>(&mut self, tick: &Tick<S>) -> bool {
         let tick = Moment {
             masses: Masses::at(tick),
-            measured: tick.measured.position.axis(0),
-            estimated: tick.measured.velocity.axis(0),
-            environment: tick.environment.axis(0),
-            acting: tick.applied.axis(0),
+            measured: tick.measured.position.double(),
+            estimated: tick.measured.velocity.double(),
+            environment: tick.environment.double(),
+            acting: tick.applied.double(),
             split: self.share.split(tick),
         };
         let samples = self.samples(&tick);
-        let touches = tick.environment != 0.0 || self.law.force(samples.truly) != 0.0;
+        let none = V::zero();
+        let touches = tick.environment != none || self.law.force(samples.truly) != none;
         if let Some((last, before)) = self.last {
             let moved = self.moved(&last, &before, &tick, &samples);
             if touches && self.first.is_none() {
@@ -182,7 +185,7 @@ impl Account {
             self.first = Some(Balance::default());
         }
         // A force still on its way belongs to the contact.
-        let acts = tick.acting != 0.0 || tick.split.late != 0.0 || self.share.is_waiting();
+        let acts = tick.acting != none || tick.split.late != none || self.share.is_waiting();
         self.left |= self.touching && !touches && !acts;
         self.touching |= touches;
         self.last = Some((tick, samples));
@@ -204,47 +207,55 @@ impl Account {
         (close(self.whole), self.first.map(close))
     }
 
-    fn samples(&self, tick: &Moment) -> Samples {
+    fn samples(&self, tick: &Moment<V>) -> Samples<V> {
         let period = self.scene.period();
         let time = self.ticks as f64 * period;
         let [position, velocity] = tick.masses.device;
-        let of = |position: f64, velocity: f64, before: f64| Motion {
+        let over_period = |change: V| change.map(|axis| axis / period);
+        let of = |position: V, velocity: V, before: Option<V>| Motion {
             time,
             position,
             velocity,
-            acceleration: if self.last.is_some() { (velocity - before) / period } else { 0.0 },
+            acceleration: before.map_or_else(V::zero, |before| over_period(velocity - before)),
         };
-        let (last, before) = self.last.unwrap_or((*tick, Samples::default()));
+        let last = self.last.map_or(*tick, |(last, _)| last);
+        let before = |of: fn(&Samples<V>) -> V| self.last.map(|(_, samples)| of(&samples));
         let (counted, truly) = match self.scene.velocity {
             Velocity::Exact => (velocity, velocity),
             Velocity::BackwardDifference => (
-                (tick.measured - last.measured) / period,
-                (position - last.masses.device[0]) / period,
+                over_period(tick.measured - last.measured),
+                over_period(position - last.masses.device[0]),
             ),
         };
         Samples {
-            filtered: of(tick.measured, tick.estimated, before.filtered.velocity),
-            counted: of(tick.measured, counted, before.counted.velocity),
-            truly: of(position, truly, before.truly.velocity),
+            filtered: of(tick.measured, tick.estimated, before(|it| it.filtered.velocity)),
+            counted: of(tick.measured, counted, before(|it| it.counted.velocity)),
+            truly: of(position, truly, before(|it| it.truly.velocity)),
         }
     }
 
     /// The balance of one tick, without its rest.
-    fn moved(&mut self, last: &Moment, before: &Samples, now: &Moment, after: &Samples) -> Balance {
+    fn moved(
+        &mut self,
+        last: &Moment<V>,
+        before: &Samples<V>,
+        now: &Moment<V>,
+        after: &Samples<V>,
+    ) -> Balance {
         let index = self.ticks - 1;
         let passed = self.body.pass(index, last.masses, now.masses, last.acting);
         let Passed { hand, push, burnt: [device, operator, link], gained } = passed;
         let way = now.masses.device[0] - last.masses.device[0];
         let Split { late, environment: clipped, controller } = last.split;
-        let law = |motion: Motion| self.law.force(motion);
+        let law = |motion: Motion<V>| self.law.force(motion);
         let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
-        let real = |tick: &Moment, time: f64| {
+        let real = |tick: &Moment<V>, time: f64| {
             let [position, velocity] = tick.masses.device;
-            Motion { time, position, velocity, acceleration: 0.0 }
+            Motion { time, position, velocity, acceleration: V::zero() }
         };
         let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
         let wall = self.law.work(from, to);
-        let slow = (last.environment - filtered) * way;
+        let slow = (last.environment - filtered).inner(way);
         Balance {
             gained,
             hand,
@@ -253,12 +264,12 @@ impl Account {
             operator,
             link,
             wall,
-            controller: controller * way,
-            saturation: -(clipped - late) * way,
-            delay: -(late - last.environment) * way,
-            filter: -(filtered - counted) * way,
-            encoder: -(counted - truly) * way,
-            hold: -slow - (truly * way - wall),
+            controller: controller.inner(way),
+            saturation: -(clipped - late).inner(way),
+            delay: -(late - last.environment).inner(way),
+            filter: -(filtered - counted).inner(way),
+            encoder: -(counted - truly).inner(way),
+            hold: -slow - (truly.inner(way) - wall),
             ..Balance::default()
         }
     }

@@ -1,5 +1,7 @@
 //! Energies that the body of a scene stores, receives and dissipates.
 
+use std::ops::Add;
+
 use lyapunov::{
     ParameterError,
     trajectories::{Constant, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory},
@@ -14,7 +16,8 @@ const TERMS: u32 = 24;
 
 type Value = Box<dyn Fn(u64) -> f64>;
 
-/// The body of a scene, with all that acts on it from outside the port.
+/// The body of a scene, with all that acts on it from outside the port; its axes move independently, each by the same
+/// numbers.
 pub(super) struct Body {
     scene: Scene,
     rest: Value,
@@ -34,19 +37,25 @@ struct Shape {
 }
 
 /// Position and velocity of operator and device at a tick; both are the same without a link.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Masses {
-    pub(super) operator: [f64; 2],
-    pub(super) device: [f64; 2],
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Masses<V> {
+    pub(super) operator: [V; 2],
+    pub(super) device: [V; 2],
 }
 
-impl Masses {
+impl<V: Space<Scalar = f64>> Masses<V> {
     /// The masses at `tick`.
-    pub(super) fn at<V: Space>(tick: &Tick<V>) -> Self {
-        let along = |position: V, velocity: V| [position.axis(0), velocity.axis(0)];
-        let device = along(tick.truth.position, tick.truth.velocity);
-        let operator = tick.operator.map_or(device, |it| along(it.position, it.velocity));
+    pub(super) fn at<S: Space<Double = V>>(tick: &Tick<S>) -> Self {
+        let of = |position: S, velocity: S| [position.double(), velocity.double()];
+        let device = of(tick.truth.position, tick.truth.velocity);
+        let operator = tick.operator.map_or(device, |it| of(it.position, it.velocity));
         Self { operator, device }
+    }
+
+    /// The masses along an axis.
+    fn along(self, axis: usize) -> Masses<f64> {
+        let of = |state: [V; 2]| state.map(|signal| signal.axis(axis));
+        Masses { operator: of(self.operator), device: of(self.device) }
     }
 }
 
@@ -61,6 +70,19 @@ pub(super) struct Passed {
     pub(super) burnt: [f64; 3],
     /// Gained by kinetic and spring energy.
     pub(super) gained: f64,
+}
+
+impl Add for Passed {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            hand: self.hand + other.hand,
+            push: self.push + other.push,
+            burnt: [0, 1, 2].map(|index| self.burnt[index] + other.burnt[index]),
+            gained: self.gained + other.gained,
+        }
+    }
 }
 
 impl Body {
@@ -83,12 +105,39 @@ impl Body {
     }
 
     /// The energies from `tick` to the next, while the body moves `from` to `to` under `effort` at the port.
-    pub(super) fn pass(&mut self, tick: u64, from: Masses, to: Masses, effort: f64) -> Passed {
-        let own = self.scene.operator.rest.get();
-        let before = self.stored(from, tick.checked_sub(1).map_or(own, &self.rest));
+    pub(super) fn pass<V: Space<Scalar = f64>>(
+        &mut self,
+        tick: u64,
+        from: Masses<V>,
+        to: Masses<V>,
+        effort: V,
+    ) -> Passed {
+        let axes = 0..V::DIMENSIONS;
+        let before = |axis: usize| {
+            let own = self.scene.operator.rest.axis(axis);
+            let rest = tick.checked_sub(1).map_or(own, |last| self.rest(last, axis));
+            self.stored(from.along(axis), rest)
+        };
+        let before: Vec<f64> = axes.clone().map(before).collect();
         self.grip(tick);
-        let rest = (self.rest)(tick);
-        let push = (self.push)(tick);
+        let along = |axis: usize| {
+            let (from, to) = (from.along(axis), to.along(axis));
+            self.pass_along(axis, (tick, before[axis]), from, to, effort.axis(axis))
+        };
+        axes.map(along).reduce(Add::add).unwrap_or_default()
+    }
+
+    /// The energies along an axis from `tick` on, where the body stored `before` until then.
+    fn pass_along(
+        &self,
+        axis: usize,
+        (tick, before): (u64, f64),
+        from: Masses<f64>,
+        to: Masses<f64>,
+        effort: f64,
+    ) -> Passed {
+        let rest = self.rest(tick, axis);
+        let push = if axis == 0 { (self.push)(tick) } else { 0.0 };
         let start = self.stored(from, rest);
         let state = self.state(from, rest, effort - push);
         let burnt = &self.shape.burnt;
@@ -104,6 +153,11 @@ impl Body {
         }
     }
 
+    /// The rest position of the operator's spring, which moves along the first axis.
+    fn rest(&self, tick: u64, axis: usize) -> f64 {
+        if axis == 0 { (self.rest)(tick) } else { self.scene.operator.rest.axis(axis) }
+    }
+
     /// Applies the grip of a tick.
     fn grip(&mut self, tick: u64) {
         let Some(grip) = &self.scene.operator.grip else { return };
@@ -116,7 +170,7 @@ impl Body {
         self.shape = Shape::of(&self.scene, stiffness.get(), damping.get());
     }
 
-    fn stored(&self, masses: Masses, rest: f64) -> f64 {
+    fn stored(&self, masses: Masses<f64>, rest: f64) -> f64 {
         let scene = &self.scene;
         let kinetic = |mass: f64, velocity: f64| 0.5 * mass * velocity * velocity;
         let link = scene.link.map_or(0.0, |link| link.stiffness.get());
@@ -128,7 +182,7 @@ impl Body {
             + 0.5 * link * stretch * stretch
     }
 
-    fn state(&self, masses: Masses, rest: f64, effort: f64) -> DVector<f64> {
+    fn state(&self, masses: Masses<f64>, rest: f64, effort: f64) -> DVector<f64> {
         let of = |[position, velocity]: [f64; 2]| [position - rest, velocity];
         let mut state = of(masses.device).to_vec();
         if self.scene.link.is_some() {
@@ -199,7 +253,7 @@ fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<
     sum
 }
 
-/// The rest position of the operator's spring, tick by tick.
+/// The rest position of the operator's spring along the first axis, tick by tick.
 fn rest(scene: &Scene) -> Result<Value, ParameterError> {
     let (rest, rate) = (scene.operator.rest.get(), scene.servo_rate.get());
     Ok(match &scene.operator.motion {

@@ -2,7 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov::ParameterError;
+use lyapunov::{ParameterError, Signal};
+use num_traits::Zero;
 
 use super::account::{Account, Balance};
 use super::body::{Body, Masses};
@@ -55,23 +56,23 @@ impl Trial {
         watch: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Self, ParameterError> {
         let (mut fate, mut signs) = (Fate::of(scene), RunSigns::new(scene));
-        let mut account = Account::new::<V>(scene, Body::of(scene)?);
+        let mut account = Account::<V::Double>::new::<V>(scene, Body::of(scene)?);
         let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
-        let law = Law::of(scene);
+        let law = Law::<V::Double>::of(scene);
         let mut open = true;
         for (tick, number) in rollout.zip(1..) {
             fate.add_tick(&tick);
             signs.add(&tick);
             let [position, velocity] = Masses::at(&tick).device;
-            let (applied, environment) = (tick.applied.axis(0), tick.environment.axis(0));
-            peak = peak.max(applied.abs());
-            let motion = Motion { time: tick.time, position, velocity, acceleration: 0.0 };
+            let (applied, none) = (tick.applied.double(), V::Double::zero());
+            peak = peak.max(applied.length());
+            let motion = Motion { time: tick.time, position, velocity, acceleration: none };
             let ideal = law.force(motion);
-            if environment != 0.0 || ideal != 0.0 {
-                square += (applied - ideal) * (applied - ideal);
+            if tick.environment.double() != none || ideal != none {
+                square += (applied - ideal).inner(applied - ideal);
                 touched += 1;
             }
-            let near = position.abs() < FAR && velocity.abs() < FAR;
+            let near = position.length() < FAR && velocity.length() < FAR;
             open = open && near && account.add(&tick);
             if (number + 1) % BREATH == 0 && watch(BREATH).is_break() {
                 break;

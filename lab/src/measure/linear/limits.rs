@@ -119,6 +119,11 @@ fn friction_notes(scene: &Scene) -> Vec<&'static str> {
     if effects.friction.is_none() || effects.encoder.is_none() {
         return vec!["the limit of friction and encoder is for scenes with both"];
     }
+    if scene.dimensions() > 1 {
+        return vec![
+            "the limit of friction and encoder is for one axis: friction along the surface pays for nothing across it",
+        ];
+    }
     let delays = effects.delay.is_some_and(|it| it.ticks.get() > 0);
     let damps = scene.environment.kind().impedance().is_some_and(|it| it.damping > 0.0);
     let all = [

@@ -28,9 +28,10 @@ pub(super) fn gil(scene: &Scene) -> Option<f64> {
 /// `b` is the device's damping and `f_c` its Coulomb friction, `Δ` the encoder's step, `T` the period at which the
 /// environment answers. Sufficient for the port to be passive (Abbott and Okamura, IEEE Transactions on Robotics 21,
 /// 2005): the first part pays for the hold, the second for the half step that a count may be off. It is about a spring
-/// alone, without a damper, without delay and without static friction beyond the Coulomb friction.
+/// alone, without a damper, without delay and without static friction beyond the Coulomb friction, on one axis: in a space
+/// friction that acts along the surface pays for nothing across it, so there it is none.
 pub(super) fn friction_quantization(scene: &Scene) -> Option<f64> {
-    scene.environment.kind().impedance()?;
+    scene.environment.kind().impedance().filter(|_| scene.dimensions() == 1)?;
     let (friction, encoder) = (scene.effects.friction?, scene.effects.encoder?);
     let held = scene.period() * scene.environment_ratio() as f64;
     let by_damping = 2.0 * scene.device.damping.get() / held;

@@ -7,6 +7,8 @@ mod scene;
 
 use serde::Serialize;
 
+use crate::files::scene::{Scene, Stabilizer};
+
 pub(crate) use log::{LogSigns, Reading, SHARE};
 pub(crate) use run::RunSigns;
 
@@ -22,6 +24,8 @@ pub enum Sign {
     Untouched,
     /// A force never acts.
     Idle,
+    /// A stabilizer stands before an environment that it does not assume.
+    Outside,
 }
 
 /// One sign of a mistake, in a sentence that says what was seen and where.
@@ -36,6 +40,17 @@ pub struct Oddity {
 impl Oddity {
     pub(crate) fn new(sign: Sign, text: impl Into<String>) -> Self {
         Self { sign, text: text.into() }
+    }
+
+    /// The sign of a stabilizer of `table` before an environment of `scene` that gives energy by its own law, where that is
+    /// outside of what it assumes.
+    pub(crate) fn outside(scene: &Scene, table: Stabilizer) -> Option<Self> {
+        let assumed = table.kind().assumes().filter(|_| scene.environment.kind().is_active())?;
+        let (name, environment) = (table.name(), scene.environment.name());
+        let text = format!(
+            "{name} assumes {assumed}, and this {environment} gives energy by its own law: outside of what it promises"
+        );
+        Some(Self::new(Sign::Outside, text))
     }
 }
 

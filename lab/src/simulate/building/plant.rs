@@ -6,8 +6,8 @@ use std::sync::Arc;
 use lyapunov::{
     ParameterError, Plant, PortSample, Scalar, Signal,
     bodies::{
-        Body, DampedMass, ElasticJoint, Friction, Impedance, IntegratedPlant, OperatedBody,
-        PlantExt, Stribeck, TwoMassBody, TwoMassParts,
+        Body, DampedMass, ElasticJoint, Friction, Impedance, IntegratedPlant, IsotropicFriction,
+        OperatedBody, PlantExt, Stribeck, TwoMassBody, TwoMassParts,
     },
     effects::{Random, Source},
     integrators::{
@@ -17,10 +17,12 @@ use lyapunov::{
     trajectories::{Constant, FirstAxis, Pulse, Ramp, RampParts, Samples, Sine, Step},
 };
 
+use nalgebra::SVector;
+
 use super::body::{AnyBody, Watched};
 use super::integrator::AnyIntegrator;
 use super::seen::Operator;
-use crate::files::scene::{Motion, NonNegative, Scene, of};
+use crate::files::scene::{self, Motion, NonNegative, Scene, of};
 use crate::simulate::building::Space;
 
 /// Any plant, boxed.
@@ -130,12 +132,7 @@ pub(super) fn on_a_line<T: Scalar + Space>(
     let Some(friction) = scene.effects.friction else {
         return frictionless(scene, seen);
     };
-    let law = Stribeck {
-        coulomb: of(friction.coulomb),
-        breakaway: of(friction.breakaway()),
-        // Where both friction forces are equal, any velocity will do.
-        stribeck_velocity: friction.stribeck_velocity.map_or(T::one(), of),
-    };
+    let law = stribeck(friction);
     if let Some((integrator, steps)) = AnyIntegrator::of(scene.integrator)? {
         // Behind a link only exact motion takes friction: a scene that asks for both is not built.
         let parts =
@@ -151,6 +148,29 @@ pub(super) fn on_a_line<T: Scalar + Space>(
     } else {
         let (body, parts) = start::<T, Joined>(scene)?;
         disturbed::<T, Joined>(scene, AnyBody::new(Friction::new(body, parts, law)?))
+    }
+}
+
+/// The plant of a scene in a space, where friction opposes the velocity as a vector: one mass, moved exactly, since a scene
+/// that asks for another is not built.
+pub(super) fn in_space<T: Scalar + Space, const N: usize>(
+    scene: &Scene,
+    seen: &Operator<SVector<T, N>>,
+) -> Result<AnyPlant<SVector<T, N>>, ParameterError> {
+    let Some(friction) = scene.effects.friction else {
+        return frictionless(scene, seen);
+    };
+    let (body, parts) = start::<SVector<T, N>, Joined>(scene)?;
+    let body = IsotropicFriction::new(body, parts, stribeck(friction))?;
+    disturbed::<SVector<T, N>, Joined>(scene, AnyBody::new(body))
+}
+
+fn stribeck<T: Scalar>(friction: scene::Friction) -> Stribeck<T> {
+    Stribeck {
+        coulomb: of(friction.coulomb),
+        breakaway: of(friction.breakaway()),
+        // Where both friction forces are equal, any velocity will do.
+        stribeck_velocity: friction.stribeck_velocity.map_or(T::one(), of),
     }
 }
 

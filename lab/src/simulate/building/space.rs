@@ -4,19 +4,23 @@ use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
     ParameterError, Scalar, Signal,
     accumulators::{Accumulator, Compensated, DoubleDouble, Plain, Wide},
+    environments::Solid,
 };
 use nalgebra::SVector;
 
 use super::Fitted;
 use super::plant::{self, AnyPlant};
 use super::seen::Operator;
-use crate::files::scene::{Basis, Coordinates, Rates, Render, Scene, Stabilizer};
+use crate::files::scene::{Basis, Coordinates, Draft, Rates, Render, Scene, Stabilizer};
 
 /// Signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an
 /// `SVector` of two or three.
 pub trait Space: Signal<Scalar: Send> + Send {
     /// The type that a ledger sums in where it is wider than the port.
     type Wide: Accumulator<Self::Scalar> + 'static;
+
+    /// The same axes in `f64`, in which runs are measured.
+    type Double: Space<Scalar = f64>;
 
     /// The number of axes.
     const DIMENSIONS: usize;
@@ -26,6 +30,18 @@ pub trait Space: Signal<Scalar: Send> + Send {
 
     /// The value along axis `index`, in the first lane; NaN past the last axis.
     fn axis(self, index: usize) -> f64;
+
+    /// The same in `f64`, in the first lane.
+    fn double(self) -> Self::Double;
+
+    /// The length, in the first lane: on a line the magnitude.
+    fn length(self) -> f64 {
+        (0..Self::DIMENSIONS).map(|index| self.axis(index)).fold(0.0, f64::hypot)
+    }
+
+    /// The solid whose surface the device of `scene` touches; none before an environment that is neither a wall nor a
+    /// solid.
+    fn solid(scene: &Draft) -> Option<Box<dyn Solid<Self>>>;
 
     /// Makes something `of` the environment of `scene`.
     ///
@@ -50,6 +66,7 @@ macro_rules! line {
     ($($scalar:ty, wide $wide:ty);* $(;)?) => {$(
         impl Space for $scalar {
             type Wide = $wide;
+            type Double = f64;
 
             const DIMENSIONS: usize = 1;
 
@@ -59,6 +76,14 @@ macro_rules! line {
 
             fn axis(self, index: usize) -> f64 {
                 if index == 0 { self.lane(0) } else { f64::NAN }
+            }
+
+            fn double(self) -> f64 {
+                self.lane(0)
+            }
+
+            fn solid(scene: &Draft) -> Option<Box<dyn Solid<Self>>> {
+                scene.environment.solid_on_a_line()
             }
 
             fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
@@ -93,6 +118,7 @@ line! {
 
 impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
     type Wide = T::Wide;
+    type Double = SVector<f64, N>;
 
     const DIMENSIONS: usize = N;
 
@@ -104,6 +130,14 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
         self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
     }
 
+    fn double(self) -> SVector<f64, N> {
+        SVector::from_fn(|index, _| self[index].lane(0))
+    }
+
+    fn solid(scene: &Draft) -> Option<Box<dyn Solid<Self>>> {
+        scene.environment.solid_in_space()
+    }
+
     fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
         scene.environment.in_space(of)
     }
@@ -113,7 +147,7 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
     }
 
     fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {
-        plant::frictionless(scene, operator)
+        plant::in_space(scene, operator)
     }
 }
 

@@ -46,4 +46,9 @@ impl StabilizerName {
     pub fn adds_damping(self) -> bool {
         self.bare_table().is_none_or(|table| table.kind().adds_damping())
     }
+
+    /// Whether the damping that it adds is reported as `α`.
+    pub fn reports_damping(self) -> bool {
+        self.bare_table().is_none_or(|table| table.kind().reports_damping())
+    }
 }

@@ -74,9 +74,20 @@ impl StabilizerName {
         }
     }
 
-    /// Whether `scene` has the numbers that this stabilizer is set by; some rely on a damping of the device.
+    /// Whether `scene` has the axes and the numbers that this stabilizer is set by; some are for one axis only, and some
+    /// rely on a damping of the device.
     pub fn fits(self, scene: &Scene) -> bool {
-        self.table(scene).is_none_or(|table| table.kind().lacks(&Basis::of(scene)).is_none())
+        self.table(scene).is_none_or(|table| {
+            scene.check_axes_of(&table).is_ok() && table.kind().lacks(&Basis::of(scene)).is_none()
+        })
+    }
+
+    /// Checks that it works in as many dimensions as `scene` has.
+    ///
+    /// # Errors
+    /// A stabilizer for one dimension in a space.
+    pub fn check_axes(self, scene: &Scene) -> Result<(), Conflict> {
+        self.table(scene).map_or(Ok(()), |table| scene.check_axes_of(&table))
     }
 
     /// The stabilizer on the loop of `scene`, whatever `scene` names.

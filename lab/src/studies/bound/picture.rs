@@ -5,6 +5,7 @@ use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 use crate::files::Scene;
 use crate::measure::{Limits, LinearPart};
 use crate::show::csv::{self, Field};
+use crate::text::file_name;
 
 /// The number of stiffnesses at which the loop is looked at.
 const POINTS: u32 = 241;
@@ -63,7 +64,7 @@ impl RadiusCurve {
         let panel = self.marks.iter().fold(panel, |panel, (stiffness, name)| {
             panel.with_guide(Guide::vertical(stiffness.log10(), *name))
         });
-        Figure::new(name).with_width(960.0).with_panel_height(320.0).with_panel(panel)
+        Figure::new(file_name(name)).with_width(960.0).with_panel_height(320.0).with_panel(panel)
     }
 
     /// The curve as comma-separated values, in numbers that read back exactly.

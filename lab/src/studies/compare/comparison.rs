@@ -14,6 +14,7 @@ use super::entrants::Entrants;
 use super::score::Score;
 use super::{broken, cost, picture, table};
 use crate::files::Scene;
+use crate::files::scene::Conflict;
 use crate::measure::Oddity;
 use crate::simulate::Space;
 use crate::simulate::family::Settings;
@@ -54,10 +55,12 @@ pub enum CompareError {
         /// The parameter's error.
         error: ParameterError,
     },
-    /// The scene has more than one dimension; the meters measure along one axis.
-    Space {
+    /// A stabilizer for one dimension on a scene in a space.
+    Axes {
         /// The scene.
         scene: String,
+        /// The reason.
+        conflict: Conflict,
     },
     /// `watch` stopped the runs.
     Stopped,
@@ -70,9 +73,8 @@ impl fmt::Display for CompareError {
                 write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
                 f.write_str("change that value in the scene, or compute in f64 if it says f32")
             }
-            Self::Space { scene } => {
-                write!(f, "{scene}: [space] is not for a comparison\n  = ")?;
-                f.write_str("compare scenes of one dimension")
+            Self::Axes { scene, conflict } => {
+                write!(f, "{scene}: {}\n  = {}", conflict.problem(), conflict.remedy())
             }
             Self::Stopped => f.write_str("the comparison was stopped"),
         }
@@ -85,7 +87,7 @@ impl Comparison {
     /// Runs all `entrants` on `scene` in the scalar of `V`, whatever scalar `scene` names, and times their steps.
     ///
     /// # Errors
-    /// A stabilizer that cannot be made on this scene; a scene of more than one dimension.
+    /// A stabilizer that cannot be made on this scene, or is for one dimension only.
     pub fn of<V: Space>(
         name: &str,
         scene: &Scene,
@@ -105,14 +107,15 @@ impl Comparison {
         entrants: &Entrants<V>,
         watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, CompareError> {
-        if scene.dimensions() > 1 {
-            return Err(CompareError::Space { scene: name.to_owned() });
-        }
         let refused = |stabilizer: &str, error| CompareError::Parameter {
             stabilizer: stabilizer.to_owned(),
             scene: name.to_owned(),
             error,
         };
+        let mut named = entrants.entries().iter().filter_map(|entrant| entrant.like);
+        named
+            .try_for_each(|like| like.check_axes(scene))
+            .map_err(|conflict| CompareError::Axes { scene: name.to_owned(), conflict })?;
         let runs = runs(scene, entrants, watch);
         let (mut scores, mut shown, mut samples) = (Vec::new(), Vec::new(), Vec::new());
         for (run, entry) in runs.into_iter().zip(entrants.names()) {

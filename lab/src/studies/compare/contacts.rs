@@ -1,46 +1,40 @@
-//! Contact meters: forces while the wall pushes.
+//! Contact meters: forces while the environment pushes.
 
-use lyapunov::environments::{ForceLaw, Kinematics};
+use std::fmt;
 
-use crate::files::scene::{Scene, Wall};
+use lyapunov::Signal;
+use lyapunov::environments::Solid;
+
+use crate::files::scene::Scene;
+use crate::measure::law::{Law, Motion};
 use crate::measure::stiffness_felt::LONG;
+use crate::simulate::Space;
 
-/// One tick along the first axis, as the hand feels it.
+/// One tick, as the hand feels it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Touch {
+pub(super) struct Touch<V> {
     /// The plant's true position, m.
-    pub(super) position: f64,
+    pub(super) position: V,
     /// The plant's own velocity, m/s.
-    pub(super) velocity: f64,
+    pub(super) velocity: V,
     /// The force on the plant, N.
-    pub(super) force: f64,
+    pub(super) force: V,
     /// The environment's share of it, N.
-    pub(super) environment: f64,
+    pub(super) environment: V,
 }
 
-impl Touch {
-    /// The plant's true depth beyond the surface, m.
-    fn depth(&self, wall: Wall) -> f64 {
-        self.position - wall.position.get()
+impl<V: Space<Scalar = f64>> Touch<V> {
+    /// The force of the environment's law on the true motion, without sampling, hold, encoder, saturation or delay, N.
+    fn ideal(&self, law: &Law<V>) -> V {
+        let (position, velocity) = (self.position, self.velocity);
+        law.force(Motion { time: 0.0, position, velocity, acceleration: V::zero() })
     }
-
-    /// The force of the wall's law on the true motion, without sampling, hold, encoder, saturation or delay, N.
-    fn ideal(&self, law: &impl ForceLaw<f64>) -> f64 {
-        law.force(&Kinematics::at(self.position, self.velocity))
-    }
-}
-
-/// The wall of a scene, if the scene has one.
-pub(super) fn wall(scene: &Scene) -> Option<Wall> {
-    scene.environment.wall().copied()
 }
 
 /// Watches contacts: unbroken runs of ticks on which the environment's force acts.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Contacts {
-    /// The wall that transparency is measured against; the other meters need none.
-    wall: Option<Wall>,
-    law: Option<lyapunov::environments::Wall<f64>>,
+pub(super) struct Contacts<V: Signal> {
+    /// The wall or solid that transparency is measured against, and its law; the other meters need none.
+    solid: Option<(Box<dyn Solid<V>>, Law<V>)>,
     long: f64,
     now: Contact,
     short_peak: Option<f64>,
@@ -55,12 +49,16 @@ struct Contact {
     peak: f64,
 }
 
-impl Contacts {
+impl<V: Signal> fmt::Debug for Contacts<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Contacts").finish_non_exhaustive()
+    }
+}
+
+impl<V: Space<Scalar = f64>> Contacts<V> {
     pub(super) fn new(scene: &Scene) -> Self {
-        let wall = wall(scene);
         Self {
-            wall,
-            law: wall.and_then(|wall| wall.law().ok()),
+            solid: V::solid(scene).map(|solid| (solid, Law::of(scene))),
             long: LONG * scene.servo_rate.get(),
             now: Contact::default(),
             short_peak: None,
@@ -69,19 +67,20 @@ impl Contacts {
         }
     }
 
-    pub(super) fn add(&mut self, touch: &Touch) {
-        let (force, depth) = (touch.force, self.wall.map_or(0.0, |wall| touch.depth(wall)));
-        if touch.environment != 0.0 {
+    pub(super) fn add(&mut self, touch: &Touch<V>) {
+        let acts = touch.environment != V::zero();
+        if acts {
             self.now.ticks += 1;
-            self.now.peak = self.now.peak.max(force.abs());
+            self.now.peak = self.now.peak.max(touch.force.length());
         } else {
             self.end();
         }
         // In the wall or pushed by it: a force that comes late or stays on too long is an error as well.
-        if let Some(law) = &self.law
-            && (touch.environment != 0.0 || depth > 0.0)
+        if let Some((solid, law)) = &self.solid
+            && (acts || solid.nearest(touch.position).depth > 0.0)
         {
-            self.error.0 += (force - touch.ideal(law)).powi(2);
+            let off = touch.force - touch.ideal(law);
+            self.error.0 += off.inner(off);
             self.error.1 += 1;
         }
     }
@@ -122,12 +121,12 @@ mod tests {
     use crate::measure::samples::scene;
 
     /// A tick with the plant at `x`; `environment` is the wall's part of the force, `controller` the rest.
-    fn tick(x: f64, environment: f64, controller: f64) -> Touch {
+    fn tick(x: f64, environment: f64, controller: f64) -> Touch<f64> {
         Touch { position: x, velocity: 0.0, force: environment + controller, environment }
     }
 
     /// The meter after `ticks`; the wall is 1 kN/m at 1 mm, the rate 100 Hz.
-    fn after(ticks: &[Touch]) -> Contacts {
+    fn after(ticks: &[Touch<f64>]) -> Contacts<f64> {
         let mut contacts = Contacts::new(&scene(""));
         ticks.iter().for_each(|tick| contacts.add(tick));
         contacts.end();
@@ -169,7 +168,7 @@ mod tests {
 
     #[test]
     fn the_ideal_wall_never_pulls_and_knows_the_surface() {
-        let wall = wall(&scene("")).unwrap().law().unwrap(); // 1000 N/m, 2 N·s/m, surface at 1 mm
+        let wall = Law::of(&scene("")); // 1000 N/m, 2 N·s/m, surface at 1 mm
         let at = |position: f64, velocity: f64| Touch { velocity, ..tick(position, 0.0, 0.0) };
         assert_eq!(at(0.001, 1.0).ideal(&wall), 0.0);
         assert_eq!(at(0.0005, 1.0).ideal(&wall), 0.0);

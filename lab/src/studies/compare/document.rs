@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::contacts::wall;
 use super::look_at::LookAt;
 use super::score::Score;
 use super::{Broken, Comparison};
@@ -16,6 +15,9 @@ struct Document<'a> {
     scenes: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
     broken: Broken,
+    /// The files that did not fit, with the reasons.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    left_out: &'a [String],
 }
 
 /// Values that all rows of a scene share.
@@ -41,14 +43,14 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/compare.md lists the keys.
+/// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/compare.md lists the keys.
 ///
 /// # Errors
 /// None: every part can be written as JSON.
-pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
+pub fn document(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
     let circumstances = |comparison: &'_ Comparison| {
         let cap = comparison.settings.damping_cap;
-        (wall(&comparison.scene).map(|wall| wall.stiffness.get()), cap.is_finite().then_some(cap))
+        (comparison.scene.environment.surface_stiffness(), cap.is_finite().then_some(cap))
     };
     let scenes = comparisons.iter().map(|comparison| {
         let (stiffness_asked_n_per_m, damping_cap) = circumstances(comparison);
@@ -71,6 +73,7 @@ pub fn document(comparisons: &[Comparison]) -> serde_json::Result<String> {
         scenes: scenes.collect(),
         rows: rows.collect(),
         broken: Broken::of(comparisons),
+        left_out,
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

@@ -9,10 +9,10 @@ use super::contacts::{Contacts, Touch};
 use super::cost::{KEPT, Samples};
 use super::entrants::{Entrant, Entrants};
 use super::score::Score;
-use crate::files::scene::{Scalar as Width, Scene};
+use crate::files::scene::Scene;
 use crate::measure::{Chatter, Energies, Oddity, Physical, Share, Summary, Trace, Verdict};
-use crate::simulate::family::{Judgement, StabilizerName};
-use crate::simulate::{Rollout, Space, Tick};
+use crate::simulate::family::StabilizerName;
+use crate::simulate::{Rollout, Space, Tick, in_space};
 
 /// Callback that learns how many more ticks are done, and says whether to go on.
 pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
@@ -26,7 +26,8 @@ pub(super) struct EntrantRun<V: Space> {
     pub(super) look_at: Vec<Oddity>,
 }
 
-/// The curves of a run: time and position in m, observed energy in J, force on the plant in N.
+/// The curves of a run over time: the [coordinate](crate::simulate::Criterion::coordinate) of the position in m, observed
+/// energy in J, force on the plant in N, in a space its length.
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
     pub(super) position: Vec<(f64, f64)>,
@@ -42,7 +43,7 @@ impl<V: Space> EntrantRun<V> {
     ) -> Result<Self, RunError> {
         let fitted = entrant.fitted(scene)?;
         let state_bytes = fitted.state_bytes();
-        let mut meters = Meters::new::<V>(scene);
+        let mut meters = Meters::<V>::new(scene);
         let mut samples = Vec::new();
         let rollout = Rollout::assemble(scene, fitted)?;
         let run = |each: &mut dyn FnMut(Tick<V>) -> ControlFlow<()>| {
@@ -56,11 +57,14 @@ impl<V: Space> EntrantRun<V> {
                 samples.push((tick.measured, tick.environment));
             }
         })?;
-        let look_at = meters.summary.look_at();
+        let mut look_at = meters.summary.seen();
+        let table = entrant.like.and_then(|like| like.table(scene));
+        look_at.extend(table.and_then(|table| Oddity::outside(scene, table)));
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
-        let damps = entrant.judgement != Some(Judgement::EnergyAndForce);
-        let active = score.active.filter(|_| damps);
-        let score = Score { active, judged_by: entrant.judgement, ..score };
+        let reports = entrant.like.is_none_or(StabilizerName::reports_damping);
+        let active = score.active.filter(|_| reports);
+        let judged_by = entrant.like.map(StabilizerName::judgement);
+        let score = Score { active, judged_by, ..score };
         Ok(Self { score, curves, samples, look_at })
     }
 }
@@ -74,10 +78,9 @@ pub(crate) fn score_as_told(
     told: &Scene,
     watch: &Watch<'_>,
 ) -> Result<Score, RunError> {
-    match scene.scalar {
-        Width::F64 => in_space::<f64>(scene, told, watch),
-        Width::F32 => in_space::<f32>(scene, told, watch),
-    }
+    in_space!(scene, Axes => {
+        EntrantRun::of(scene, &Entrant::<Axes>::of(told), watch).map(|run| run.score)
+    })
 }
 
 /// The score of `scene` under `member`, in its own scalar; the time of a step is not measured.
@@ -89,40 +92,28 @@ pub(crate) fn score_under(
     member: StabilizerName,
     watch: &Watch<'_>,
 ) -> Result<Score, RunError> {
-    fn of<T: Scalar + Space>(
-        scene: &Scene,
-        member: StabilizerName,
-        watch: &Watch<'_>,
-    ) -> Result<Score, RunError> {
-        let entrants = Entrants::<T>::of([member]);
+    in_space!(scene, Axes => {
+        let entrants = Entrants::<Axes>::of([member]);
         EntrantRun::of(scene, &entrants.entries()[0], watch).map(|run| run.score)
-    }
-    match scene.scalar {
-        Width::F64 => of::<f64>(scene, member, watch),
-        Width::F32 => of::<f32>(scene, member, watch),
-    }
-}
-
-fn in_space<V: Space>(scene: &Scene, told: &Scene, watch: &Watch<'_>) -> Result<Score, RunError> {
-    EntrantRun::of(scene, &Entrant::<V>::of(told), watch).map(|run| run.score)
+    })
 }
 
 /// All measures along a run.
 #[derive(Debug)]
-struct Meters {
-    share: Share,
+struct Meters<V: Space> {
+    share: Share<V::Double>,
     summary: Summary,
-    contacts: Contacts,
-    energies: Energies<f64>,
-    physical: Physical,
-    chatter: Option<Chatter<f64>>,
+    contacts: Contacts<V::Double>,
+    energies: Energies<V::Double>,
+    physical: Physical<V::Double>,
+    chatter: Option<Chatter<V::Double>>,
     position: Trace,
     observed_energy: Trace,
     force: Trace,
 }
 
-impl Meters {
-    fn new<V: Space>(scene: &Scene) -> Self {
+impl<V: Space> Meters<V> {
+    fn new(scene: &Scene) -> Self {
         Self {
             share: Share::new::<V>(scene),
             summary: Summary::new(scene),
@@ -136,12 +127,12 @@ impl Meters {
         }
     }
 
-    fn add<V: Space>(&mut self, tick: &Tick<V>) {
+    fn add(&mut self, tick: &Tick<V>) {
         let split = self.share.split(tick);
         let touch = Touch {
-            position: tick.truth.position.axis(0),
-            velocity: tick.truth.velocity.axis(0),
-            force: tick.applied.axis(0),
+            position: tick.truth.position.double(),
+            velocity: tick.truth.velocity.double(),
+            force: tick.applied.double(),
             environment: split.environment,
         };
         self.summary.add(tick);
@@ -151,9 +142,10 @@ impl Meters {
         if let Some(chatter) = &mut self.chatter {
             chatter.add(touch.force);
         }
-        self.position.add(tick.time, touch.position);
+        let criterion = self.summary.fate.criterion(0);
+        self.position.add(tick.time, criterion.coordinate(touch.position));
         self.observed_energy.add(tick.time, tick.correction.observed_energy.lane(0));
-        self.force.add(tick.time, touch.force);
+        self.force.add(tick.time, signed(touch.force));
     }
 
     fn finish(mut self, stabilizer: String, state_bytes: usize) -> (Score, Curves) {
@@ -192,4 +184,9 @@ impl Meters {
             [self.position, self.observed_energy, self.force].map(Trace::finish);
         (score, Curves { position, observed_energy, force })
     }
+}
+
+/// The force as a curve shows it: on a line with its sign, in a space its length.
+fn signed<V: Space>(force: V) -> f64 {
+    if V::DIMENSIONS == 1 { force.axis(0) } else { force.length() }
 }

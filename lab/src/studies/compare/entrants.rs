@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use lyapunov::{ParameterError, Scalar, Stabilizer};
+use lyapunov::{ParameterError, Stabilizer};
 
 use crate::files::Scene;
-use crate::simulate::family::{Judgement, StabilizerName, StabilizerNames};
+use crate::simulate::family::{StabilizerName, StabilizerNames};
 use crate::simulate::{AnyStabilizer, Fitted, Space};
 
 /// The entrants of a comparison: names, and the way to make each stabilizer for a scene.
@@ -39,7 +39,8 @@ type Make<V> = dyn Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync
 /// Name, and the constructor of its stabilizer for a scene.
 pub(super) struct Entrant<V: Space> {
     pub(super) name: String,
-    pub(super) judgement: Option<Judgement>,
+    /// The stabilizer that it is judged and reported like; none of an entrant of your own.
+    pub(super) like: Option<StabilizerName>,
     make: Box<Make<V>>,
 }
 
@@ -69,7 +70,7 @@ impl<V: Space> Entrants<V> {
         like: StabilizerName,
         make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entered(name.into(), Some(like.judgement()), make)
+        self.entered(name.into(), Some(like), make)
     }
 
     /// The names, in the order of registration.
@@ -84,15 +85,15 @@ impl<V: Space> Entrants<V> {
     fn entered(
         mut self,
         name: String,
-        judgement: Option<Judgement>,
+        like: Option<StabilizerName>,
         make: impl Fn(&Scene) -> Result<Fitted<V>, ParameterError> + Send + Sync + 'static,
     ) -> Self {
-        self.entries.push(Entrant { name, judgement, make: Box::new(make) });
+        self.entries.push(Entrant { name, like, make: Box::new(make) });
         self
     }
 }
 
-impl<T: Scalar + Space> Entrants<T> {
+impl<V: Space> Entrants<V> {
     /// The entrants of [`StabilizerNames::standard`].
     pub fn standard() -> Self {
         Self::of(StabilizerNames::standard())
@@ -101,8 +102,7 @@ impl<T: Scalar + Space> Entrants<T> {
     /// These members of the family, set as the scene says.
     pub fn of(members: impl IntoIterator<Item = StabilizerName>) -> Self {
         members.into_iter().fold(Self::empty(), |others, member| {
-            let (name, judgement) = (member.name().to_owned(), Some(member.judgement()));
-            others.entered(name, judgement, move |scene| member.on(scene))
+            others.entered(member.name().to_owned(), Some(member), move |scene| member.on(scene))
         })
     }
 }
@@ -112,7 +112,7 @@ impl<V: Space> Entrant<V> {
     pub(super) fn of(told: &Scene) -> Self {
         let name = told.stabilizer.map_or("none", |table| table.name()).to_owned();
         let told = told.clone();
-        Self { name, judgement: None, make: Box::new(move |_| Fitted::of(&told)) }
+        Self { name, like: None, make: Box::new(move |_| Fitted::of(&told)) }
     }
 
     pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {

@@ -1,9 +1,9 @@
 //! Figures of all entrants' curves: overlaid, or for many a small panel each. Equal curves are drawn once.
 
 use super::comparison::{Comparison, Outcome};
-use super::contacts::wall;
 use super::equal::{Points, is_same, short};
 use super::table::Setting;
+use crate::files::Scene;
 use crate::measure::Verdict;
 use crate::measure::timing::quartiles;
 use crate::simulate::Criterion;
@@ -30,11 +30,13 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
     let observed: Vec<&Outcome> =
         everyone.iter().copied().filter(|outcome| observes(outcome)).collect();
-    let surface = wall(&comparison.scene).map(|wall| 1e3 * wall.position.get());
+    let wall = comparison.scene.environment.wall();
+    let surface = wall.map(|wall| 1e3 * wall.position.get());
+    let (what, label) = coordinate(&comparison.scene);
     let position = Drawing {
         comparison,
-        what: "position",
-        label: "position",
+        what,
+        label,
         unit: "mm",
         scale: 1e3,
         guide: surface.map(|surface| (surface, "wall surface")),
@@ -60,12 +62,25 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     if observed.is_empty() { figure } else { figure.with_panel(energy.overlaid(&observed)) }
 }
 
+/// The coordinate that positions are drawn along: what it is, and its name on the axis.
+fn coordinate(scene: &Scene) -> (&'static str, &'static str) {
+    match (scene.dimensions(), Criterion::of(scene).equilibria.len()) {
+        (1, _) => ("position", "position"),
+        (_, 1..) => ("distance from the equilibrium", "distance"),
+        (_, 0) => ("distance from the hand's rest", "distance"),
+    }
+}
+
 /// The forces on the plant.
 pub(super) fn forces(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
     let force = Drawing {
         comparison,
-        what: "force on the plant",
+        what: if comparison.scene.dimensions() > 1 {
+            "size of the force on the plant"
+        } else {
+            "force on the plant"
+        },
         label: "force",
         unit: "N",
         scale: 1.0,

@@ -8,8 +8,6 @@ mod remedy;
 mod report;
 mod words;
 
-use std::fmt;
-
 use lyapunov::ParameterError;
 
 use crate::files::Scene;
@@ -47,42 +45,18 @@ pub struct Explanation {
     pub look_at: Vec<Oddity>,
 }
 
-/// Reason why there is no explanation.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ExplainError {
-    /// The loop cannot be made.
-    Parameter(ParameterError),
-    /// The scene has more than one dimension.
-    Space,
-}
-
-impl fmt::Display for ExplainError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Parameter(error) => error.fmt(f),
-            Self::Space => f.write_str(
-                "[space] is not for an explanation\n  = explain a scene of one dimension; \
-                 `lyapunov bound` has the limits of this one",
-            ),
-        }
-    }
-}
-
-impl std::error::Error for ExplainError {}
-
 impl Explanation {
     /// Runs `scene` in the scalar of `V`, whatever scalar `scene` names, and every remedy that is found.
     ///
     /// # Errors
-    /// A loop that cannot be made; a scene of more than one dimension.
-    pub fn of<V: Space>(scene: &Scene) -> Result<Self, ExplainError> {
-        if scene.dimensions() > 1 {
-            return Err(ExplainError::Space);
-        }
-        let trial = Trial::of::<V>(scene).map_err(ExplainError::Parameter)?;
+    /// A loop that cannot be made.
+    pub fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
+        let trial = Trial::of::<V>(scene)?;
         let limits = Limits::of(scene);
         let is_unstable =
             scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
+        let outside = scene.stabilizer.and_then(|own| Oddity::outside(scene, own));
+        let look_at = trial.look_at.into_iter().chain(outside).collect();
         let acts = trial.feel.peak != 0.0;
         let needs_one = acts && (trial.verdict == Verdict::Grows || is_unstable);
         let remedies = if needs_one { remedy::remedies::<V>(scene) } else { vec![] };
@@ -96,7 +70,7 @@ impl Explanation {
             whole_run: trial.whole,
             peak_force: trial.feel.peak,
             remedies,
-            look_at: trial.look_at,
+            look_at,
         })
     }
 }

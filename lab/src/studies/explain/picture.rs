@@ -6,6 +6,7 @@ use super::Explanation;
 use crate::measure::Balance;
 use crate::show::csv::{self, Field};
 use crate::show::energy_bars;
+use crate::text::file_name;
 
 impl Explanation {
     /// Two bars each for the first contact and for the whole run: the energy that came in, and where it went.
@@ -17,7 +18,9 @@ impl Explanation {
             )
         };
         let stretches = self.stretches().map(told);
-        let figure = Figure::new(name).with_width(960.0).with_panel_height(2.0 * energy_bars::ROW);
+        let figure = Figure::new(file_name(name))
+            .with_width(960.0)
+            .with_panel_height(2.0 * energy_bars::ROW);
         stretches.fold(figure, Figure::with_panel)
     }
 

@@ -43,6 +43,10 @@ impl fmt::Display for Explanation {
     }
 }
 
+/// What formulas about one axis tell of a scene in a space.
+const IN_SPACE: &str = "radius, limits and groups are along the normal of the surface, as if it were flat; what its curvature \
+    or an edge does is in the energies and the runs only";
+
 /// Lines above the balance: the verdict, what is broken, and the groups.
 pub(super) struct Heads<'a>(pub(super) &'a Explanation);
 
@@ -62,6 +66,9 @@ impl Explanation {
             let alone =
                 if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
             writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius:.8}")?;
+        }
+        if self.scene.dimensions() > 1 {
+            writeln!(f, "{}", folded("  in space     ", IN_SPACE))?;
         }
         let over = broken(&self.limits);
         for (_, name, most, times) in &over {

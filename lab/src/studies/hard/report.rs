@@ -18,7 +18,7 @@ pub(super) fn page(catalogue: &Catalogue, command: &str) -> String {
         }
         @for rows in catalogue.rows.chunk_by(|one, other| one.theme == other.theme) {
             h2 { (rows[0].theme) }
-            (table(catalogue, rows).to_html(""))
+            (table(catalogue, rows).to_html("cases"))
         }
         h2 { "Scenes" }
         p { "Each can be run alone: " code { "lyapunov run scene.toml" } }

@@ -8,6 +8,7 @@ use super::axis::Axis;
 use super::varied::{Variation, Varied};
 use super::vary::VaryError;
 use crate::files::Scene;
+use crate::files::scene::Conflict;
 use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
 
 /// A scene with two of its numbers varied, under several stabilizers.
@@ -33,8 +34,8 @@ pub enum GridError {
     Axis(VaryError),
     /// The same number twice.
     SameKey(String),
-    /// A scene of more than one dimension: a map measures along one axis.
-    Space,
+    /// A stabilizer for one dimension on a scene in a space.
+    Axes(Conflict),
     /// A stabilizer named twice, or none at all.
     StabilizerNames(StabilizerNamesError),
     /// A scene that cannot be written as TOML.
@@ -55,7 +56,9 @@ impl fmt::Display for GridError {
             Self::SameKey(key) => {
                 write!(f, "both axes are `{key}`\n  = give two different numbers of the scene")
             }
-            Self::Space => f.write_str("[space] is not for a map\n  = map scenes of one dimension"),
+            Self::Axes(conflict) => {
+                write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())
+            }
             Self::StabilizerNames(error) => error.fmt(f),
             Self::Unwritten(problem) => f.write_str(problem),
             Self::Cell { cell, reason } => write!(
@@ -78,21 +81,19 @@ impl Grid {
     /// The map of `scene` over `x` and `y`.
     ///
     /// # Errors
-    /// A key that is no number of the scene, or the same twice; a value that the scene does not allow; a scene in more
-    /// than one dimension; a stabilizer named twice.
+    /// A key that is no number of the scene, or the same twice; a value that the scene does not allow; a stabilizer
+    /// named twice.
     pub fn new(
         scene: Scene,
         x: Axis,
         y: Axis,
         members: impl IntoIterator<Item = impl Into<StabilizerName>>,
     ) -> Result<Self, GridError> {
-        if scene.dimensions() > 1 {
-            return Err(GridError::Space);
-        }
         if x.key == y.key {
             return Err(GridError::SameKey(x.key));
         }
         let members = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
+        members.iter().try_for_each(|it| it.check_axes(&scene)).map_err(GridError::Axes)?;
         let tree =
             Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
         let numbers = [&x, &y].map(|axis| Varied::of(axis, &tree, &scene, &members));

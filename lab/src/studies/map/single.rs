@@ -3,10 +3,10 @@
 use lyapunov::{ParameterError, Scalar};
 
 use super::outcome::{Measures, Outcome};
-use crate::files::scene::{Scalar as Width, Scene};
+use crate::files::scene::Scene;
 use crate::measure::{Chatter, Energies, Fate, Physical, Settling, Share, Verdict};
 use crate::simulate::family::StabilizerName;
-use crate::simulate::{Criterion, Rollout, Space, Tick};
+use crate::simulate::{Criterion, Rollout, Space, Tick, in_space};
 
 /// Ticks between two checks whether the verdict is decided.
 const STRETCH: u64 = 64;
@@ -17,21 +17,18 @@ pub(super) fn outcome(
     member: StabilizerName,
     go_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<Outcome>, ParameterError> {
-    match scene.scalar {
-        Width::F64 => run::<f64>(scene, member, go_on),
-        Width::F32 => run::<f32>(scene, member, go_on),
-    }
+    in_space!(scene, Axes => run::<Axes>(scene, member, go_on))
 }
 
-fn run<T: Scalar + Space>(
+fn run<V: Space>(
     scene: &Scene,
     member: StabilizerName,
     go_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<Outcome>, ParameterError> {
     let mut fate = Fate::<f64>::of(scene);
-    let mut meters = Meters::new::<T>(scene, fate.criterion(0));
+    let mut meters = Meters::<V>::new(scene, fate.criterion(0));
     let mut ticks = 0;
-    for tick in Rollout::<T>::under(scene, member)? {
+    for tick in Rollout::<V>::under(scene, member)? {
         fate.add_tick(&tick);
         meters.add(&tick);
         ticks += 1;
@@ -49,27 +46,29 @@ fn run<T: Scalar + Space>(
         Verdict::Grows => Measures::default(),
         _ => {
             let measures = meters.finish(scene);
-            Measures { active: measures.active.filter(|_| member.adds_damping()), ..measures }
+            Measures { active: measures.active.filter(|_| member.reports_damping()), ..measures }
         }
     };
     Ok(Some(Outcome { verdict, verdict_by: fate.verdict_by(0), measures }))
 }
 
-struct Meters {
+struct Meters<V: Space> {
+    criterion: Criterion,
     ticks: u64,
     active: u64,
     peak: f64,
     settling: Settling<f64>,
-    share: Share,
-    energies: Energies<f64>,
-    physical: Physical,
-    chatter: Option<Chatter<f64>>,
+    share: Share<V::Double>,
+    energies: Energies<V::Double>,
+    physical: Physical<V::Double>,
+    chatter: Option<Chatter<V::Double>>,
 }
 
-impl Meters {
-    fn new<V: Space>(scene: &Scene, criterion: &Criterion) -> Self {
+impl<V: Space> Meters<V> {
+    fn new(scene: &Scene, criterion: &Criterion) -> Self {
         let (rest, band) = criterion.rest();
         Self {
+            criterion: criterion.clone(),
             ticks: 0,
             active: 0,
             peak: 0.0,
@@ -81,13 +80,13 @@ impl Meters {
         }
     }
 
-    fn add<V: Space>(&mut self, tick: &Tick<V>) {
-        let (position, force) = (tick.truth.position.axis(0), tick.applied.axis(0));
+    fn add(&mut self, tick: &Tick<V>) {
+        let (position, force) = (tick.truth.position.double(), tick.applied.double());
         let split = self.share.split(tick);
         self.ticks += 1;
         self.active += u64::from(tick.correction.alpha.lane(0) > 0.0);
-        self.peak = self.peak.max(force.abs());
-        self.settling.add(position);
+        self.peak = self.peak.max(force.length());
+        self.settling.add(self.criterion.coordinate(position));
         self.energies.add(position, split.environment, split.controller);
         self.physical.add(tick, &split);
         if let Some(chatter) = &mut self.chatter {

@@ -5,6 +5,7 @@ use lyapunov_figures::{Figure, Guide, Panel, Series};
 use super::Curves;
 use crate::measure::summary::MILLI;
 use crate::measure::{Summary, Trace, Verdict};
+use crate::text::file_name;
 
 /// Starting swings after which the figure of a run that grows ends: what follows would flatten all before.
 const SHOWN: f64 = 10.0;
@@ -51,7 +52,7 @@ impl Curves {
         let velocity = along(panel("velocity", "velocity, mm/s"), MILLI, |axis| &axis.velocity);
         [position, force, energy, velocity]
             .into_iter()
-            .fold(Figure::new(name), Figure::with_panel)
+            .fold(Figure::new(file_name(name)), Figure::with_panel)
             .with_width(960.0)
             .with_panel_height(190.0)
     }
@@ -61,14 +62,14 @@ impl Curves {
         let end = summary.scene.ticks() as f64 * summary.scene.period();
         let last = summary.left_range().unwrap_or(end);
         let criterion = summary.fate.criterion(0);
-        let (Verdict::Grows, Some(rest), [axis]) =
-            (summary.verdict(), criterion.place(), &self.axes[..])
-        else {
-            return last;
-        };
+        let rest = criterion.equilibria.first().filter(|_| criterion.place().is_some());
+        let (Verdict::Grows, Some(rest)) = (summary.verdict(), rest) else { return last };
         let reach = SHOWN * criterion.start;
-        let points = axis.position.clone().finish();
-        points.iter().find(|point| (point.1 - rest).abs() > reach).map_or(last, |point| point.0)
+        let left = self.axes.iter().zip(rest.axes()).filter_map(|(axis, rest)| {
+            let points = axis.position.clone().finish();
+            points.iter().find(|point| (point.1 - rest).abs() > reach).map(|point| point.0)
+        });
+        left.fold(last, f64::min)
     }
 
     /// The sentence under the figure.

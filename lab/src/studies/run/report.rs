@@ -20,7 +20,7 @@ impl Curves {
         let body = html! {
             p { "By " (html::maker(command)) "." }
             (labelled(&lines))
-            @if !next.trim().is_empty() { p { (next.trim()) "." } }
+            @if !next.trim().is_empty() { p { (html::coded(next.trim())) "." } }
             h2 { "What the loop does" }
             (html::figure(Some("run"), &self.figure(name, summary), &html! { (self.caption(summary)) }))
             (beside(&[

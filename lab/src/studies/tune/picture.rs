@@ -4,6 +4,7 @@ use lyapunov_figures::{Figure, Panel, Series};
 
 use super::objective::Objective;
 use super::study::Tuned;
+use crate::text::file_name;
 
 /// Height of a stabilizer's pair of bars, in pixels of the drawing.
 const ROW: f64 = 40.0;
@@ -25,5 +26,5 @@ pub fn figure(name: &str, objective: Objective, tuned: &[Tuned]) -> Figure {
         .with_series(Series::bars("tuned", 1, &bars(1, -APART)))
         .with_rows(tuned.iter().map(|one| one.name.name().to_owned()).collect());
     let height = (ROW * tuned.len() as f64).max(2.0 * ROW);
-    Figure::new(name).with_width(960.0).with_panel_height(height).with_panel(panel)
+    Figure::new(file_name(name)).with_width(960.0).with_panel_height(height).with_panel(panel)
 }

@@ -28,8 +28,8 @@ pub enum TuneError {
         /// What the scene lacks.
         lacks: &'static str,
     },
-    /// A scene of more than one dimension: the costs are measured along one axis.
-    Space,
+    /// A stabilizer for one dimension on a scene in a space.
+    Axes(Conflict),
     /// A moved number that the scene does not allow.
     Member(Conflict),
     /// A number out of the range of the scalar.
@@ -49,8 +49,8 @@ impl fmt::Display for TuneError {
                 )?;
                 f.write_str("\n  = choose another with --objective")
             }
-            Self::Space => {
-                f.write_str("[space] is not for tuning\n  = tune on a scene of one dimension")
+            Self::Axes(conflict) => {
+                write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())
             }
             Self::Member(conflict) => write!(f, "a scene of the ensemble is none: {conflict}"),
             Self::Parameter(error) => error.fmt(f),
@@ -128,6 +128,7 @@ impl Tuning {
         watch: &Watch<'_>,
     ) -> Result<Tuned, TuneError> {
         self.fits(scene)?;
+        name.check_axes(scene).map_err(TuneError::Axes)?;
         let default = Setting::of(scene, name);
         let seen = Ensemble { seed: self.seed, moves: self.moves };
         let run = |setting: &Setting| self.trial(scene, setting, &seen, self.runs, watch);
@@ -169,15 +170,12 @@ impl Tuning {
 
     /// Refuses a scene that the objective says nothing about.
     fn fits(&self, scene: &Scene) -> Result<(), TuneError> {
-        if scene.dimensions() > 1 {
-            return Err(TuneError::Space);
-        }
         let has_rest = Criterion::of(scene).place().is_some();
-        let has_wall = scene.environment.wall().is_some();
+        let has_wall = scene.environment.surface_stiffness().is_some();
         for term in self.objective.terms() {
             let (has, lacks) = match term {
                 Term::Settling => (has_rest, "a place where the motion comes to rest"),
-                Term::ForceError | Term::Stiffness => (has_wall, "a wall"),
+                Term::ForceError | Term::Stiffness => (has_wall, "a wall or a solid"),
             };
             if !has {
                 return Err(TuneError::Objective { term, lacks });

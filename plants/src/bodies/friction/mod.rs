@@ -1,16 +1,19 @@
 //! Dry friction on the device, with true sticking.
 
+mod isotropic;
 mod root;
 mod series;
 mod stribeck;
 mod trajectory;
 mod transition;
+mod turning;
 
 use lyapunov_core::{
     Accumulator, Compensated, HeldTick, ParameterError, Plant, PortSample, Scalar,
 };
 
 use crate::{Linear, OperatedBody};
+pub use isotropic::IsotropicFriction;
 use series::System;
 pub use stribeck::Stribeck;
 use trajectory::Trajectory;
@@ -26,7 +29,7 @@ pub use transition::{Transition, Transitions};
 /// No band of velocities counts as rest (Karnopp 1985), and the position of a device that sticks does not change by a
 /// bit.
 ///
-/// Friction acts on one axis. Events branch, so each lane is computed by itself, in `f64`, and rounded at the end of
+/// Friction acts on one axis; on several it is [`IsotropicFriction`]. Events branch, so each lane is computed by itself, in `f64`, and rounded at the end of
 /// the period; a step does not take constant time. With `static` 0 the body moves as it does without friction, bit for
 /// bit.
 ///

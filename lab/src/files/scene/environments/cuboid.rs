@@ -1,11 +1,15 @@
 //! A box along the axes.
 
-use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Contact};
+use lyapunov::{
+    ParameterError, Scalar,
+    bodies::Impedance,
+    environments::{Contact, Solid},
+};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::kind::{EnvironmentKind, InSpace, Number, damped, spring_and_damper};
+use super::kind::{EnvironmentKind, Face, InSpace, Number, damped, spring_and_damper};
 use super::render::Render;
 use crate::files::scene::book::{Key, key};
 use crate::files::scene::coordinates::Coordinates;
@@ -45,6 +49,18 @@ impl EnvironmentKind for Cuboid {
         Some(spring_and_damper(self.stiffness, self.damping))
     }
 
+    fn faces(&self) -> Vec<Face> {
+        let halves = self.half.iter().enumerate();
+        let faces = halves.flat_map(|(axis, half)| {
+            let face = |outward: f64| {
+                let position = self.center.axis(axis) + outward * half.get();
+                Face { axis, outward, position }
+            };
+            [face(-1.0), face(1.0)]
+        });
+        faces.collect()
+    }
+
     fn vectors(&self) -> Vec<(&'static str, usize)> {
         vec![("center", self.center.len()), ("half", self.half.len())]
     }
@@ -55,14 +71,19 @@ impl EnvironmentKind for Cuboid {
 }
 
 impl InSpace for Cuboid {
+    fn solid<T: Scalar, const N: usize>(
+        &self,
+    ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError> {
+        let half = |axis: usize| self.half.get(axis).map_or(T::zero(), |half| of(*half));
+        let half = SVector::from_fn(|axis, _| half(axis));
+        lyapunov::environments::Cuboid::new(self.center.vector::<T, N>(), half)
+    }
+
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let half = |axis: usize| self.half.get(axis).map_or(T::zero(), |half| of(*half));
-        let half = SVector::from_fn(|axis, _| half(axis));
-        let solid = lyapunov::environments::Cuboid::new(self.center.vector::<T, N>(), half)?;
-        let contact = Contact::with(solid, of(self.stiffness), of(self.damping))?;
+        let contact = Contact::with(self.solid::<T, N>()?, of(self.stiffness), of(self.damping))?;
         to.render(contact, contact.dissipation())
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance};
+use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance, environments::Solid};
 use nalgebra::SVector;
 
 use super::render::Render;
@@ -33,6 +33,11 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
         None
     }
 
+    /// Its flat faces; empty of a kind without a surface, or whose surface is one.
+    fn faces(&self) -> Vec<Face> {
+        Vec::new()
+    }
+
     /// The spring that a device at rest feels, beyond the surface if there is one; none if the force is no straight
     /// line.
     fn static_spring(&self) -> Option<StaticSpring> {
@@ -42,6 +47,12 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
     /// Frequency at which its force law changes with time, Hz, if it does.
     fn frequency(&self) -> Option<f64> {
         None
+    }
+
+    /// Whether it gives energy by its own law: a part that pushes along the motion, or a law that changes with time.
+    fn is_active(&self) -> bool {
+        let pushes = |it: Impedance<f64>| it.stiffness < 0.0 || it.damping < 0.0;
+        self.frequency().is_some() || self.impedance().is_some_and(pushes)
     }
 
     /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
@@ -69,6 +80,17 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
     fn words(&self, number: Number) -> String;
 }
 
+/// A face square to an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Face {
+    /// The index of the axis.
+    pub(crate) axis: usize,
+    /// 1 where the solid lies below it, −1 where it lies above.
+    pub(crate) outward: f64,
+    /// Its place along the axis, m.
+    pub(crate) position: f64,
+}
+
 /// An environment of one dimension.
 pub(super) trait OnALine: EnvironmentKind {
     /// The result of `to` for the library's environment.
@@ -78,6 +100,11 @@ pub(super) trait OnALine: EnvironmentKind {
 
 /// An environment of several dimensions.
 pub(super) trait InSpace: EnvironmentKind {
+    /// The solid that the device touches.
+    fn solid<T: Scalar, const N: usize>(
+        &self,
+    ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError>;
+
     /// The result of `to` for the library's environment.
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,

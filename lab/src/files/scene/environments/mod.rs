@@ -17,17 +17,21 @@ mod spring;
 mod varying_spring;
 mod wall;
 
-use lyapunov::{ParameterError, Requirement, Scalar, environments::ForceLaw};
+use lyapunov::{
+    ParameterError, Requirement, Scalar,
+    environments::{self, ForceLaw, Solid},
+};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::files::scene::Draft;
 use crate::files::scene::book::{Key, count, joined};
+use crate::files::scene::quantity::of;
 use kind::{InSpace, OnALine};
-use render::Boxed;
 
-pub(crate) use kind::{EnvironmentKind, Rates, StaticSpring};
+pub(crate) use kind::{EnvironmentKind, Face, Rates, StaticSpring};
+pub(crate) use render::Boxed;
 pub use render::Render;
 
 macro_rules! environments {
@@ -97,6 +101,16 @@ macro_rules! environments {
                     _ => Err(elsewhere(N)),
                 }
             }
+
+            /// The solid that the device touches in several dimensions; none in one.
+            pub(crate) fn solid_in_space<T: Scalar, const N: usize>(
+                &self,
+            ) -> Option<Box<dyn Solid<SVector<T, N>>>> {
+                match self {
+                    $(Self::$solid(it) => Some(Box::new(it.solid::<T, N>().ok()?)),)*
+                    _ => None,
+                }
+            }
         }
     };
 }
@@ -142,6 +156,18 @@ impl Environment {
     /// The wall, if it is one, for measures that apply to walls only.
     pub(crate) fn wall(&self) -> Option<&Wall> {
         if let Self::Wall(wall) = self { Some(wall) } else { None }
+    }
+
+    /// The solid that the device touches on a line, a wall's half space; none of another environment.
+    pub(crate) fn solid_on_a_line<T: Scalar>(&self) -> Option<Box<dyn Solid<T>>> {
+        let surface = of(self.wall()?.position);
+        Some(Box::new(environments::Plane::new(surface, -T::one()).ok()?))
+    }
+
+    /// The stiffness with which a wall or a solid answers the depth below its surface, N/m; none of another environment.
+    pub(crate) fn surface_stiffness(&self) -> Option<f64> {
+        let has_surface = self.wall().is_some() || self.is_solid();
+        self.kind().impedance().filter(|_| has_surface).map(|it| it.stiffness)
     }
 
     /// The same, mutable.

@@ -1,6 +1,10 @@
 //! A half space.
 
-use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Contact};
+use lyapunov::{
+    ParameterError, Scalar,
+    bodies::Impedance,
+    environments::{Contact, Solid},
+};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,13 +75,17 @@ impl EnvironmentKind for Plane {
 }
 
 impl InSpace for Plane {
+    fn solid<T: Scalar, const N: usize>(
+        &self,
+    ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError> {
+        lyapunov::environments::Plane::new(self.point.vector::<T, N>(), self.normal.vector())
+    }
+
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let solid =
-            lyapunov::environments::Plane::new(self.point.vector::<T, N>(), self.normal.vector())?;
-        let contact = Contact::with(solid, of(self.stiffness), of(self.damping))?;
+        let contact = Contact::with(self.solid::<T, N>()?, of(self.stiffness), of(self.damping))?;
         to.render(contact, contact.dissipation())
     }
 }

@@ -19,7 +19,7 @@ pub trait Render<V: Signal> {
 }
 
 /// The force law itself, boxed.
-pub(super) struct Boxed;
+pub(crate) struct Boxed;
 
 impl<V: Signal> Render<V> for Boxed {
     type Made = Box<dyn ForceLaw<V>>;

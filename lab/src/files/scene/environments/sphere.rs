@@ -1,6 +1,10 @@
 //! A ball.
 
-use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Contact};
+use lyapunov::{
+    ParameterError, Scalar,
+    bodies::Impedance,
+    environments::{Contact, Solid},
+};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -54,13 +58,17 @@ impl EnvironmentKind for Sphere {
 }
 
 impl InSpace for Sphere {
+    fn solid<T: Scalar, const N: usize>(
+        &self,
+    ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError> {
+        lyapunov::environments::Sphere::new(self.center.vector::<T, N>(), of(self.radius))
+    }
+
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let solid =
-            lyapunov::environments::Sphere::new(self.center.vector::<T, N>(), of(self.radius))?;
-        let contact = Contact::with(solid, of(self.stiffness), of(self.damping))?;
+        let contact = Contact::with(self.solid::<T, N>()?, of(self.stiffness), of(self.damping))?;
         to.render(contact, contact.dissipation())
     }
 }

@@ -39,6 +39,14 @@ impl StabilizerKind for Iss {
     fn pledge(&self, _on: &Basis) -> Pledge {
         Pledge::FREE
     }
+
+    fn reports_damping(&self) -> bool {
+        false
+    }
+
+    fn assumes(&self) -> Option<&'static str> {
+        Some("an environment whose force its position alone determines, without energy of its own")
+    }
 }
 
 impl Anywhere for Iss {

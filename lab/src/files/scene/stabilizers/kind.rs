@@ -100,6 +100,16 @@ pub(crate) trait StabilizerKind: Numbers {
         true
     }
 
+    /// Whether the damping that it adds is reported as `α`; that of a port around the environment is not.
+    fn reports_damping(&self) -> bool {
+        self.adds_damping()
+    }
+
+    /// The assumption about the environment that it rests on, in words; none where it rests on none.
+    fn assumes(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Whether it makes the promises of POPC: it serves every debt at once, and credits nothing that may not have been
     /// dissipated.
     fn promises(&self) -> bool {

@@ -154,7 +154,7 @@ macro_rules! stabilizers {
             }
 
             /// Whether it works in one dimension only.
-            pub(super) fn is_on_a_line(&self) -> bool {
+            pub(crate) fn is_on_a_line(&self) -> bool {
                 match self {
                     $(Self::$Observer(_) => false,)*
                     $(Self::$Table(_) => stabilizers!(@is_line $place),)*

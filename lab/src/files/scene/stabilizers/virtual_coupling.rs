@@ -32,6 +32,14 @@ impl StabilizerKind for VirtualCoupling {
         Pledge::FREE
     }
 
+    fn reports_damping(&self) -> bool {
+        false
+    }
+
+    fn assumes(&self) -> Option<&'static str> {
+        Some("a passive environment")
+    }
+
     fn lacks(&self, on: &Basis) -> Option<&'static str> {
         self.stiffness.is_none().then(|| on.undamped()).flatten()
     }

@@ -141,7 +141,7 @@ const IN_A_PLANE: &[Case] = &[
 
 #[rustfmt::skip]
 const BESIDE_A_PLANE: &[Case] = &[
-    ("[effects.friction]\ncoulomb = 0.1", "effects.friction", "[effects.friction]", &["one dimension only", "leave it out"]),
+    ("[operator]\nmass = 0.1\n[link]\nstiffness = 9\n[effects.friction]\ncoulomb = 0.1", "effects.friction", "[effects.friction]", &["2 dimensions", "one mass", "`link`", "leave out the friction"]),
     ("[initial]\nvelocity = 0.1", "initial.velocity", "velocity", &["one number", "2 dimensions", "a list of 2 numbers"]),
     ("[operator]\nrest = [0, 0, 0]", "operator.rest", "rest", &["a list of 3 numbers"]),
 ];

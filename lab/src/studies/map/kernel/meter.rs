@@ -65,7 +65,7 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
 }
 
 /// Meter of all measures of a run that does not grow.
-pub(super) struct Everything<T> {
+pub(super) struct Everything<T: Scalar> {
     rate: f64,
     ticks: f64,
     peak: T,

@@ -56,18 +56,16 @@ impl SweepPlan {
     /// The sweep of `scene`, which is called `name`, over `x`.
     ///
     /// # Errors
-    /// A key that is no number of the scene or of a stabilizer that takes part; a value that is not allowed; a scene in
-    /// more than one dimension; a stabilizer named twice.
+    /// A key that is no number of the scene or of a stabilizer that takes part; a value that is not allowed; a
+    /// stabilizer named twice.
     pub fn new(
         name: &str,
         scene: Scene,
         x: Axis,
         members: impl IntoIterator<Item = impl Into<StabilizerName>>,
     ) -> Result<Self, GridError> {
-        if scene.dimensions() > 1 {
-            return Err(GridError::Space);
-        }
         let stabilizers = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
+        stabilizers.iter().try_for_each(|it| it.check_axes(&scene)).map_err(GridError::Axes)?;
         let tree =
             Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
         let number = Varied::of(&x, &tree, &scene, &stabilizers)?;

@@ -7,6 +7,7 @@ use crate::measure::Verdict;
 use crate::studies::compare::{Column, Score};
 use crate::studies::map::axis::Spacing;
 use crate::studies::map::picture::{Shown, label};
+use crate::text::file_name;
 
 /// Height of a stabilizer's row of verdicts, in pixels of the drawing.
 const ROW: f64 = 18.0;
@@ -41,7 +42,7 @@ impl Sweep {
             panel.with_series(Series::dots(verdict.word(), VERDICTS[verdict as usize], points))
         });
         let height = (ROW * self.stabilizers.len() as f64).max(3.0 * ROW);
-        Figure::new(self.name.clone())
+        Figure::new(file_name(&self.name))
             .with_width(960.0)
             .with_panel_height(height)
             .with_panel(panel.with_rows(names))
@@ -50,7 +51,7 @@ impl Sweep {
     /// Settling time, force error, stiffness felt and energy given over the number: a curve for each stabilizer, equal ones
     /// once.
     pub fn curves(&self) -> Figure {
-        let figure = Figure::new(self.name.clone()).with_width(960.0).with_panel_height(230.0);
+        let figure = Figure::new(file_name(&self.name)).with_width(960.0).with_panel_height(230.0);
         let panels = CURVES.map(|(title, label, column)| {
             let curves = self.shared(column);
             curves.into_iter().enumerate().fold(self.panel(title, label), |panel, (at, curve)| {
