@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
@@ -10,15 +10,16 @@ use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
     Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, MergeError, Run, RunError, Shard,
-    Survey, SweepPlan, areas, document, figures, merge, page,
+    Survey, SweepPlan, areas, document, figure_names, figures, merge, page, table_name,
 };
 use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{BAR, End, heed_interrupts, program, shown, standard_output};
-use crate::output::{Output, Outputs};
+use super::results::{Results, command_line, names};
+use super::{BAR, End, program, shown, standard_output};
+use crate::files::{Inputs, Output, Outputs};
+use crate::interrupts::Untidy;
 use crate::pictures::pictures;
 
 /// The file that `--json` prints.
@@ -110,7 +111,6 @@ impl From<CheckpointError> for End {
 
 impl Map {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         if let Some(Shards::Merge(merge)) = &self.merge {
             return merge.run();
         }
@@ -126,7 +126,9 @@ impl Map {
         let run =
             Run::of(&grid, self.threads.map(usize::from)).map_err(|error| self.blame(error))?;
         let mut survey = Survey::of(&grid);
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let folder = self.out.as_deref().map(|path| self.claim(path, &grid, shard)).transpose()?;
+        // The unfinished table stays, and where it is has to be said.
+        let _untidy = Untidy::new();
         let mut checkpoint = match &folder {
             None => None,
             Some(folder) => {
@@ -141,23 +143,43 @@ impl Map {
         // A shard does not know the cells along a whole axis.
         let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
-        if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
+        if let (Some(folder), Some(mut checkpoint)) = (folder, checkpoint) {
+            let place = folder.path().join(table_name(shard));
+            let mut table = Output::create(&place).map_err(End::input)?;
+            checkpoint.write_table(&mut table, &place)?;
+            let mut outputs = Outputs::of(folder.path());
+            outputs.add(table).map_err(End::input)?;
             if shard == Shard::WHOLE {
                 let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
-                fill(folder.path(), &survey, bounds.as_ref(), &text, [&self.command(), &file])?;
+                fill(&mut outputs, &survey, bounds.as_ref(), &text, [&self.command(), &file])?;
             }
-            checkpoint.finish().map_err(End::input)?;
+            End::if_interrupted().map_err(|_| kept(&checkpoint, shard.cells(grid.cells())))?;
+            outputs.keep().map_err(End::input)?;
+            checkpoint.remove().map_err(End::input)?;
         }
         self.say(&survey, bounds.as_ref(), shard, &computation, &text)
+    }
+
+    /// The folder at `path` for the files of `shard`; shards share theirs.
+    fn claim<'a>(&self, path: &'a Path, grid: &Grid, shard: Shard) -> Result<Folder<'a>, End> {
+        let scene = self.scene.as_deref().unwrap_or(Path::new(MERGED));
+        let (inputs, table) = (Inputs::scene(scene, &grid.scene), table_name(shard));
+        match shard == Shard::WHOLE {
+            true => Folder::claim(path, names(RESULTS, figure_names(), [table]), &inputs),
+            false => Folder::share(path, [table], &inputs),
+        }
     }
 
     /// Sweeps the number `x` of `scene`.
     fn sweep(&self, scene: Scene, x: &Axis) -> Result<(), End> {
         let name = self.scene.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
         let stabilizers = self.stabilizers.on(&scene);
+        let inputs = Inputs::scene(Path::new(&name), &scene);
         let plan = SweepPlan::new(&name, scene, x.clone(), stabilizers);
         let plan = plan.map_err(|error| self.blame(error))?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, SWEEP)).transpose()?;
+        let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let bar = match self.quiet {
             true => ProgressBar::hidden(),
             false => shown(ProgressBar::new(plan.ticks()), BAR),
@@ -221,13 +243,11 @@ impl Map {
         });
         bar.finish_and_clear();
         done.map_err(|error| match (error, checkpoint.as_ref()) {
-            (RunError::Stopped, Some(checkpoint)) => End::Kept(format!(
-                "interrupted: {} of {} cells are in {}\n  = go on with --resume",
-                checkpoint.next() - cells.start,
-                cells.end - cells.start,
-                checkpoint.part().display()
-            )),
+            (RunError::Stopped, Some(checkpoint)) => kept(checkpoint, cells),
             (RunError::Stopped, None) => End::Interrupted,
+            (RunError::Output(error), Some(_)) => {
+                End::input(format!("{error}\n  = then go on with --resume"))
+            }
             (error @ RunError::Threads(_), _) => End::internal(error),
             (error @ RunError::Cell(_), _) => self.blame(error),
             (error, _) => End::input(error),
@@ -287,18 +307,23 @@ impl Map {
 
 impl Merge {
     fn run(&self) -> Result<(), End> {
-        let folder = Folder::claim(&self.out, RESULTS)?;
-        let table = folder.path().join("map.csv");
+        let tables = self.tables()?;
+        let inputs = Inputs::of("a shard", &tables);
+        let files = names(RESULTS, figure_names(), [table_name(Shard::WHOLE)]);
+        let folder = Folder::claim(&self.out, files, &inputs)?;
+        let table = folder.path().join(table_name(Shard::WHOLE));
         let mut output = Output::create(&table).map_err(End::input)?;
-        let merged = merge(&self.tables()?, &mut output, &table);
+        let merged = merge(&tables, &mut output, &table);
         let survey = merged.map_err(|error: MergeError| End::input(error))?;
         let bounds = Bounds::of(survey.grid());
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         End::if_interrupted()?;
         folder.keep();
         let command = format!("{} map merge", program());
-        fill(folder.path(), &survey, bounds.as_ref(), &text, [&command, MERGED])?;
-        output.keep().map_err(End::input)?;
+        let mut outputs = Outputs::of(folder.path());
+        outputs.add(output).map_err(End::input)?;
+        fill(&mut outputs, &survey, bounds.as_ref(), &text, [&command, MERGED])?;
+        outputs.keep().map_err(End::input)?;
         let mut out = io::stdout().lock();
         match (self.json, self.quiet) {
             (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
@@ -311,9 +336,13 @@ impl Merge {
     fn tables(&self) -> Result<Vec<PathBuf>, End> {
         let mut tables = Vec::new();
         for path in &self.paths {
-            if !path.is_dir() {
+            if path.is_file() || !path.exists() {
                 tables.push(path.clone());
                 continue;
+            }
+            if !path.is_dir() {
+                let remedy = "give a file: it is read more than once";
+                return Err(End::input(format!("{} is no file\n  = {remedy}", path.display())));
             }
             let refuse = |error| End::input(format!("{} cannot be read: {error}", path.display()));
             let mut found = Vec::new();
@@ -339,23 +368,30 @@ impl Merge {
     }
 }
 
-/// Writes all files beside the table before the first appears under its name; `command` made them of the file `scene`.
+/// End of an interrupted map, of which `cells` were asked for.
+fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
+    End::Kept(format!(
+        "interrupted: {} of {} cells are in {}\n  = go on with --resume",
+        checkpoint.next() - cells.start,
+        cells.end - cells.start,
+        checkpoint.part().display()
+    ))
+}
+
+/// Adds the files beside the table; `command` made them of the file `scene`.
 fn fill(
-    folder: &Path,
+    outputs: &mut Outputs<'_>,
     survey: &Survey,
     bounds: Option<&Bounds>,
     text: &str,
     [command, scene]: [&str; 2],
 ) -> Result<(), End> {
-    let mut outputs = Outputs::of(folder);
     let figures = figures(survey, bounds);
     let drawn: Result<Vec<_>, _> =
         figures.par_iter().map(|drawn| pictures(drawn.name, &drawn.figure)).collect();
     let drawn = drawn.map_err(End::internal)?.into_iter().flatten();
     outputs.put_all(drawn).map_err(End::input)?;
-    outputs
-        .put("report.html", page(survey, bounds, &figures, command, scene))
-        .map_err(End::input)?;
-    outputs.put(RESULTS, text).map_err(End::input)?;
-    outputs.keep().map_err(End::input)
+    let page = page(survey, bounds, &figures, command, scene);
+    outputs.put("report.html", page).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)
 }
