@@ -9,13 +9,14 @@ use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
-    Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, MergeError, Run, RunError, Shard,
-    Survey, SweepPlan, areas, document, figure_names, figures, merge, page, table_name,
+    Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, Run, RunError, Shard, Survey,
+    SweepPlan, areas, document, figure_names, figures, page, table_name,
 };
 use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
 
 use super::folder::Folder;
+use super::merge::Merge;
 use super::results::{Results, command_line, names};
 use super::{BAR, End, program, shown, standard_output};
 use crate::files::{Inputs, Output, Outputs};
@@ -23,13 +24,13 @@ use crate::interrupts::Untidy;
 use crate::pictures::pictures;
 
 /// The file that `--json` prints.
-const RESULTS: &str = "map.json";
+pub(super) const RESULTS: &str = "map.json";
 
 /// The file that `--json` prints of a sweep.
 const SWEEP: &str = "sweep.json";
 
 /// The file of the scene that the page of merged shards shows, as its commands name it.
-const MERGED: &str = "scene.toml";
+pub(super) const MERGED: &str = "scene.toml";
 
 const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
 
@@ -84,25 +85,6 @@ enum Shards {
     Merge(Merge),
 }
 
-/// Put the shards of a map together.
-///
-/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
-#[derive(Args, Debug)]
-pub(crate) struct Merge {
-    /// The tables of all shards (map-i-of-n.csv), or folders that hold them.
-    #[arg(required = true, value_name = "PATH")]
-    paths: Vec<PathBuf>,
-    /// Write the map into this folder; made if not there.
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
-    /// Print map.json instead of the table.
-    #[arg(long, conflicts_with = "quiet")]
-    json: bool,
-    /// Print nothing but errors.
-    #[arg(long)]
-    quiet: bool,
-}
-
 impl From<CheckpointError> for End {
     fn from(error: CheckpointError) -> Self {
         Self::input(error)
@@ -128,7 +110,7 @@ impl Map {
         let mut survey = Survey::of(&grid);
         let folder = self.out.as_deref().map(|path| self.claim(path, &grid, shard)).transpose()?;
         // The unfinished table stays, and where it is has to be said.
-        let _untidy = Untidy::new();
+        let untidy = folder.as_ref().map(|_| Untidy::new());
         let mut checkpoint = match &folder {
             None => None,
             Some(folder) => {
@@ -143,21 +125,36 @@ impl Map {
         // A shard does not know the cells along a whole axis.
         let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
-        if let (Some(folder), Some(mut checkpoint)) = (folder, checkpoint) {
-            let place = folder.path().join(table_name(shard));
-            let mut table = Output::create(&place).map_err(End::input)?;
-            checkpoint.write_table(&mut table, &place)?;
-            let mut outputs = Outputs::of(folder.path());
-            outputs.add(table).map_err(End::input)?;
-            if shard == Shard::WHOLE {
-                let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
-                fill(&mut outputs, &survey, bounds.as_ref(), &text, [&self.command(), &file])?;
-            }
-            End::if_interrupted().map_err(|_| kept(&checkpoint, shard.cells(grid.cells())))?;
-            outputs.keep().map_err(End::input)?;
-            checkpoint.remove().map_err(End::input)?;
+        if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
+            self.finish(folder.path(), checkpoint, shard, &survey, bounds.as_ref(), &text)?;
         }
+        drop((folder, untidy));
         self.say(&survey, bounds.as_ref(), shard, &computation, &text)
+    }
+
+    /// Writes all files of the map, or the table of the shard, and removes the unfinished table.
+    fn finish(
+        &self,
+        folder: &Path,
+        mut checkpoint: Checkpoint,
+        shard: Shard,
+        survey: &Survey,
+        bounds: Option<&Bounds>,
+        text: &str,
+    ) -> Result<(), End> {
+        let place = folder.join(table_name(shard));
+        let mut table = Output::create(&place).map_err(End::input)?;
+        checkpoint.write_table(&mut table, &place)?;
+        let mut outputs = Outputs::of(folder);
+        outputs.add(table).map_err(End::input)?;
+        if shard == Shard::WHOLE {
+            let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
+            fill(&mut outputs, survey, bounds, text, [&self.command(), &file])?;
+        }
+        let cells = shard.cells(survey.grid().cells());
+        End::if_interrupted().map_err(|_| kept(&checkpoint, cells))?;
+        outputs.keep().map_err(End::input)?;
+        checkpoint.remove().map_err(End::input)
     }
 
     /// The folder at `path` for the files of `shard`; shards share theirs.
@@ -305,69 +302,6 @@ impl Map {
     }
 }
 
-impl Merge {
-    fn run(&self) -> Result<(), End> {
-        let tables = self.tables()?;
-        let inputs = Inputs::of("a shard", &tables);
-        let files = names(RESULTS, figure_names(), [table_name(Shard::WHOLE)]);
-        let folder = Folder::claim(&self.out, files, &inputs)?;
-        let table = folder.path().join(table_name(Shard::WHOLE));
-        let mut output = Output::create(&table).map_err(End::input)?;
-        let merged = merge(&tables, &mut output, &table);
-        let survey = merged.map_err(|error: MergeError| End::input(error))?;
-        let bounds = Bounds::of(survey.grid());
-        let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
-        End::if_interrupted()?;
-        folder.keep();
-        let command = format!("{} map merge", program());
-        let mut outputs = Outputs::of(folder.path());
-        outputs.add(output).map_err(End::input)?;
-        fill(&mut outputs, &survey, bounds.as_ref(), &text, [&command, MERGED])?;
-        outputs.keep().map_err(End::input)?;
-        let mut out = io::stdout().lock();
-        match (self.json, self.quiet) {
-            (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
-            (_, true) => Ok(()),
-            _ => out.write_all(areas(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
-        }
-    }
-
-    /// Paths of the tables, with those in the folders that were named.
-    fn tables(&self) -> Result<Vec<PathBuf>, End> {
-        let mut tables = Vec::new();
-        for path in &self.paths {
-            if path.is_file() || !path.exists() {
-                tables.push(path.clone());
-                continue;
-            }
-            if !path.is_dir() {
-                let remedy = "give a file: it is read more than once";
-                return Err(End::input(format!("{} is no file\n  = {remedy}", path.display())));
-            }
-            let refuse = |error| End::input(format!("{} cannot be read: {error}", path.display()));
-            let mut found = Vec::new();
-            for entry in path.read_dir().map_err(refuse)? {
-                let entry = entry.map_err(refuse)?.path();
-                let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                if name.starts_with("map-")
-                    && name.ends_with(".csv")
-                    && !name.ends_with(".part.csv")
-                {
-                    found.push(entry);
-                }
-            }
-            found.sort();
-            tables.extend(found);
-        }
-        if tables.is_empty() {
-            return Err(End::input(
-                "there is no table of a shard\n  = name the files map-i-of-n.csv, or folders that hold them",
-            ));
-        }
-        Ok(tables)
-    }
-}
-
 /// End of an interrupted map, of which `cells` were asked for.
 fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
     End::Kept(format!(
@@ -379,7 +313,7 @@ fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
 }
 
 /// Adds the files beside the table; `command` made them of the file `scene`.
-fn fill(
+pub(super) fn fill(
     outputs: &mut Outputs<'_>,
     survey: &Survey,
     bounds: Option<&Bounds>,

@@ -9,6 +9,7 @@ mod folder;
 mod hard;
 mod left_out;
 mod map;
+mod merge;
 mod observe;
 mod paper;
 mod progress;
