@@ -31,7 +31,8 @@
 
 mod bench;
 mod commands;
-mod output;
+mod files;
+mod interrupts;
 mod pictures;
 
 pub use bench::Bench;

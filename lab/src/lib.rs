@@ -72,6 +72,7 @@ pub use measure::summary::Summary;
 pub use measure::verdict::{Verdict, Yardstick};
 pub use show::csv::{COLUMNS, Csv};
 pub use show::output_error::OutputError;
+pub use show::sync_folder::sync_folder;
 
 // Studies, one for each command.
 pub use studies::{

@@ -10,8 +10,9 @@ use lyapunov_lab::accuracy::{AccuracyError, Study};
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
-use super::results::Results;
-use super::{BAR, End, heed_interrupts, program, shown, standard_output};
+use super::results::{Results, names};
+use super::{BAR, End, program, shown, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "accuracy.json";
@@ -46,10 +47,12 @@ pub(crate) struct Accuracy {
 
 impl Accuracy {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         let target = self.target()?;
         let scene = Scene::load(&self.scene).map_err(End::input)?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::scene(&self.scene, &scene);
+        let files = names(RESULTS, ["accuracy"], ["accuracy.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let study = self.study(&scene)?;
         let text = study.document(target).map_err(End::internal)?;
         if let Some(folder) = folder {
@@ -96,7 +99,8 @@ impl Accuracy {
         let name = self.scene.display().to_string();
         let study = Study::watched(&name, scene, &watch).map_err(|error| match error {
             AccuracyError::Stopped => End::Interrupted,
-            error => End::input(error),
+            error @ AccuracyError::Space { .. } => End::input(error),
+            error => End::input(format!("{name}: {error}")),
         })?;
         bar.finish_and_clear();
         Ok(study)

@@ -8,8 +8,9 @@ use lyapunov_lab::bound::{self, Limits, RadiusCurve};
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{End, heed_interrupts, standard_output};
+use super::results::{Results, command_line, names};
+use super::{End, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "bound.json";
@@ -39,9 +40,11 @@ pub(crate) struct Bound {
 
 impl Bound {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(self.out.is_some());
         let scene = Scene::load(&self.scene).map_err(End::input)?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::scene(&self.scene, &scene);
+        let files = names(RESULTS, ["bound"], ["bound.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let limits = Limits::of(&scene);
         let name = self.scene.display().to_string();
         let json = limits.to_json(&name).map_err(End::internal)?;

@@ -19,10 +19,11 @@ use lyapunov_lab::{Space, in_space, models, teleoperation};
 
 use super::folder::Folder;
 use super::left_out::LeftOut;
-use super::results::{Results, command_line};
+use super::results::{self, Results, command_line};
 use super::subjects::{self, Subjects};
 use super::tune::tune;
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::{BAR, End, shown, standard_output};
+use crate::files::Inputs;
 
 /// Ticks in all from which on a progress bar is worth showing.
 const LONG: u64 = 1 << 20;
@@ -71,7 +72,6 @@ pub(crate) struct Compare {
 
 impl Compare {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         let mut left_out = LeftOut::of(self.scenes.len());
         let scenes = match Subjects::load(&self.scenes, &mut left_out)? {
             Subjects::Scenes(scenes) => scenes,
@@ -87,7 +87,7 @@ impl Compare {
             }
         };
         let named = self.entrants()?.unwrap_or_else(StabilizerNames::standard);
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let folder = self.out.as_deref().map(|path| self.claim(path, &scenes)).transpose()?;
         let compared = self.compare(&scenes, &named, &mut left_out)?;
         let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let text = document(&comparisons, left_out.reasons()).map_err(End::internal)?;
@@ -96,6 +96,21 @@ impl Compare {
         }
         self.tell(&comparisons, &text)?;
         left_out.end()
+    }
+
+    /// The folder at `path`, for the files of all `scenes`.
+    fn claim<'a>(&self, path: &'a Path, scenes: &[(String, Scene)]) -> Result<Folder<'a>, End> {
+        let inputs = Inputs::of("the scene", &self.scenes);
+        let inputs = scenes.iter().fold(inputs, |inputs, (_, scene)| inputs.and_named_by(scene));
+        let files = names(scenes.iter().map(|(name, _)| &name[..]));
+        let named = |questions: &[&str], ending: &str| -> Vec<String> {
+            let pairs = files.iter().flat_map(|name| questions.iter().map(move |it| (name, it)));
+            pairs.map(|(name, question)| figure_name(name, question) + ending).collect()
+        };
+        let figures = named(&["", "force", "energy", "trade-off"], "");
+        let mut rows = named(&["energy", "trade-off"], ".csv");
+        rows.push("compare.csv".to_owned());
+        Folder::claim(path, results::names(RESULTS, figures, rows), &inputs)
     }
 
     fn tell(&self, comparisons: &[Comparison], text: &str) -> Result<(), End> {
@@ -243,14 +258,19 @@ fn fill(
     for ((name, figures), answers) in files.iter().zip(&drawn).zip(answers) {
         for (question, figure) in figures {
             End::if_interrupted()?;
-            let gap = if question.is_empty() { "" } else { "." };
-            results = results.with_figure(&format!("{name}{gap}{question}"), figure)?;
+            results = results.with_figure(&figure_name(name, question), figure)?;
         }
         for (question, _, csv) in &answers.0 {
-            results = results.with_file(format!("{name}.{question}.csv"), &csv[..]);
+            results = results.with_file(figure_name(name, question) + ".csv", &csv[..]);
         }
     }
     folder.fill(results)
+}
+
+/// The name of the figure that answers a question about the scene whose files begin with `name`.
+fn figure_name(name: &str, question: &str) -> String {
+    let gap = if question.is_empty() { "" } else { "." };
+    format!("{name}{gap}{question}")
 }
 
 /// The sentence under the figure that answers a question.

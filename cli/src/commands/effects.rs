@@ -10,8 +10,9 @@ use lyapunov_lab::effects::{Costs, CostsError};
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::results::{Results, command_line, names};
+use super::{BAR, End, shown, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "effects.json";
@@ -41,9 +42,14 @@ pub(crate) struct Effects {
 
 impl Effects {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         let scene = self.scene.as_deref().map(Scene::load).transpose().map_err(End::input)?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = match (&self.scene, &scene) {
+            (Some(path), Some(scene)) => Inputs::scene(path, scene),
+            _ => Inputs::default(),
+        };
+        let files = names(RESULTS, ["effects"], ["effects.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let bar = self.progress(scene.as_ref())?;
         let watch = || {
             bar.inc(1);

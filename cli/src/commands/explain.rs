@@ -9,8 +9,9 @@ use lyapunov_lab::in_space;
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{End, heed_interrupts, standard_output};
+use super::results::{Results, command_line, names};
+use super::{End, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "explain.json";
@@ -38,9 +39,11 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(self.out.is_some());
         let scene = Scene::load(&self.scene).map_err(End::input)?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::scene(&self.scene, &scene);
+        let files = names(RESULTS, ["explain"], ["explain.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let explanation = in_space!(scene, Axes => Explanation::of::<Axes>(&scene));
         let name = self.scene.display().to_string();
         let explanation =

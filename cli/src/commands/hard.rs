@@ -10,8 +10,9 @@ use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
-use super::results::Results;
-use super::{BAR, End, heed_interrupts, program, shown, standard_output};
+use super::results::{Results, names};
+use super::{BAR, End, program, shown, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "hard.json";
@@ -43,13 +44,15 @@ pub(crate) struct Hard {
 
 impl Hard {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         if self.stabilizer == Some(StabilizerName::Basic(BasicName::NoStabilizer)) {
             return Err(End::input(
                 "`none` is no stabilizer to be tried\n  = --out writes a page that tells of every loop without one",
             ));
         }
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::default();
+        let files = names(RESULTS, [""; 0], ["hard.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let bar = self.progress();
         let watch = || {
             bar.inc(1);

@@ -2,33 +2,35 @@
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
-    Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, MergeError, Run, RunError, Shard,
-    Survey, SweepPlan, areas, document, figures, merge, page,
+    Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, Run, RunError, Shard, Survey,
+    SweepPlan, areas, document, figure_names, figures, page, table_name,
 };
 use lyapunov_lab::scene::Scene;
 use rayon::prelude::*;
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{BAR, End, heed_interrupts, program, shown, standard_output};
-use crate::output::{Output, Outputs};
+use super::merge::Merge;
+use super::results::{Results, command_line, names};
+use super::{BAR, End, program, shown, standard_output};
+use crate::files::{Inputs, Output, Outputs};
+use crate::interrupts::Untidy;
 use crate::pictures::pictures;
 
 /// The file that `--json` prints.
-const RESULTS: &str = "map.json";
+pub(super) const RESULTS: &str = "map.json";
 
 /// The file that `--json` prints of a sweep.
 const SWEEP: &str = "sweep.json";
 
 /// The file of the scene that the page of merged shards shows, as its commands name it.
-const MERGED: &str = "scene.toml";
+pub(super) const MERGED: &str = "scene.toml";
 
 const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
 
@@ -49,7 +51,7 @@ pub(crate) struct Map {
     merge: Option<Shards>,
     /// The scene file, TOML.
     #[arg(required = true, value_name = "SCENE")]
-    scene: Option<PathBuf>,
+    pub(super) scene: Option<PathBuf>,
     /// The axis to the right: a number of the scene, or of a stabilizer that takes part, by its dotted key.
     #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
     x: Option<Axis>,
@@ -87,25 +89,6 @@ enum Shards {
     Merge(Merge),
 }
 
-/// Put the shards of a map together.
-///
-/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
-#[derive(Args, Debug)]
-pub(crate) struct Merge {
-    /// The tables of all shards (map-i-of-n.csv), or folders that hold them.
-    #[arg(required = true, value_name = "PATH")]
-    paths: Vec<PathBuf>,
-    /// Write the map into this folder; made if not there.
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
-    /// Print map.json instead of the table.
-    #[arg(long, conflicts_with = "quiet")]
-    json: bool,
-    /// Print nothing but errors.
-    #[arg(long)]
-    quiet: bool,
-}
-
 impl From<CheckpointError> for End {
     fn from(error: CheckpointError) -> Self {
         Self::input(error)
@@ -114,7 +97,6 @@ impl From<CheckpointError> for End {
 
 impl Map {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         if let Some(Shards::Merge(merge)) = &self.merge {
             return merge.run();
         }
@@ -133,7 +115,9 @@ impl Map {
             return self.refine(&grid, &run);
         }
         let mut survey = Survey::of(&grid);
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let folder = self.out.as_deref().map(|path| self.claim(path, &grid, shard)).transpose()?;
+        // The unfinished table stays, and where it is has to be said.
+        let untidy = folder.as_ref().map(|_| Untidy::new());
         let mut checkpoint = match &folder {
             None => None,
             Some(folder) => {
@@ -149,22 +133,57 @@ impl Map {
         let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
         if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
-            if shard == Shard::WHOLE {
-                let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
-                fill(folder.path(), &survey, bounds.as_ref(), &text, [&self.command(), &file])?;
-            }
-            checkpoint.finish().map_err(End::input)?;
+            self.finish(folder.path(), checkpoint, shard, &survey, bounds.as_ref(), &text)?;
         }
+        drop((folder, untidy));
         self.say(&survey, bounds.as_ref(), shard, &computation, &text)
+    }
+
+    /// Writes all files of the map, or the table of the shard, and removes the unfinished table.
+    fn finish(
+        &self,
+        folder: &Path,
+        mut checkpoint: Checkpoint,
+        shard: Shard,
+        survey: &Survey,
+        bounds: Option<&Bounds>,
+        text: &str,
+    ) -> Result<(), End> {
+        let place = folder.join(table_name(shard));
+        let mut table = Output::create(&place).map_err(End::input)?;
+        checkpoint.write_table(&mut table, &place)?;
+        let mut outputs = Outputs::of(folder);
+        outputs.add(table).map_err(End::input)?;
+        if shard == Shard::WHOLE {
+            let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
+            fill(&mut outputs, survey, bounds, text, [&self.command(), &file])?;
+        }
+        let cells = shard.cells(survey.grid().cells());
+        End::if_interrupted().map_err(|_| kept(&checkpoint, cells))?;
+        outputs.keep().map_err(End::input)?;
+        checkpoint.remove().map_err(End::input)
+    }
+
+    /// The folder at `path` for the files of `shard`; shards share theirs.
+    fn claim<'a>(&self, path: &'a Path, grid: &Grid, shard: Shard) -> Result<Folder<'a>, End> {
+        let scene = self.scene.as_deref().unwrap_or(Path::new(MERGED));
+        let (inputs, table) = (Inputs::scene(scene, &grid.scene), table_name(shard));
+        match shard == Shard::WHOLE {
+            true => Folder::claim(path, names(RESULTS, figure_names(), [table]), &inputs),
+            false => Folder::share(path, [table], &inputs),
+        }
     }
 
     /// Sweeps the number `x` of `scene`.
     fn sweep(&self, scene: Scene, x: &Axis) -> Result<(), End> {
         let name = self.scene.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
         let stabilizers = self.stabilizers.on(&scene);
+        let inputs = Inputs::scene(Path::new(&name), &scene);
         let plan = SweepPlan::new(&name, scene, x.clone(), stabilizers);
         let plan = plan.map_err(|error| self.blame(error))?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, SWEEP)).transpose()?;
+        let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let bar = match self.quiet {
             true => ProgressBar::hidden(),
             false => shown(ProgressBar::new(plan.ticks()), BAR),
@@ -228,13 +247,11 @@ impl Map {
         });
         bar.finish_and_clear();
         done.map_err(|error| match (error, checkpoint.as_ref()) {
-            (RunError::Stopped, Some(checkpoint)) => End::Kept(format!(
-                "interrupted: {} of {} cells are in {}\n  = go on with --resume",
-                checkpoint.next() - cells.start,
-                cells.end - cells.start,
-                checkpoint.part().display()
-            )),
+            (RunError::Stopped, Some(checkpoint)) => kept(checkpoint, cells),
             (RunError::Stopped, None) => End::Interrupted,
+            (RunError::Output(error), Some(_)) => {
+                End::input(format!("{error}\n  = then go on with --resume"))
+            }
             (error @ RunError::Threads(_), _) => End::internal(error),
             (error @ RunError::Cell(_), _) => self.blame(error),
             (error, _) => End::input(error),
@@ -292,77 +309,30 @@ impl Map {
     }
 }
 
-impl Merge {
-    fn run(&self) -> Result<(), End> {
-        let folder = Folder::claim(&self.out, RESULTS)?;
-        let table = folder.path().join("map.csv");
-        let mut output = Output::create(&table).map_err(End::input)?;
-        let merged = merge(&self.tables()?, &mut output, &table);
-        let survey = merged.map_err(|error: MergeError| End::input(error))?;
-        let bounds = Bounds::of(survey.grid());
-        let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
-        End::if_interrupted()?;
-        folder.keep();
-        let command = format!("{} map merge", program());
-        fill(folder.path(), &survey, bounds.as_ref(), &text, [&command, MERGED])?;
-        output.keep().map_err(End::input)?;
-        let mut out = io::stdout().lock();
-        match (self.json, self.quiet) {
-            (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
-            (_, true) => Ok(()),
-            _ => out.write_all(areas(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
-        }
-    }
-
-    /// Paths of the tables, with those in the folders that were named.
-    fn tables(&self) -> Result<Vec<PathBuf>, End> {
-        let mut tables = Vec::new();
-        for path in &self.paths {
-            if !path.is_dir() {
-                tables.push(path.clone());
-                continue;
-            }
-            let refuse = |error| End::input(format!("{} cannot be read: {error}", path.display()));
-            let mut found = Vec::new();
-            for entry in path.read_dir().map_err(refuse)? {
-                let entry = entry.map_err(refuse)?.path();
-                let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                if name.starts_with("map-")
-                    && name.ends_with(".csv")
-                    && !name.ends_with(".part.csv")
-                {
-                    found.push(entry);
-                }
-            }
-            found.sort();
-            tables.extend(found);
-        }
-        if tables.is_empty() {
-            return Err(End::input(
-                "there is no table of a shard\n  = name the files map-i-of-n.csv, or folders that hold them",
-            ));
-        }
-        Ok(tables)
-    }
+/// End of an interrupted map, of which `cells` were asked for.
+fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
+    End::Kept(format!(
+        "interrupted: {} of {} cells are in {}\n  = go on with --resume",
+        checkpoint.next() - cells.start,
+        cells.end - cells.start,
+        checkpoint.part().display()
+    ))
 }
 
-/// Writes all files beside the table before the first appears under its name; `command` made them of the file `scene`.
-fn fill(
-    folder: &Path,
+/// Adds the files beside the table; `command` made them of the file `scene`.
+pub(super) fn fill(
+    outputs: &mut Outputs<'_>,
     survey: &Survey,
     bounds: Option<&Bounds>,
     text: &str,
     [command, scene]: [&str; 2],
 ) -> Result<(), End> {
-    let mut outputs = Outputs::of(folder);
     let figures = figures(survey, bounds);
     let drawn: Result<Vec<_>, _> =
         figures.par_iter().map(|drawn| pictures(drawn.name, &drawn.figure)).collect();
     let drawn = drawn.map_err(End::internal)?.into_iter().flatten();
     outputs.put_all(drawn).map_err(End::input)?;
-    outputs
-        .put("report.html", page(survey, bounds, &figures, command, scene))
-        .map_err(End::input)?;
-    outputs.put(RESULTS, text).map_err(End::input)?;
-    outputs.keep().map_err(End::input)
+    let page = page(survey, bounds, &figures, command, scene);
+    outputs.put("report.html", page).map_err(End::input)?;
+    outputs.put(RESULTS, text).map_err(End::input)
 }

@@ -9,6 +9,7 @@ mod folder;
 mod hard;
 mod left_out;
 mod map;
+mod merge;
 mod observe;
 mod paper;
 mod progress;
@@ -28,13 +29,13 @@ use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
-use std::time::Duration;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use lyapunov_lab::OutputError;
+
+use crate::files::is_any_kept;
+use crate::interrupts;
 
 /// End of the help of all commands.
 const EXIT_STATUS: &str = "Exit status: 0 done, 1 internal error or a hard case that failed, 2 bad input, 130 interrupted.";
@@ -68,6 +69,7 @@ enum Command {
 
 impl Command {
     fn run(self) -> ExitCode {
+        interrupts::heed(|| process::exit(End::Interrupted.report().into()));
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
@@ -132,28 +134,12 @@ pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
-/// Longest time that a command without anything to tidy up may take to end after an interrupt.
-const GRACE: Duration = Duration::from_millis(500);
-
-/// Handles interrupts from here on: the command ends in its own way, through [`End::if_interrupted`].
-///
-/// A command that is not `tidying` up after itself ends after a grace period in any case: while it is blocked in a
-/// write that nobody reads, it cannot check for the interrupt.
-pub(crate) fn heed_interrupts(tidying: bool) {
-    // Without the handler an interrupt ends the process at once; only the tidying up is lost.
-    let _ = ctrlc::set_handler(move || {
-        INTERRUPTED.store(true, Ordering::Relaxed);
-        if !tidying {
-            thread::sleep(GRACE);
-            process::exit(End::Interrupted.report().into());
-        }
-    });
-}
-
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.
+///
+/// Names and texts of others may be part of it, so that nothing in it controls the terminal.
 pub(crate) fn say(message: impl Display) {
+    let plain = |it: char| if it.is_control() && it != '\n' { '\u{fffd}' } else { it };
+    let message: String = message.to_string().chars().map(plain).collect();
     let _ = writeln!(io::stderr(), "{message}");
 }
 
@@ -188,7 +174,7 @@ impl End {
 
     /// Error that ends an interrupted command. Long work calls this now and then.
     pub(crate) fn if_interrupted() -> Result<(), Self> {
-        if INTERRUPTED.load(Ordering::Relaxed) { Err(Self::Interrupted) } else { Ok(()) }
+        if interrupts::is_interrupted() { Err(Self::Interrupted) } else { Ok(()) }
     }
 
     /// Prints the reason and returns the status that the program exits with.
@@ -213,7 +199,9 @@ impl End {
                 1
             }
             Self::Interrupted => {
-                say("interrupted; no file was written");
+                let files =
+                    if is_any_kept() { "the files are written" } else { "no file was written" };
+                say(format_args!("interrupted; {files}"));
                 130
             }
             Self::Kept(message) => {

@@ -7,9 +7,10 @@ use clap::{Args, ValueEnum};
 use lyapunov_lab::observe::{self, Candidate, Columns, Observed, Scale, Settings};
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
+use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, heed_interrupts, standard_output};
+use super::{End, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "observe.json";
@@ -69,14 +70,16 @@ enum Word {
 
 impl Observe {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         let settings = Settings {
             columns: self.columns.clone(),
             scales: self.scale.clone(),
             candidate: self.candidate()?,
             contact: self.contact,
         };
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::of("the log", [&self.log]);
+        let files = names(RESULTS, ["observe"], ["observe.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let observed = self.observe(&settings)?;
         if let Some(folder) = folder {
             let results =

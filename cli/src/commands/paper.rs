@@ -1,6 +1,5 @@
 //! The command `lyapunov paper`.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
@@ -9,12 +8,13 @@ use std::time::Duration;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use lyapunov_lab::paper::{Case, Draws, PaperError, Study, figures};
+use lyapunov_lab::paper::{Case, Draws, FIGURES, PaperError, Study, figures};
 use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
 
 use super::folder::Folder;
-use super::{BAR, End, heed_interrupts, program, shown, standard_output};
-use crate::output::Outputs;
+use super::results::names;
+use super::{BAR, End, program, shown, standard_output};
+use crate::files::{Inputs, Outputs};
 use crate::pictures::pictures;
 
 /// Time between two checks for interrupts.
@@ -54,8 +54,9 @@ impl From<PaperError> for End {
 
 impl Paper {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
-        let folder = Folder::claim(&self.out, "claims.json")?;
+        let rows = Case::ALL.map(|case| format!("{}.csv", case.name()));
+        let files = names("claims.json", FIGURES, rows);
+        let folder = Folder::claim(&self.out, files, &Inputs::default())?;
         let bar = self.progress();
         let draws = Draws { count: self.draws, seed: self.seed };
         let study = studied(draws, bar.clone())?;
@@ -135,7 +136,6 @@ fn fill(folder: &Path, study: &Study, command: &str) -> Result<(), End> {
         let text = csv(&scene, rollout).map_err(refused)?;
         files.push((format!("{}.csv", case.name()), text));
     }
-    fs::create_dir_all(folder).map_err(refused)?;
     let mut outputs = Outputs::of(folder);
     outputs.put_all(files).map_err(End::input)?;
     outputs.keep().map_err(End::input)

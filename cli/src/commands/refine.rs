@@ -1,14 +1,16 @@
 //! `lyapunov map --refine`: the edge of stability from few runs.
 
 use std::io::{self, Write};
+use std::path::Path;
 
 use indicatif::ProgressBar;
 use lyapunov_lab::map::{Bounds, Grid, Refined, Run, RunError};
 
 use super::folder::Folder;
 use super::map::Map;
-use super::results::{Results, command_line};
+use super::results::{Results, command_line, names};
 use super::{End, shown, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "refined.json";
@@ -18,7 +20,10 @@ const BAR: &str = "{spinner} {pos} cells judged, {per_sec}";
 impl Map {
     /// Finds the edge of stability on `grid`.
     pub(super) fn refine(&self, grid: &Grid, run: &Run<'_>) -> Result<(), End> {
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::scene(self.scene.as_deref().unwrap_or(Path::new("")), &grid.scene);
+        let files = names(RESULTS, ["edge"], ["judged.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let bar = match self.quiet {
             true => ProgressBar::hidden(),
             false => shown(ProgressBar::no_length(), BAR),

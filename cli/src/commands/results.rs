@@ -1,9 +1,11 @@
 //! Results of a command, as `--out` writes them.
 
+use std::fmt::Display;
+
 use lyapunov_figures::Figure;
 
 use super::{End, program};
-use crate::output::Output;
+use crate::files::Output;
 use crate::pictures::pictures;
 
 /// The files of a folder: the page `report.html`, the JSON that `--json` prints, the figures, the rows.
@@ -37,6 +39,18 @@ impl Results {
     pub(crate) fn with_rows(self, rows: Output) -> Self {
         Self { streamed: Some(rows), ..self }
     }
+}
+
+/// The names of the files of a command: the page, the JSON called `json`, each of the `figures` as SVG and as PNG, and
+/// `others`.
+pub(crate) fn names(
+    json: &str,
+    figures: impl IntoIterator<Item = impl Display>,
+    others: impl IntoIterator<Item = impl Display>,
+) -> Vec<String> {
+    let drawn = figures.into_iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+    let first = ["report.html".to_owned(), json.to_owned()];
+    first.into_iter().chain(drawn).chain(others.into_iter().map(|it| it.to_string())).collect()
 }
 
 /// The command as it was called, for the head of a page.

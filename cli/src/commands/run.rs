@@ -1,6 +1,5 @@
 //! The command `lyapunov run`.
 
-use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -13,9 +12,9 @@ use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Csv, OutputError, Rollout, Space, Summary, in_space};
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{BAR, End, heed_interrupts, say, shown, standard_output};
-use crate::output::Output;
+use super::results::{Results, command_line, names};
+use super::{BAR, End, say, shown, standard_output};
+use crate::files::{Inputs, Output};
 
 /// The file that `--json` prints.
 const RESULTS: &str = "run.json";
@@ -57,7 +56,6 @@ impl Run {
         }
         match &self.csv {
             Some(path) if path == Path::new("-") => {
-                heed_interrupts(false);
                 // Standard output by itself writes each line separately.
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::of(output, &scene).map_err(standard_output)?;
@@ -69,8 +67,7 @@ impl Run {
                 }
             }
             Some(path) => {
-                self.spare_scene(path)?;
-                heed_interrupts(!Output::is_direct(path));
+                Inputs::scene(&self.scene, &scene).spare(path)?;
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::of(output, &scene).map_err(refused)?;
@@ -80,7 +77,6 @@ impl Run {
                 self.tell(&told)?;
             }
             None => {
-                heed_interrupts(false);
                 let nowhere: Option<Rows<'_, io::Sink>> = None;
                 self.tell(&simulate(&scene, &self.progress(&scene), nowhere, None)?)?;
             }
@@ -90,8 +86,8 @@ impl Run {
 
     /// Simulates with results in the folder `out`.
     fn fill(&self, scene: &Scene, out: &Path) -> Result<(), End> {
-        heed_interrupts(true);
-        let folder = Folder::claim(out, RESULTS)?;
+        let inputs = Inputs::scene(&self.scene, scene);
+        let folder = Folder::claim(out, names(RESULTS, ["run"], ["run.csv"]), &inputs)?;
         let place = out.join("run.csv");
         let refused = |error| End::input(OutputError::new(&place, error));
         let output = Output::create(&place).map_err(End::input)?;
@@ -106,20 +102,6 @@ impl Run {
         let results = results.with_figure("run", &curves.figure(&name, &told))?;
         folder.fill(results.with_rows(csv.into_inner().map_err(refused)?))?;
         self.tell(&told)
-    }
-
-    /// Error if the rows would overwrite the scene.
-    fn spare_scene(&self, csv: &Path) -> Result<(), End> {
-        match (fs::canonicalize(&self.scene), fs::canonicalize(csv)) {
-            (Ok(scene), Ok(place)) if scene == place && place.is_file() => {
-                let csv = csv.display();
-                Err(End::input(format_args!(
-                    "--csv {csv}: this is the scene itself, and the rows would replace it\n  \
-                     = give the rows a file of their own"
-                )))
-            }
-            _ => Ok(()),
-        }
     }
 
     fn tell(&self, summary: &Summary) -> Result<(), End> {

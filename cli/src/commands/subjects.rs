@@ -12,8 +12,9 @@ use lyapunov_lab::teleoperation::Teleoperator;
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
 use super::left_out::LeftOut;
-use super::results::Results;
+use super::results::{self, Results};
 use super::{End, program, standard_output};
+use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.
 pub(super) enum Subjects {
@@ -67,7 +68,12 @@ pub(super) fn run<C: Compared>(
         )));
     }
     let entrants: Names<C::Entrant> = asked.entrants()?.unwrap_or_default();
-    let folder = asked.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+    let inputs = Inputs::of("a compared file", &asked.scenes);
+    let files_of = names(files.iter().map(|(name, _)| &name[..]));
+    let rows = files_of.iter().map(|name| format!("{name}.csv"));
+    let outputs = results::names(RESULTS, &files_of, rows);
+    let claim = |path| Folder::claim(path, &outputs, &inputs);
+    let folder = asked.out.as_deref().map(claim).transpose()?;
     let ticks: u64 = files.iter().map(|(_, file)| C::ticks(file)).sum();
     let bar = asked.progress(ticks * entrants.len() as u64);
     let watch = |ticks| {

@@ -12,8 +12,9 @@ use lyapunov_lab::scene::Scene;
 use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, figure, page, table};
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
-use super::{BAR, End, heed_interrupts, shown, standard_output};
+use super::results::{Results, command_line, names};
+use super::{BAR, End, shown, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "tune.json";
@@ -61,9 +62,13 @@ pub(crate) struct Tune {
 
 impl Tune {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(true);
         let scene = Scene::load(&self.scene).map_err(End::input)?;
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::scene(&self.scene, &scene);
+        let tuned =
+            self.stabilizers.on(&scene).iter().map(|one| format!("{one}.toml")).collect::<Vec<_>>();
+        let files = names(RESULTS, ["tune"], tuned.iter().map(String::as_str).chain(["tune.csv"]));
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let Self { objective, trials, runs, seed, .. } = *self;
         let tuning = Tuning { objective, trials, runs, seed, ..Tuning::default() };
         let name = self.scene.display().to_string();

@@ -18,8 +18,9 @@ fn long() -> Place {
     place
 }
 
+/// Asks the command to end. A shell in the background lets its commands ignore INT, and the tests may run there.
 fn interrupt(child: &Child) {
-    let sent = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status();
+    let sent = Command::new("sh").args(["-c", &format!("kill -TERM {}", child.id())]).status();
     assert!(sent.unwrap().success());
 }
 

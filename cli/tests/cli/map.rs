@@ -4,6 +4,7 @@ use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::cli::checkpoint::unfinished;
 use crate::cli::place::Place;
 use crate::cli::said::{Said, Start};
 
@@ -98,8 +99,7 @@ fn the_family_is_mapped_beside_the_stabilizers_of_scenes() {
     assert!(page.contains("--stabilizers popc-spread,none,tank,lolc"));
     assert!(page.contains("<td>tank</td>"));
     // A map of other stabilizers is not resumed.
-    std::fs::create_dir(place.path("other")).unwrap();
-    place.put("other/map.part.csv", &whole);
+    unfinished(&place, "other", &with(&[]));
     place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
 }
 
@@ -108,11 +108,12 @@ fn a_table_that_was_cut_off_is_resumed() {
     let place = place();
     place.run(axes(&["--out", "whole"])).ended(0, &[]);
     let whole = place.text("whole/map.csv");
-    let rows = whole.find("\n500").unwrap() + 1;
-    for kept in [rows, rows + 10, (rows + whole.len()) / 2, whole.len() - 1, whole.len()] {
+    let part = unfinished(&place, "part", &axes(&[]));
+    let rows = part.find("\n500").unwrap() + 1;
+    for kept in [rows, rows + 10, (rows + part.len()) / 2, part.len() - 1, part.len()] {
         let folder = format!("cut-{kept}");
         std::fs::create_dir(place.path(&folder)).unwrap();
-        place.put(format!("{folder}/map.part.csv"), &whole[..kept]);
+        place.put(format!("{folder}/map.part.csv"), &part[..kept]);
         place.refuses(axes(&["--out", &folder]), &["unfinished map", "--resume"]);
         place.run(axes(&["--out", &folder, "--resume"])).ended(0, &[]);
         assert_eq!(place.text(&format!("{folder}/map.csv")), whole);
@@ -147,7 +148,7 @@ fn an_interrupted_map_keeps_what_is_done() {
         thread::sleep(Duration::from_millis(20));
     }
     let id = child.id();
-    let sent = std::process::Command::new("sh").args(["-c", &format!("kill -INT {id}")]).status();
+    let sent = std::process::Command::new("sh").args(["-c", &format!("kill -TERM {id}")]).status();
     assert!(sent.unwrap().success());
     Said::by_child(child).ended(130, &["interrupted", "map.part.csv", "--resume"]);
     let kept = head(&place);
@@ -216,11 +217,8 @@ fn another_map_is_neither_resumed_nor_merged() {
     place.refuses(["map", "merge", "out", "--out", "merged"], &["row", "no map has there"]);
     place.put("out/map-1-of-2.csv", shard.replace("duration = 1.5", "duration = 1.6"));
     place.refuses(["map", "merge", "out", "--out", "merged"], &["not of the same map"]);
-    std::fs::create_dir(place.path("other")).unwrap();
-    place.put(
-        "other/map.part.csv",
-        shard.replace("# shard 0/2", "# shard 0/1").replace("duration = 1.5", "duration = 1.6"),
-    );
+    let part = unfinished(&place, "other", &axes(&[]));
+    place.put("other/map.part.csv", part.replace("duration = 1.5", "duration = 1.6"));
     let before = place.contents();
     place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
     assert_eq!(place.contents(), before);
@@ -234,15 +232,25 @@ fn a_table_with_other_columns_is_refused() {
     let table = place.text("out/map.csv");
     let old = table.replace("stabilizer,verdict,verdict_by,", "stabilizer,stable,");
     assert_ne!(old, table);
-    std::fs::create_dir(place.path("old")).unwrap();
-    place.put("old/map.part.csv", &old);
+    let part = unfinished(&place, "old", &axes(&[]));
+    place.put(
+        "old/map.part.csv",
+        part.replace("stabilizer,verdict,verdict_by,", "stabilizer,stable,"),
+    );
     place.put("old/map-0-of-1.csv", &old);
     let words = ["its columns are `stable,", "compute the map anew"];
     place.refuses(axes(&["--out", "old", "--resume"]), &words);
     place.refuses(["map", "merge", "old/map-0-of-1.csv", "--out", "merged"], &words);
     // A word that is none is a row that no map has.
-    place.put("old/map.part.csv", table.replacen(",grows,", ",stable,", 1));
-    place.refuses(axes(&["--out", "old", "--resume"]), &["row", "which no map has there"]);
+    place.put("old/map-0-of-1.csv", table.replacen(",grows,", ",stable,", 1));
+    place.refuses(
+        ["map", "merge", "old/map-0-of-1.csv", "--out", "merged"],
+        &["row", "which no map has there"],
+    );
+    // One without checksums, as versions before wrote it.
+    place.put("old/map.part.csv", &table);
+    place
+        .refuses(axes(&["--out", "old", "--resume"]), &["its columns are", "compute the map anew"]);
 }
 
 #[test]

@@ -4,19 +4,27 @@
 #![cfg(unix)]
 
 mod accuracy;
+mod axes;
 mod bad_output;
 mod bad_scene;
 mod bad_usage;
+mod checkpoint;
+mod disaster;
 mod effects;
+mod fault;
 mod hard;
+mod inputs;
 mod interrupt;
 mod json;
+mod large;
+mod lock;
 mod map;
 mod out;
 mod paper;
 mod place;
 mod range;
 mod said;
+mod signals;
 mod streams;
 mod summary;
 mod sweep;

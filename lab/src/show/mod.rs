@@ -8,7 +8,9 @@ pub(crate) mod html;
 pub(crate) mod labelled;
 pub(crate) mod output_error;
 mod summary;
+pub(crate) mod sync_folder;
 pub(crate) mod table;
 pub(crate) mod verdict;
 
 pub(crate) use output_error::OutputError;
+pub(crate) use sync_folder::sync_folder;

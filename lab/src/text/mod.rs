@@ -1,5 +1,6 @@
 //! The ground floor: text helpers for every other floor, independent of the subject of the text.
 
+mod checksum;
 pub(crate) mod excerpt;
 mod file_name;
 pub(crate) mod names;
@@ -7,6 +8,7 @@ pub(crate) mod numbers;
 pub(crate) mod suggest;
 pub(crate) mod words;
 
+pub(crate) use checksum::Checksum;
 pub(crate) use excerpt::{printable, shorten};
 pub(crate) use file_name::file_name;
 pub(crate) use numbers::{found, given};

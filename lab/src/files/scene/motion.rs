@@ -8,9 +8,13 @@ use std::sync::Arc;
 use super::Draft;
 use super::check::Conflict;
 use super::operator::Motion;
+use crate::text::{Checksum, printable, shorten};
 
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 26;
+
+/// The longest line in bytes: no two numbers take as many, and a file of zeros is one long line.
+const LONGEST: u64 = 1 << 12;
 
 const KEY: &str = "operator.motion.path";
 
@@ -26,33 +30,63 @@ impl Draft {
         *samples = read(path).map_err(|problem| Conflict::new(KEY, problem, EXPECTED))?;
         Ok(())
     }
+
+    /// The file that the scene names, a recorded motion, under the path at which it was read.
+    pub fn named_file(&self) -> Option<&Path> {
+        match &self.operator.motion {
+            Some(Motion::File { path, .. }) => Some(path),
+            _ => None,
+        }
+    }
+
+    /// Checksum of the rows of the recorded motion, if there is one.
+    pub(crate) fn motion_checksum(&self) -> Option<Checksum> {
+        let Some(Motion::File { samples, .. }) = &self.operator.motion else { return None };
+        let numbers = samples.iter().flat_map(|(t, rest)| [t, rest]);
+        Some(numbers.fold(Checksum::EMPTY, |sum, it| sum.and(&it.to_bits().to_le_bytes())))
+    }
 }
 
 fn read(path: &Path) -> Result<Arc<[(f64, f64)]>, String> {
-    let shown = path.display();
+    let shown: String = path.display().to_string().chars().map(printable).collect();
     let refused = |error| format!("`{shown}` cannot be read: {error}");
+    let too_large = || format!("`{shown}` is too large for a motion: more than {LIMIT} bytes");
     let file = File::open(path).map_err(refused)?;
     if file.metadata().is_ok_and(|metadata| metadata.len() > LIMIT) {
-        return Err(format!("`{shown}` is too large for a motion: more than {LIMIT} bytes"));
+        return Err(too_large());
     }
+    // A device reports no size: reading one byte beyond the limit detects it.
+    let mut lines = BufReader::new(file.take(LIMIT + 1));
     let mut samples: Vec<(f64, f64)> = Vec::new();
-    let mut has_names = false;
-    for (index, line) in BufReader::new(file.take(LIMIT)).lines().enumerate() {
-        let line = line.map_err(refused)?;
+    let (mut line, mut bytes, mut has_names) = (String::new(), 0, false);
+    for number in 1_u64.. {
+        line.clear();
+        let read = lines.by_ref().take(LONGEST).read_line(&mut line).map_err(refused)? as u64;
+        bytes += read;
+        if read == 0 {
+            break;
+        }
+        if bytes > LIMIT {
+            return Err(too_large());
+        }
+        let at = |problem: String| format!("`{shown}`, line {number}: {problem}");
+        if read == LONGEST && !line.ends_with('\n') {
+            return Err(at(format!("`{}` goes on for too long for a row", shorten(&line))));
+        }
         let line = line.trim_start_matches('\u{feff}').trim();
         if line.is_empty() {
             continue;
         }
-        let at = |problem: String| format!("`{shown}`, line {}: {problem}", index + 1);
         if !has_names {
             let names: Vec<&str> = line.split(',').map(str::trim).collect();
             if names != ["t", "rest"] {
-                return Err(at(format!("the columns are `{line}`, not `t,rest`")));
+                return Err(at(format!("the columns are `{}`, not `t,rest`", shorten(line))));
             }
             has_names = true;
             continue;
         }
-        let sample = sample(line).ok_or_else(|| at(format!("`{line}` is not two numbers")))?;
+        let sample =
+            sample(line).ok_or_else(|| at(format!("`{}` is not two numbers", shorten(line))))?;
         if samples.last().is_some_and(|last| sample.0 <= last.0) {
             return Err(at(format!("t = {} does not come after the row before", sample.0)));
         }

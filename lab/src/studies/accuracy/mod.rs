@@ -17,9 +17,9 @@ mod trace;
 
 use std::fmt;
 
-use lyapunov::ParameterError;
+use lyapunov::{ParameterError, Requirement};
 
-use crate::files::scene::Conflict;
+use crate::files::scene::{Conflict, Scene};
 
 pub use ledger::LedgerRow;
 pub use setting::{Number, Setting};
@@ -40,6 +40,20 @@ pub enum AccuracyError {
     },
     /// `watch` ended the study.
     Stopped,
+}
+
+impl AccuracyError {
+    /// The same with the key of `scene` that takes a part out of the range of a scalar.
+    fn on(self, scene: &Scene) -> Self {
+        match self {
+            Self::Parameter(error) if error.requirement == Requirement::InRange => {
+                // Whatever part finds it, the numbers that make the motion within a period are the cause.
+                let motion = ParameterError { parameter: "mass", ..error };
+                Self::Scene(scene.out_of_range(&motion, "a scalar of this study"))
+            }
+            other => other,
+        }
+    }
 }
 
 impl fmt::Display for AccuracyError {

@@ -81,7 +81,10 @@ impl Study {
         if scene.dimensions() > 1 {
             return Err(AccuracyError::Space { scene: name.to_owned() });
         }
-        let progress = Progress::new(watch);
+        Self::of(name, scene, Progress::new(watch)).map_err(|error| error.on(scene))
+    }
+
+    fn of(name: &str, scene: &Scene, progress: Progress<'_>) -> Result<Self, AccuracyError> {
         let ticks = (scene.ticks() + 1).min(MOST_TICKS) as usize;
         let references = References::of(scene, ticks, progress.part(0.0, 0.15))?;
         let growth = Growth::of(scene, &references, progress.part(0.15, 0.25))?;

@@ -9,6 +9,9 @@ use crate::files::scene::unit;
 /// The most values along an axis.
 const MOST: u64 = 1_000_000;
 
+/// The most values that stand for a long axis.
+const SAMPLES: u64 = 97;
+
 const FORM: &str =
     "KEY=FROM..TO:N or KEY=FROM..TO:N:log, for example environment.wall.stiffness=100..50000:256";
 
@@ -39,6 +42,21 @@ impl Axis {
             Spacing::Linear => self.from + (self.to - self.from) * index / steps,
             Spacing::Logarithmic => self.from * libm::pow(self.to / self.from, index / steps),
         }
+    }
+
+    /// The indices of values, the first and the last among them, that stand for a long axis.
+    pub(super) fn samples(&self) -> Vec<u64> {
+        let last = self.count.saturating_sub(1);
+        let steps = last.min(SAMPLES - 1);
+        (0..=steps).map(|number| number * last / steps.max(1)).collect()
+    }
+
+    /// The number of the sample that value `index` is, if it is one.
+    pub(super) fn sample_at(&self, index: u64) -> Option<usize> {
+        let last = self.count.saturating_sub(1);
+        let steps = last.min(SAMPLES - 1);
+        let number = (index * steps).div_ceil(last.max(1));
+        (number * last / steps.max(1) == index).then_some(number as usize)
     }
 
     /// Unit of the width: that of the number, or decades; empty where it has none.
@@ -81,6 +99,10 @@ impl FromStr for Axis {
         let Some((key, range)) = text.split_once('=') else {
             return no("an axis is a key, `=` and a range".to_owned());
         };
+        let key = key.trim();
+        if key.split('.').any(str::is_empty) {
+            return no(format!("`{key}` has an empty part: one dot stands between two names"));
+        }
         let mut parts = range.split(':');
         let (ends, count, word) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
         let Some((from, to)) = ends.split_once("..") else {
@@ -118,7 +140,7 @@ impl FromStr for Axis {
         if !(to - from).is_finite() {
             return no(format!("the range {from}..{to} is wider than numbers can tell"));
         }
-        Ok(Self { key: key.trim().to_owned(), from, to, count, spacing })
+        Ok(Self { key: key.to_owned(), from, to, count, spacing })
     }
 }
 
@@ -126,5 +148,27 @@ impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let word = if self.spacing == Spacing::Logarithmic { ":log" } else { "" };
         write!(f, "{}={:?}..{:?}:{}{word}", self.key, self.from, self.to, self.count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_are_found_by_their_values() {
+        for count in [1, 2, 3, 96, 97, 98, 99, 100, 193, 500, 999_983, MOST] {
+            let range = if count == 1 { "1..1" } else { "1..2" };
+            let axis: Axis = format!("device.mass={range}:{count}").parse().unwrap();
+            let samples = axis.samples();
+            assert_eq!((samples[0], samples[samples.len() - 1]), (0, count - 1));
+            assert_eq!(samples.len() as u64, count.min(SAMPLES));
+            let mut number = 0;
+            for index in 0..count {
+                let is_next = samples.get(number) == Some(&index);
+                assert_eq!(axis.sample_at(index), is_next.then_some(number), "{index} of {count}");
+                number += usize::from(is_next);
+            }
+        }
     }
 }

@@ -11,16 +11,13 @@ use crate::files::Scene;
 use crate::measure::Limits;
 use crate::text::found;
 
-/// The most values of the other axis at which the formulas are evaluated.
-const SAMPLES: u64 = 97;
-
 /// Bounds on the stiffness of the environment, where that is an axis, for values of the other axis.
 #[derive(Clone, Debug)]
 pub struct Bounds {
     /// Whether the stiffness is the y axis.
     upwards: bool,
-    /// The index of each value of the other axis, the value, and the bounds there.
-    samples: Vec<(u64, f64, Limits)>,
+    /// The number of each sample of the other axis, its value, and the bounds there.
+    samples: Vec<(usize, f64, Limits)>,
 }
 
 /// Ratio of the stiffness up to which the runs under a stabilizer stay bounded to the exact limit of the linear loop without
@@ -59,14 +56,12 @@ impl Bounds {
             _ => return None,
         };
         let (which, other) = if upwards { (0, &grid.x) } else { (1, &grid.y) };
-        let count = other.count.min(SAMPLES);
-        let sample = |number: u64| {
-            let index = number * (other.count - 1) / (count - 1).max(1);
+        let sample = |(number, index): (usize, u64)| {
             let value = other.value(index);
             let scene: Scene = grid.with(which, value).ok()?;
-            Some((index, value, Limits::of(&scene)))
+            Some((number, value, Limits::of(&scene)))
         };
-        let samples = (0..count).into_par_iter().filter_map(sample).collect();
+        let samples = other.samples().into_par_iter().enumerate().filter_map(sample).collect();
         Some(Self { upwards, samples })
     }
 
@@ -108,8 +103,8 @@ impl Bounds {
         } else {
             (&grid.x, survey.along_x(index))
         };
-        let ratio = |(other, _, limits): &(u64, f64, Limits)| {
-            let (Reach { end, is_broken }, exact) = (reaches[*other as usize], limits.exact?);
+        let ratio = |(number, _, limits): &(usize, f64, Limits)| {
+            let (Reach { end, is_broken }, exact) = (reaches[*number], limits.exact?);
             let is_least = !is_broken;
             let reached = if end == 0 { 0.0 } else { axis.value(end - 1) };
             let unknown = end == 0 && (is_least || exact <= axis.from);

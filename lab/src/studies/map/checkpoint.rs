@@ -1,8 +1,8 @@
 //! The table of an unfinished map.
 
 use std::fmt;
-use std::fs::{self, File};
-use std::io::{self, BufReader, Seek, SeekFrom, Write};
+use std::fs::{File, TryLockError};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -11,15 +11,17 @@ use super::outcome::Outcome;
 use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Rows, TableError, TableHeader};
-use crate::show::OutputError;
 use crate::show::csv::Records;
+use crate::show::{OutputError, sync_folder};
 
-/// A table that grows by whole cells under a temporary name, and takes its final name when it is finished.
+/// A table that grows by whole cells, each row with its checksum, until the finished one is written from it.
+///
+/// The file is locked while it is open: another process that wants to go on with it is refused.
 #[derive(Debug)]
 pub struct Checkpoint {
     part: PathBuf,
-    path: PathBuf,
     file: File,
+    head: TableHeader,
     next: u64,
 }
 
@@ -28,6 +30,8 @@ pub struct Checkpoint {
 pub enum CheckpointError {
     /// There is an unfinished table already.
     Unfinished(PathBuf),
+    /// Another process works on the table.
+    InUse(PathBuf),
     /// The file there is the table of another map.
     Another(PathBuf),
     /// The file there is no table, or one with a wrong row.
@@ -50,15 +54,23 @@ impl fmt::Display for CheckpointError {
                 "{} is an unfinished map\n  = go on with --resume, or remove it, or choose another folder",
                 path.display()
             ),
+            Self::InUse(path) => write!(
+                f,
+                "{} is in use: another process computes this map\n  = wait for its end, or choose another folder",
+                path.display()
+            ),
             Self::Another(path) => write!(
                 f,
-                "{} is of another map: its scene, axes, stabilizers or shard differ\n  = \
-                 resume with the scene and the arguments that it was begun with, or choose another folder",
+                "{} is of another map: its scene, recorded motion, axes, stabilizers or shard differ\n  = \
+                 resume with the files and the arguments that it was begun with, or choose another folder",
                 path.display()
             ),
             Self::Table(path, error) => {
                 let remedy = match error {
                     TableError::Columns(_) => "compute the map anew, in another folder",
+                    TableError::Damaged { .. } => {
+                        "remove it to compute the map anew, or its rows from that one on to keep those before"
+                    }
                     _ => "give a table that lyapunov map wrote, as it wrote it",
                 };
                 write!(f, "{}: {error}\n  = {remedy}", path.display())
@@ -71,7 +83,7 @@ impl fmt::Display for CheckpointError {
 impl std::error::Error for CheckpointError {}
 
 /// File name of a shard's table.
-pub(super) fn name(shard: Shard) -> String {
+pub fn table_name(shard: Shard) -> String {
     if shard == Shard::WHOLE {
         "map.csv".to_owned()
     } else {
@@ -79,12 +91,18 @@ pub(super) fn name(shard: Shard) -> String {
     }
 }
 
+/// File name of a shard's table while it is unfinished.
+fn part_name(shard: Shard) -> String {
+    table_name(shard).replace(".csv", ".part.csv")
+}
+
 impl Checkpoint {
     /// Begins the table of `shard` of `grid` in `folder`, or resumes the one that is there if `resume` is set, and adds
     /// the cells that it has to `survey`.
     ///
     /// # Errors
-    /// An unfinished table without `resume`, the table of another map, and a place that cannot be written to.
+    /// An unfinished table without `resume`, one that another process works on, the table of another map, a row that was
+    /// changed, and a place that cannot be written to.
     pub fn open(
         folder: &Path,
         grid: &Grid,
@@ -92,25 +110,38 @@ impl Checkpoint {
         resume: bool,
         survey: &mut Survey,
     ) -> Result<Self, CheckpointError> {
-        let path = folder.join(name(shard));
-        let part = path.with_extension("part.csv");
+        let part = folder.join(part_name(shard));
         let cells = shard.cells(grid.cells());
         let head = TableHeader::of(grid, shard);
         let refuse = |error| OutputError::new(&part, error);
-        if part.exists() {
-            if !resume {
-                return Err(CheckpointError::Unfinished(part));
-            }
-            let (next, bytes) = read(&part, grid, &head, &cells, survey)?;
-            let mut file = File::options().write(true).open(&part).map_err(refuse)?;
-            // A cell that was cut off is written anew.
-            file.set_len(bytes).map_err(refuse)?;
-            file.seek(SeekFrom::End(0)).map_err(refuse)?;
-            return Ok(Self { part, path, file, next });
+        let is_there = part.exists();
+        if is_there && !resume {
+            return Err(CheckpointError::Unfinished(part));
         }
-        let mut file = File::options().write(true).create_new(true).open(&part).map_err(refuse)?;
-        file.write_all(head.text().as_bytes()).map_err(refuse)?;
-        Ok(Self { part, path, file, next: cells.start })
+        if is_there && !part.is_file() {
+            return Err(refuse(io::Error::other("it is no file")).into());
+        }
+        let mut options = File::options();
+        let options = options.read(true).write(true).create_new(!is_there);
+        let mut file = options.open(&part).map_err(refuse)?;
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(CheckpointError::InUse(part));
+        }
+        let begun = if is_there { read(&part, &file, grid, &head, &cells, survey)? } else { None };
+        let text = head.unfinished_text();
+        let (next, bytes) = begun.unwrap_or((cells.start, 0));
+        // What was cut off is written anew.
+        let begin = |file: &mut File| {
+            file.set_len(bytes)?;
+            file.seek(SeekFrom::End(0))?;
+            if begun.is_none() {
+                file.write_all(text.as_bytes())?;
+            }
+            file.sync_all()?;
+            sync_folder(folder)
+        };
+        begin(&mut file).map_err(refuse)?;
+        Ok(Self { part, file, head, next })
     }
 
     /// The next cell to come.
@@ -123,7 +154,7 @@ impl Checkpoint {
         &self.part
     }
 
-    /// Writes the next cells.
+    /// Writes the next cells, and returns when they are on the disk.
     ///
     /// # Errors
     /// An error of the file system; rows written before stay.
@@ -133,45 +164,100 @@ impl Checkpoint {
         for (cell, outcomes) in (self.next..).zip(outcomes) {
             table::write(&mut rows, grid, cell, outcomes).map_err(refuse)?;
         }
-        self.file.write_all(&rows.into_inner().map_err(refuse)?).map_err(refuse)?;
+        let (rows, seal) = (rows.into_inner().map_err(refuse)?, self.head.seal());
+        let mut sealed = Vec::with_capacity(rows.len() + rows.len() / 4);
+        for row in rows.split(|byte| *byte == b'\n').filter(|row| !row.is_empty()) {
+            sealed.extend_from_slice(row);
+            sealed.extend_from_slice(format!(",{}\n", seal.and(row)).as_bytes());
+        }
+        self.file.write_all(&sealed).and_then(|()| self.file.sync_data()).map_err(refuse)?;
         self.next += outcomes.len() as u64;
         Ok(())
     }
 
-    /// Gives the table its final name.
+    /// Writes the finished table, which has no checksums, to `out`, which is at `place`.
     ///
     /// # Errors
-    /// An error of the file system; the table then stays unfinished.
-    pub fn finish(self) -> Result<PathBuf, OutputError> {
-        let refuse = |error| OutputError::new(&self.path, error);
-        self.file.sync_all().map_err(refuse)?;
-        fs::rename(&self.part, &self.path).map_err(refuse)?;
-        Ok(self.path)
+    /// A row that has changed since it was written, and errors of the file system.
+    pub fn write_table(
+        &mut self,
+        out: &mut impl Write,
+        place: &Path,
+    ) -> Result<(), CheckpointError> {
+        let wrong = |error: TableError| CheckpointError::Table(self.part.clone(), error);
+        let unreadable = |error: io::Error| wrong(TableError::Unreadable(error));
+        let refuse = |error| OutputError::new(place, error);
+        (&self.file).seek(SeekFrom::Start(0)).map_err(unreadable)?;
+        let mut lines = BufReader::new(&self.file);
+        TableHeader::read_unfinished(&mut lines).map_err(wrong)?;
+        out.write_all(self.head.text().as_bytes()).map_err(refuse)?;
+        let (mut line, seal) = (Vec::new(), self.head.seal());
+        for row in 1.. {
+            let Some(line) = table::next_line(&mut lines, &mut line).map_err(unreadable)? else {
+                break;
+            };
+            let line =
+                table::unsealed(line, seal).ok_or(TableError::Damaged { row }).map_err(wrong)?;
+            out.write_all(line).and_then(|()| out.write_all(b"\n")).map_err(refuse)?;
+        }
+        Ok(())
+    }
+
+    /// Removes the unfinished table, once the finished one has its name.
+    ///
+    /// # Errors
+    /// An error of the file system; the unfinished table then stays beside the finished one.
+    pub fn remove(self) -> Result<(), OutputError> {
+        std::fs::remove_file(&self.part).map_err(|error| OutputError::new(&self.part, error))
     }
 }
 
-/// Adds the cells of the table at `path` to `survey`. Returns the cell after the last whole one, and the bytes up
-/// to it.
-pub(super) fn read(
+/// Adds the cells of the unfinished table at `path` to `survey`. Returns the cell after the last whole one, and the bytes
+/// up to it; none if the table ends before its head does.
+///
+/// Rows at the end that do not have their checksums were being written when the machine stopped, and are left out. One that
+/// others follow was changed, which is an error.
+fn read(
     path: &Path,
+    file: &File,
     grid: &Grid,
     head: &TableHeader,
     cells: &Range<u64>,
     survey: &mut Survey,
-) -> Result<(u64, u64), CheckpointError> {
+) -> Result<Option<(u64, u64)>, CheckpointError> {
     let wrong = |error: TableError| CheckpointError::Table(path.to_owned(), error);
     let unreadable = |error: io::Error| wrong(TableError::Unreadable(error));
-    let mut lines = BufReader::new(File::open(path).map_err(unreadable)?);
-    let found = TableHeader::read(&mut lines).map_err(wrong)?;
-    if found != *head {
+    let mut lines = BufReader::new(file);
+    let expected = head.unfinished_text();
+    if is_beginning(&mut lines, &expected).map_err(unreadable)? {
+        return Ok(None);
+    }
+    lines.seek(SeekFrom::Start(0)).map_err(unreadable)?;
+    if TableHeader::read_unfinished(&mut lines).map_err(wrong)? != *head {
         return Err(CheckpointError::Another(path.to_owned()));
     }
-    let mut rows = Rows::new(lines, grid.clone(), cells.start);
+    let mut rows = Rows::unfinished(lines, grid.clone(), cells.start, head);
     let mut next = cells.start;
     while next < cells.end {
-        let Some((cell, outcomes)) = rows.next_cell().map_err(wrong)? else { break };
-        survey.add(cell, &outcomes);
-        next = cell + 1;
+        match rows.next_cell() {
+            Ok(None) => break,
+            Ok(Some((cell, outcomes))) => {
+                survey.add(cell, &outcomes);
+                next = cell + 1;
+            }
+            Err(error @ TableError::Damaged { .. }) => match rows.goes_on().map_err(wrong)? {
+                true => return Err(wrong(error)),
+                false => break,
+            },
+            Err(error) => return Err(wrong(error)),
+        }
     }
-    Ok((next, head.text().len() as u64 + rows.bytes()))
+    Ok(Some((next, expected.len() as u64 + rows.bytes())))
+}
+
+/// Whether all of `lines` is a beginning of `expected`, and shorter.
+fn is_beginning(lines: &mut impl BufRead, expected: &str) -> io::Result<bool> {
+    let mut found = Vec::new();
+    lines.take(expected.len() as u64).read_to_end(&mut found)?;
+    Ok(found.len() < expected.len() && expected.as_bytes().starts_with(&found))
 }

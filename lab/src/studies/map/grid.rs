@@ -1,7 +1,9 @@
 //! The grid of a map: a scene, two of its numbers, and stabilizers.
 
 use std::fmt;
+use std::ops::Range;
 
+use rayon::prelude::*;
 use toml::Value;
 
 use super::axis::Axis;
@@ -25,6 +27,19 @@ pub struct Grid {
     /// The stabilizers that run in each cell.
     pub stabilizers: StabilizerNames,
     variation: Variation,
+    /// The values of x and y that [`Grid::along`] gives.
+    window: [Range<u64>; 2],
+}
+
+/// The most values of an axis whose scenes are in memory at once.
+const WIDEST: u64 = 1 << 14;
+
+/// Consecutive cells whose scenes are few enough to be in memory at once.
+#[derive(Clone, Debug)]
+pub(super) struct Tile {
+    /// The cells.
+    pub(super) cells: Range<u64>,
+    window: [Range<u64>; 2],
 }
 
 /// Reason why there is no such map.
@@ -99,7 +114,40 @@ impl Grid {
         let numbers = [&x, &y].map(|axis| Varied::of(axis, &tree, &scene, &members));
         let numbers = numbers.into_iter().collect::<Result<_, _>>()?;
         let variation = Variation::new(scene.clone(), tree, numbers);
-        Ok(Self { scene, x, y, stabilizers: members, variation })
+        let window = [0..x.count, 0..y.count];
+        Ok(Self { scene, x, y, stabilizers: members, variation, window })
+    }
+
+    /// The tile that `cell` is in: some rows, or a part of one where a row is long.
+    pub(super) fn tile(&self, cell: u64) -> Tile {
+        let (column, row) = (cell % self.x.count, cell / self.x.count);
+        let around =
+            |at: u64, count: u64| at / WIDEST * WIDEST..count.min((at / WIDEST + 1) * WIDEST);
+        let window = match self.x.count <= WIDEST {
+            true => [0..self.x.count, around(row, self.y.count)],
+            false => [around(column, self.x.count), row..row + 1],
+        };
+        let last = (window[1].end - 1) * self.x.count + window[0].end;
+        Tile { cells: window[1].start * self.x.count + window[0].start..last, window }
+    }
+
+    /// The same with the scenes of `tile` only along its axes; its cells count from 0.
+    pub(super) fn within(&self, tile: &Tile) -> Self {
+        Self { window: tile.window.clone(), ..self.clone() }
+    }
+
+    /// Checks every value of both axes: a wrong one would only be found after the cells before it.
+    ///
+    /// # Errors
+    /// The first value that the scene does not allow.
+    pub(super) fn check(&self) -> Result<(), VaryError> {
+        for (which, axis) in [&self.x, &self.y].into_iter().enumerate() {
+            let wrong = |index| self.with(which, axis.value(index)).err();
+            if let Some(error) = (0..axis.count).into_par_iter().find_map_first(wrong) {
+                return Err(error);
+            }
+        }
+        Ok(())
     }
 
     /// The number of cells.
@@ -112,13 +160,13 @@ impl Grid {
         [self.x.value(cell % self.x.count), self.y.value(cell / self.x.count)]
     }
 
-    /// The scene for each value of an axis, with the other number unchanged.
+    /// The scene for each value of an axis, or of a tile along it, with the other number unchanged.
     ///
     /// # Errors
     /// A value that the scene does not allow.
     pub(super) fn along(&self, which: usize) -> Result<Vec<Scene>, VaryError> {
         let axis = [&self.x, &self.y][which];
-        (0..axis.count).map(|index| self.with(which, axis.value(index))).collect()
+        self.window[which].clone().map(|index| self.with(which, axis.value(index))).collect()
     }
 
     /// The scene with `value` for one of its two numbers, and the other unchanged; a number of a stabilizer's table is

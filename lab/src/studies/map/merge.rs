@@ -111,9 +111,9 @@ fn append(
     let (lines, _) = open(path)?;
     let cells = shard.cells(grid.cells());
     let mut rows = Rows::new(lines, grid.clone(), cells.start);
+    let wrong = |error| CheckpointError::Table(path.to_owned(), error);
     for cell in cells.clone() {
-        let row =
-            rows.next_cell().map_err(|error| CheckpointError::Table(path.to_owned(), error))?;
+        let row = rows.next_cell().map_err(wrong)?;
         let Some((_, outcomes)) = row else {
             let (done, all) = (cell - cells.start, cells.end - cells.start);
             return Err(MergeError::Unfinished(path.to_owned(), done, all));
@@ -121,7 +121,7 @@ fn append(
         survey.add(cell, &outcomes);
         table::write(out, grid, cell, &outcomes).map_err(|error| OutputError::new(place, error))?;
     }
-    Ok(())
+    Ok(rows.end().map_err(wrong)?)
 }
 
 fn open(path: &Path) -> Result<(BufReader<File>, TableHeader), CheckpointError> {

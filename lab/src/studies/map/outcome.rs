@@ -108,6 +108,14 @@ impl Measures {
         .in_range()
     }
 
+    /// Whether a run with this verdict may have these measures.
+    pub(super) fn are_possible(&self, verdict: Verdict) -> bool {
+        let magnitudes = [self.peak_force, self.settling_time, self.active, self.chatter];
+        let is_whole = magnitudes.into_iter().flatten().all(|it| it >= 0.0);
+        let is_share = self.active.is_none_or(|percent| percent <= 100.0);
+        is_whole && is_share && (verdict != Verdict::Grows || *self == Self::default())
+    }
+
     /// The measures without numbers that are out of range.
     pub(super) fn in_range(self) -> Self {
         let told =

@@ -28,6 +28,16 @@ pub struct NamedFigure {
     pub figure: Figure,
 }
 
+/// The names of all figures of a map.
+pub fn figure_names() -> impl Iterator<Item = &'static str> {
+    [VERDICT].into_iter().chain(Measure::ALL.iter().map(figure_name))
+}
+
+/// The name of the figure of `measure`: its key without the unit.
+fn figure_name(measure: &Measure) -> &'static str {
+    measure.key.rsplit_once('_').map_or(measure.key, |(name, _unit)| name)
+}
+
 /// One figure for the verdicts and one for each measure, a panel for each stabilizer.
 pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
     let curves = bounds.map_or_else(Vec::new, Bounds::curves);
@@ -36,19 +46,20 @@ pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
     let verdicts = figure(survey, "verdicts on the runs", &curves, |index| {
         HeatMap::of_classes(survey.size().0, survey.verdicts(index), judged)
     });
-    let mut drawn = vec![NamedFigure { name: "verdict", words: VERDICTS, figure: verdicts }];
+    let mut drawn = vec![NamedFigure { name: VERDICT, words: VERDICTS, figure: verdicts }];
     for (number, measure) in Measure::ALL.iter().enumerate() {
         let range = range(survey, number);
         let of = |index| {
             let heat = HeatMap::new(survey.size().0, survey.mean(index, number));
             range.map_or(heat.clone(), |(low, high)| heat.with_range(low, high))
         };
-        let name = measure.key.rsplit_once('_').map_or(measure.key, |(name, _unit)| name);
         let figure = figure(survey, measure.words, &curves, of);
-        drawn.push(NamedFigure { name, words: measure.words, figure });
+        drawn.push(NamedFigure { name: figure_name(measure), words: measure.words, figure });
     }
     drawn
 }
+
+const VERDICT: &str = "verdict";
 
 const VERDICTS: &str = "The verdict on each run, empty where it is too short to judge";
 

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
-use super::grid::{Grid, GridError};
+use super::grid::{Grid, GridError, Tile};
 use super::kernel::{Instructions, Kernel, Lanes};
 use super::outcome::{Measures, Outcome};
 use super::single;
@@ -84,6 +84,26 @@ impl From<OutputError> for RunError {
     }
 }
 
+/// The kernel of a tile, whose cells count from 0, and the tile's first cell.
+#[derive(Clone, Copy)]
+struct Placed<'a> {
+    kernel: &'a Kernel,
+    first: u64,
+}
+
+impl Placed<'_> {
+    /// `cells` of the map as cells of the tile.
+    fn cells(&self, cells: &[u64]) -> Vec<u64> {
+        cells.iter().map(|cell| cell - self.first).collect()
+    }
+}
+
+/// The method for the cells of `tile`: lanes where the kernel has all parts of the scene.
+fn method_on(grid: &Grid, tile: &Tile) -> Result<Method, RunError> {
+    let kernel = Kernel::of(&grid.within(tile), Instructions::all()[0], Lanes::Many)?;
+    Ok(kernel.map_or(Method::Single, |kernel| Method::Lanes(Box::new(kernel))))
+}
+
 /// Receiver of a band: its first cell, and the outcome of each of its cells under each stabilizer.
 pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
 
@@ -101,11 +121,8 @@ impl<'a> Run<'a> {
     /// # Errors
     /// A value of an axis that the scene does not allow; threads that cannot be started.
     pub fn of(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
-        let best = Instructions::all()[0];
-        match Kernel::of(grid, best, Lanes::Many)? {
-            Some(kernel) => Self::by(grid, Method::Lanes(Box::new(kernel)), threads),
-            None => Self::one_by_one(grid, threads),
-        }
+        grid.check().map_err(GridError::from)?;
+        Self::by(grid, method_on(grid, &grid.tile(0))?, threads)
     }
 
     /// The same with each cell run by itself, whatever parts the scene has.
@@ -113,8 +130,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// The errors of [`Run::of`].
     pub fn one_by_one(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
-        // Without this a wrong value would only be found after the cells before it.
-        grid.along(0).and(grid.along(1)).map_err(GridError::from)?;
+        grid.check().map_err(GridError::from)?;
         Self::by(grid, Method::Single, threads)
     }
 
@@ -155,12 +171,24 @@ impl<'a> Run<'a> {
         let mut effort = Workload::default();
         let mut size = self.first_band();
         let mut first = cells.start;
+        // The method as it was begun is that of the first tile.
+        let (mut tile, mut own) = (self.grid.tile(0), None);
         while first < cells.end {
             let began = Instant::now();
-            let last = cells.end.min(first + size as u64);
+            if !tile.cells.contains(&first) {
+                tile = self.grid.tile(first);
+                own = match self.method {
+                    Method::Lanes(_) => Some(method_on(self.grid, &tile)?),
+                    Method::Single => None,
+                };
+            }
+            let last = cells.end.min(tile.cells.end).min(first + size as u64);
             let band: Vec<u64> = (first..last).collect();
-            let outcomes = match &self.method {
-                Method::Lanes(kernel) => self.by_lanes(kernel, &band, go_on, &mut effort)?,
+            let outcomes = match own.as_ref().unwrap_or(&self.method) {
+                Method::Lanes(kernel) => {
+                    let kernel = Placed { kernel, first: tile.cells.start };
+                    self.by_lanes(kernel, &band, go_on, &mut effort)?
+                }
                 Method::Single => self.by_itself(&band, go_on, &mut effort)?,
             };
             let done = &band[..outcomes.len()];
@@ -207,7 +235,7 @@ impl<'a> Run<'a> {
 
     fn by_lanes(
         &self,
-        kernel: &Kernel,
+        kernel: Placed<'_>,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
         effort: &mut Workload,
@@ -229,20 +257,24 @@ impl<'a> Run<'a> {
 
     fn on_lanes(
         &self,
-        kernel: &Kernel,
+        kernel: Placed<'_>,
         basic_name: BasicName,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
         effort: &mut Workload,
     ) -> Result<Vec<Outcome>, RunError> {
         let began = Instant::now();
-        let verdicts = self.shared(band, |cells| kernel.verdicts(basic_name, cells, go_on))?;
+        let verdicts = self.shared(band, |cells| {
+            kernel.kernel.verdicts(basic_name, &kernel.cells(cells), go_on)
+        })?;
         effort.kernel_seconds += began.elapsed().as_secs_f64();
         let began = Instant::now();
         let measured: Vec<usize> =
             (0..band.len()).filter(|at| verdicts[*at].0 != Verdict::Grows).collect();
         let cells: Vec<u64> = measured.iter().map(|at| band[*at]).collect();
-        let measures = self.shared(&cells, |cells| kernel.measures(basic_name, cells, go_on))?;
+        let measures = self.shared(&cells, |cells| {
+            kernel.kernel.measures(basic_name, &kernel.cells(cells), go_on)
+        })?;
         let unmeasured =
             |(verdict, verdict_by)| Outcome { verdict, verdict_by, measures: Measures::default() };
         let mut outcomes: Vec<Outcome> = verdicts.into_iter().map(unmeasured).collect();

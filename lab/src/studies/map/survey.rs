@@ -32,7 +32,7 @@ struct Layer {
     tally: Tally,
     /// Cells of each verdict.
     cells: [u64; Verdict::ALL.len()],
-    /// Reach of each row, and of each column.
+    /// Reach of each row, and of each column, that the bounds are compared with.
     along_x: Vec<Reach>,
     along_y: Vec<Reach>,
     /// Cells of each verdict in each picture element.
@@ -79,8 +79,8 @@ impl Survey {
         let layer = Layer {
             tally: Tally::default(),
             cells: Default::default(),
-            along_x: vec![Reach::default(); grid.y.count as usize],
-            along_y: vec![Reach::default(); grid.x.count as usize],
+            along_x: vec![Reach::default(); grid.y.samples().len()],
+            along_y: vec![Reach::default(); grid.x.samples().len()],
             elements: vec![Counts::default(); columns * rows],
             sums: vec![vec![(0.0, 0); columns * rows]; Measure::ALL.len()],
         };
@@ -94,8 +94,9 @@ impl Survey {
     pub fn add(&mut self, cell: u64, outcomes: &[Outcome]) {
         let (x, y) = (cell % self.grid.x.count, cell / self.grid.x.count);
         let at = |index: u64, count: u64, finest: usize| (index * finest as u64 / count) as usize;
-        let column = at(x, self.grid.x.count, self.columns);
-        let element = at(y, self.grid.y.count, self.rows) * self.columns + column;
+        let element = at(y, self.grid.y.count, self.rows) * self.columns
+            + at(x, self.grid.x.count, self.columns);
+        let (column, row) = (self.grid.x.sample_at(x), self.grid.y.sample_at(y));
         let is_by_speed = outcomes.iter().any(|outcome| outcome.verdict_by == Yardstick::Speed);
         self.by_speed += u64::from(is_by_speed);
         let alone = self.alone.map(|index| outcomes[index].verdict);
@@ -104,8 +105,12 @@ impl Survey {
             let verdict = outcome.verdict;
             layer.tally.add(outcome, alone);
             layer.cells[verdict as usize] += 1;
-            layer.along_x[y as usize].pass(x, verdict);
-            layer.along_y[x as usize].pass(y, verdict);
+            if let Some(row) = row {
+                layer.along_x[row].pass(x, verdict);
+            }
+            if let Some(column) = column {
+                layer.along_y[column].pass(y, verdict);
+            }
             layer.elements[element][verdict as usize] += 1;
             for (measure, sums) in Measure::ALL.iter().zip(&mut layer.sums) {
                 if let Some(value) = measure.of(&outcome.measures) {
@@ -185,12 +190,12 @@ impl Survey {
         units.join(" x ")
     }
 
-    /// Reach along x of stabilizer `index` for each value of y.
+    /// Reach along x of stabilizer `index` for each value of y, of a long axis for some that stand for it.
     pub fn along_x(&self, index: usize) -> &[Reach] {
         &self.layers[index].along_x
     }
 
-    /// Reach along y of stabilizer `index` for each value of x.
+    /// Reach along y of stabilizer `index` for each value of x, of a long axis for some that stand for it.
     pub fn along_y(&self, index: usize) -> &[Reach] {
         &self.layers[index].along_y
     }

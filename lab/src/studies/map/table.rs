@@ -1,10 +1,11 @@
 //! The table of a map: CSV with the scene in its head and a row for each cell and stabilizer, in the order of the
 //! cells.
 //!
-//! It is the map's only file of numbers: cells in it need not be computed again.
+//! It is the map's only file of numbers: cells in it need not be computed again. While it is unfinished its rows have one
+//! column more, their checksum.
 
 use std::fmt;
-use std::io::{self, BufRead, Write};
+use std::io::{self, BufRead, Read, Write};
 
 use super::axis::Axis;
 use super::grid::Grid;
@@ -14,12 +15,22 @@ use crate::files::Scene;
 use crate::measure::{Verdict, Yardstick};
 use crate::show::csv::{self, Field, Records};
 use crate::simulate::family::StabilizerNames;
+use crate::text::{Checksum, shorten};
 
 /// The columns after those of the axes.
 fn columns<'a>() -> impl Iterator<Item = &'a str> {
     let names = ["stabilizer", "verdict", "verdict_by"];
     names.into_iter().chain(Measure::ALL.map(|measure| measure.key))
 }
+
+/// The last column of an unfinished table.
+const CHECKSUM: &str = "checksum";
+
+/// The longest line in bytes: a damaged table may be one long line.
+const LONGEST: usize = 1 << 16;
+
+/// The line of the head with the checksum of the recorded motion that the scene names.
+const MOTION: &str = "# motion ";
 
 const TITLE: &str = concat!("# lyapunov map ", env!("CARGO_PKG_VERSION"));
 
@@ -38,6 +49,9 @@ impl TableHeader {
         // Every scene that was read can be written.
         let scene = toml::to_string(&grid.scene).unwrap_or_default();
         scene.lines().for_each(|line| text += &format!("#| {line}\n"));
+        if let Some(rows) = grid.scene.motion_checksum() {
+            text += &format!("{MOTION}{rows}\n");
+        }
         let axes = [&grid.x.key[..], &grid.y.key];
         text += &csv::text(axes.into_iter().chain(columns()), None::<[Field<'_>; 0]>);
         Self { text }
@@ -48,25 +62,40 @@ impl TableHeader {
     /// # Errors
     /// A reader that fails, and text that is not the head of a map with the columns of this version.
     pub fn read(lines: &mut impl BufRead) -> Result<Self, TableError> {
+        Self::read_with(lines, "")
+    }
+
+    /// The head at the beginning of the unfinished table in `lines`.
+    ///
+    /// # Errors
+    /// Those of [`TableHeader::read`].
+    pub(super) fn read_unfinished(lines: &mut impl BufRead) -> Result<Self, TableError> {
+        Self::read_with(lines, &format!(",{CHECKSUM}"))
+    }
+
+    fn read_with(lines: &mut impl BufRead, more: &str) -> Result<Self, TableError> {
+        let wrong = |problem: &str| Err(TableError::TableHeader(problem.to_owned()));
         let mut text = String::new();
         loop {
             let before = text.len();
-            lines.read_line(&mut text)?;
+            lines.by_ref().take(LONGEST as u64).read_line(&mut text)?;
             let line = &text[before..];
             if before == 0 && line.trim_end() != TITLE {
-                return Err(TableError::TableHeader(
-                    "it does not begin like one of this version".into(),
-                ));
+                return wrong("it does not begin like one of this version");
             }
             if !line.ends_with('\n') {
-                return Err(TableError::TableHeader("its head is cut off".into()));
+                return wrong("its head is cut off");
             }
             if !line.starts_with('#') {
                 let expected: Vec<&str> = columns().collect();
-                let is_known = line.trim_end().ends_with(&format!(",{}", expected.join(",")));
+                let is_known = line.trim_end().ends_with(&format!(",{}{more}", expected.join(",")));
                 let (_, found) = line.trim_end().split_once(",stabilizer,").unwrap_or(("", line));
-                let found = found.trim_end().to_owned();
-                return if is_known { Ok(Self { text }) } else { Err(TableError::Columns(found)) };
+                if !is_known {
+                    return Err(TableError::Columns(found.trim_end().to_owned()));
+                }
+                text.truncate(text.trim_end().len() - more.len());
+                text.push('\n');
+                return Ok(Self { text });
             }
         }
     }
@@ -94,8 +123,13 @@ impl TableHeader {
             .collect();
         let scene = Scene::parse(&scene, "the scene of the table")
             .map_err(|error| TableError::TableHeader(error.to_string()))?;
+        let motion = |text: &str| text.lines().find(|it| it.starts_with(MOTION)).map(str::to_owned);
         let grid = Grid::new(scene, axis("x")?, axis("y")?, members)
             .map_err(|error| TableError::TableHeader(error.to_string()))?;
+        if motion(&self.text) != motion(&Self::of(&grid, shard).text) {
+            let problem = "the motion file that its scene names has other rows now";
+            return Err(TableError::TableHeader(problem.to_owned()));
+        }
         Ok((grid, shard))
     }
 
@@ -112,6 +146,34 @@ impl TableHeader {
     pub fn text(&self) -> &str {
         &self.text
     }
+
+    /// The text at the head of the unfinished table.
+    pub(super) fn unfinished_text(&self) -> String {
+        format!("{},{CHECKSUM}\n", self.text.trim_end())
+    }
+
+    /// The checksum that those of the rows begin with, so that no row of another map has a right one.
+    pub(super) fn seal(&self) -> Checksum {
+        Checksum::EMPTY.and(self.text.as_bytes())
+    }
+}
+
+/// `line` of an unfinished table without its checksum; none if that is not right.
+pub(super) fn unsealed(line: &[u8], seal: Checksum) -> Option<&[u8]> {
+    let comma = line.iter().rposition(|byte| *byte == b',')?;
+    let (row, sum) = (&line[..comma], &line[comma + 1..]);
+    (sum == seal.and(row).to_string().as_bytes()).then_some(row)
+}
+
+/// The next line, without its break; none where the text ends before a break. A line that is too long is cut.
+pub(super) fn next_line<'a>(
+    lines: &mut impl BufRead,
+    line: &'a mut Vec<u8>,
+) -> io::Result<Option<&'a [u8]>> {
+    line.clear();
+    lines.by_ref().take(LONGEST as u64).read_until(b'\n', line)?;
+    let is_whole = line.ends_with(b"\n") || line.len() == LONGEST;
+    Ok(is_whole.then(|| line.strip_suffix(b"\n").unwrap_or(line)))
 }
 
 /// Fault of a table.
@@ -128,6 +190,13 @@ pub enum TableError {
         /// The text that is there instead.
         text: String,
     },
+    /// A row of an unfinished table that does not have its checksum.
+    Damaged {
+        /// The number of the row, from 1.
+        row: u64,
+    },
+    /// Rows after the last one of the map.
+    Excess,
     /// The table cannot be read.
     Unreadable(io::Error),
 }
@@ -143,16 +212,18 @@ impl fmt::Display for TableError {
         match self {
             Self::TableHeader(problem) => write!(f, "this is not the table of a map: {problem}"),
             Self::Columns(found) => {
-                let found = crate::text::excerpt::shorten(found);
-                write!(f, "its columns are `{found}`, and this version has others")
+                write!(f, "its columns are `{}`, and this version has others", shorten(found))
             }
             Self::Row { row, text } => {
+                write!(f, "row {row} is `{}`, which no map has there", shorten(text))
+            }
+            Self::Damaged { row } => {
                 write!(
                     f,
-                    "row {row} is `{}`, which no map has there",
-                    crate::text::excerpt::shorten(text)
+                    "row {row} does not match its checksum: it has changed since it was written"
                 )
             }
+            Self::Excess => f.write_str("it goes on after its last cell"),
             Self::Unreadable(error) => write!(f, "it cannot be read: {error}"),
         }
     }
@@ -186,14 +257,21 @@ pub struct Rows<R> {
     lines: R,
     grid: Grid,
     cell: u64,
-    line: String,
+    /// What the checksums of an unfinished table begin with.
+    seal: Option<Checksum>,
+    line: Vec<u8>,
     read: u64,
 }
 
 impl<R: BufRead> Rows<R> {
     /// The rows that follow in `lines` from cell `first` on.
     pub fn new(lines: R, grid: Grid, first: u64) -> Self {
-        Self { lines, grid, cell: first, line: String::new(), read: 0 }
+        Self { lines, grid, cell: first, seal: None, line: Vec::new(), read: 0 }
+    }
+
+    /// The same of an unfinished table with this head, whose rows have checksums.
+    pub(super) fn unfinished(lines: R, grid: Grid, first: u64, head: &TableHeader) -> Self {
+        Self { seal: Some(head.seal()), ..Self::new(lines, grid, first) }
     }
 
     /// The number of bytes of the cells returned so far.
@@ -204,29 +282,48 @@ impl<R: BufRead> Rows<R> {
     /// The next cell and its outcome under each stabilizer; none where the table ends, even in the middle of a row.
     ///
     /// # Errors
-    /// A row of another cell, and a reader that fails.
+    /// A row of another cell, one that no map has or that was changed, and a reader that fails.
     pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
         let (mut outcomes, mut bytes) = (Vec::new(), 0);
         let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
         for index in 0..self.grid.stabilizers.len() {
-            self.line.clear();
-            self.lines.read_line(&mut self.line)?;
-            let Some(line) = self.line.strip_suffix('\n') else { return Ok(None) };
+            let row = self.cell * self.grid.stabilizers.len() as u64 + index as u64 + 1;
+            let Some(line) = next_line(&mut self.lines, &mut self.line)? else { return Ok(None) };
+            bytes += line.len() as u64 + 1;
+            let line = match self.seal {
+                Some(seal) => unsealed(line, seal).ok_or(TableError::Damaged { row })?,
+                None => line,
+            };
+            let text = String::from_utf8_lossy(line);
             let start = format!("{x},{y},{},", self.grid.stabilizers[index]);
-            let outcome = line.strip_prefix(&start).and_then(outcome).ok_or_else(|| {
-                let cells = self.cell * self.grid.stabilizers.len() as u64;
-                TableError::Row { row: cells + index as u64 + 1, text: line.to_owned() }
-            })?;
-            outcomes.push(outcome);
-            bytes += self.line.len() as u64;
+            let outcome = text.strip_prefix(&start).and_then(outcome);
+            outcomes.push(outcome.ok_or_else(|| TableError::Row { row, text: text.to_string() })?);
         }
         self.read += bytes;
         self.cell += 1;
         Ok(Some((self.cell - 1, outcomes)))
     }
+
+    /// Whether a row with a right checksum is among the rest of an unfinished table.
+    pub(super) fn goes_on(&mut self) -> Result<bool, TableError> {
+        while let Some(line) = next_line(&mut self.lines, &mut self.line)? {
+            if self.seal.is_some_and(|seal| unsealed(line, seal).is_some()) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Checks that nothing follows.
+    ///
+    /// # Errors
+    /// A text that goes on.
+    pub(super) fn end(mut self) -> Result<(), TableError> {
+        if self.lines.fill_buf()?.is_empty() { Ok(()) } else { Err(TableError::Excess) }
+    }
 }
 
-/// The outcome in the part of a row after the stabilizer's name.
+/// The outcome in the part of a row after the stabilizer's name; none of a text that [`write`] never writes.
 fn outcome(text: &str) -> Option<Outcome> {
     let mut fields = text.split(',');
     let verdict = Verdict::of_word(fields.next()?)?;
@@ -235,9 +332,14 @@ fn outcome(text: &str) -> Option<Outcome> {
     for number in &mut numbers {
         let field = fields.next()?;
         if !field.is_empty() {
-            *number = Some(field.parse().ok()?);
+            *number = Some(field.parse::<f64>().ok()?);
+            if format!("{:?}", (*number)?) != field {
+                return None;
+            }
         }
     }
     let measures = Measures::from_numbers(numbers);
-    fields.next().is_none().then_some(Outcome { verdict, verdict_by, measures })
+    let is_possible = measures.are_possible(verdict)
+        && Measure::ALL.iter().zip(numbers).all(|(measure, it)| measure.of(&measures) == it);
+    (fields.next().is_none() && is_possible).then_some(Outcome { verdict, verdict_by, measures })
 }

@@ -68,18 +68,20 @@ impl Vary {
                 return Err(VaryError::new(problem, remedy));
             }
         };
-        let mut parts = self.key.split('.').peekable();
-        let mut place = tree;
-        while let Some(part) = parts.next() {
-            let Value::Table(table) = place else { break };
-            if parts.peek().is_none() {
-                table.insert(part.to_owned(), number);
-                break;
+        let name = self.key.rsplit('.').next().unwrap_or_default();
+        let table = table(&self.key).split('.').filter(|_| self.key.contains('.'));
+        let place = table.fold(Some(tree), |place, part| place?.get_mut(part));
+        match place {
+            Some(Value::Table(table)) => {
+                table.insert(name.to_owned(), number);
+                Ok(())
             }
-            let Some(next) = table.get_mut(part) else { break };
-            place = next;
+            // A number that is not written would be the same in every cell.
+            _ => {
+                let problem = format!("the scene has no table for `{}`", self.key);
+                Err(VaryError::new(problem, "give a number of a table that the scene has"))
+            }
         }
-        Ok(())
     }
 }
 
@@ -100,7 +102,10 @@ fn table(key: &str) -> &str {
 }
 
 fn find<'a>(tree: &'a Value, key: &str) -> Option<&'a Value> {
-    key.split('.').filter(|part| !part.is_empty()).try_fold(tree, |value, part| value.get(part))
+    if key.is_empty() {
+        return Some(tree);
+    }
+    key.split('.').try_fold(tree, |value, part| value.get(part))
 }
 
 /// The remedy for an unknown key: the nearest one, or all numbers of the scene.

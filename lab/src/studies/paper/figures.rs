@@ -7,6 +7,9 @@ use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 /// A figure, with the name of its files without an ending and the cases that it is drawn from.
 pub type NamedFigure = (&'static str, Figure, &'static [Case]);
 
+/// The names of the figures.
+pub const FIGURES: [&str; 4] = ["figure-6", "figure-7", "figure-8", "figure-9"];
+
 /// The paper's figures 6 to 9.
 ///
 /// # Errors
@@ -17,10 +20,10 @@ pub fn figures() -> Result<[NamedFigure; 4], PaperError> {
     let (popc50k, lolc50k) = (Case::Popc50k.rows()?, Case::Lolc50k.rows()?);
     const STIFF: &[Case] = &[Case::Popc50k, Case::Lolc50k];
     Ok([
-        ("figure-6", figure_6(&plain8k), &[Case::Plain8k]),
-        ("figure-7", figure_7(&lolc8k), &[Case::Lolc8k]),
-        ("figure-8", figure_8(&popc50k, &lolc50k), STIFF),
-        ("figure-9", figure_9(&popc50k, &lolc50k), STIFF),
+        (FIGURES[0], figure_6(&plain8k), &[Case::Plain8k]),
+        (FIGURES[1], figure_7(&lolc8k), &[Case::Lolc8k]),
+        (FIGURES[2], figure_8(&popc50k, &lolc50k), STIFF),
+        (FIGURES[3], figure_9(&popc50k, &lolc50k), STIFF),
     ])
 }
 

@@ -1,15 +1,20 @@
-//! Output files that are written whole or not at all.
+//! Output file that is written whole or not at all.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 
-use lyapunov_lab::OutputError;
+use lyapunov_lab::{OutputError, sync_folder};
 use tempfile::{NamedTempFile, TempPath};
+
+use super::beside::{beside, sweep};
+use crate::interrupts::Untidy;
 
 /// Output file that appears under its name when it is [kept](Output::keep), and not before.
 ///
-/// A device, a pipe or anything else that exists and is no regular file is written to directly.
+/// It is on the disk before it takes its name, and so is the name when that is done: a power failure leaves the old file or
+/// the new one. A device, a pipe or anything else that exists and is no regular file is written to directly.
 #[derive(Debug)]
 pub(crate) struct Output {
     path: PathBuf,
@@ -18,7 +23,7 @@ pub(crate) struct Output {
 
 #[derive(Debug)]
 enum Target {
-    Replace(BufWriter<NamedTempFile>, PathBuf),
+    Replace(BufWriter<NamedTempFile>, PathBuf, Untidy),
     Direct(BufWriter<File>),
 }
 
@@ -39,7 +44,11 @@ impl Output {
             Target::Direct(BufWriter::new(file))
         } else {
             let place = resolved(path).map_err(refuse)?;
-            Target::Replace(BufWriter::new(beside(&place).map_err(refuse)?), place)
+            let folder = folder_of(&place);
+            sweep(folder);
+            let untidy = Untidy::new();
+            let file = beside(folder).map_err(refuse)?;
+            Target::Replace(BufWriter::new(file), place, untidy)
         };
         Ok(Self { path: path.to_owned(), target })
     }
@@ -47,19 +56,25 @@ impl Output {
     /// Moves the file to its name.
     ///
     /// # Errors
-    /// Any error of the system; nothing has changed under that name then.
+    /// Any error of the system. Nothing has changed under that name then, unless it was the folder that could not be written
+    /// to the disk: then the new file is there, and a power failure may bring the old one back.
     pub(crate) fn keep(self) -> Result<(), OutputError> {
-        self.written()?.keep()
+        let written = self.written()?;
+        let place = written.place();
+        written.keep()?.map_or(Ok(()), |folder| {
+            sync_folder(&folder).map_err(|error| OutputError::new(&place, error))
+        })
     }
 
-    /// Closes the file; a full device is noticed here.
-    fn written(self) -> Result<Written, OutputError> {
+    /// Puts the bytes on the disk; a full device is noticed here.
+    pub(super) fn written(self) -> Result<Written, OutputError> {
         let Self { path, target } = self;
         let refuse = |source| OutputError::new(&path, source);
         let file = match target {
-            Target::Replace(writer, place) => {
+            Target::Replace(writer, place, untidy) => {
                 let file = writer.into_inner().map_err(|error| refuse(error.into_error()))?;
-                Some((file.into_temp_path(), place))
+                file.as_file().sync_all().map_err(refuse)?;
+                Some((file.into_temp_path(), place, untidy))
             }
             Target::Direct(mut writer) => {
                 writer.flush().map_err(refuse)?;
@@ -75,72 +90,28 @@ impl Output {
     }
 }
 
-/// Output files of one folder, all of which are written before the first takes its name.
+/// File whose bytes are on the disk, and that is not under its name yet.
 #[derive(Debug)]
-pub(crate) struct Outputs<'a> {
-    folder: &'a Path,
-    written: Vec<Written>,
-}
-
-/// File that is written and closed, and not under its name yet.
-#[derive(Debug)]
-struct Written {
+pub(super) struct Written {
     path: PathBuf,
     /// The temporary file and the name it will get; none if the output was written directly.
-    file: Option<(TempPath, PathBuf)>,
+    file: Option<(TempPath, PathBuf, Untidy)>,
 }
 
 impl Written {
-    fn keep(self) -> Result<(), OutputError> {
+    /// The path as it was asked for.
+    pub(super) fn place(&self) -> PathBuf {
+        self.path.clone()
+    }
+
+    /// Gives the file its name, and returns the folder that has changed.
+    pub(super) fn keep(self) -> Result<Option<PathBuf>, OutputError> {
         let Self { path, file } = self;
-        let Some((file, place)) = file else { return Ok(()) };
-        file.persist(place).map_err(|error| OutputError::new(&path, error.error))
-    }
-}
-
-impl<'a> Outputs<'a> {
-    /// No files yet, for `folder`.
-    pub(crate) fn of(folder: &'a Path) -> Self {
-        Self { folder, written: Vec::new() }
-    }
-
-    /// Writes the file that will be called `name`.
-    ///
-    /// # Errors
-    /// As [`Output::create`], and a full device.
-    pub(crate) fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
-        let mut output = Output::create(&self.folder.join(name))?;
-        output.write_all(bytes.as_ref()).map_err(|error| output.blame(error))?;
-        self.written.push(output.written()?);
-        Ok(())
-    }
-
-    /// Adds a file that has been written already.
-    ///
-    /// # Errors
-    /// A full device.
-    pub(crate) fn add(&mut self, output: Output) -> Result<(), OutputError> {
-        self.written.push(output.written()?);
-        Ok(())
-    }
-
-    /// Writes several files, each given by name and bytes.
-    ///
-    /// # Errors
-    /// As [`Outputs::put`].
-    pub(crate) fn put_all(
-        &mut self,
-        files: impl IntoIterator<Item = (String, Vec<u8>)>,
-    ) -> Result<(), OutputError> {
-        files.into_iter().try_for_each(|(name, bytes)| self.put(&name, bytes))
-    }
-
-    /// Moves all files to their names, one after the other.
-    ///
-    /// # Errors
-    /// As [`Output::keep`]; the files before the failed one have their names then.
-    pub(crate) fn keep(self) -> Result<(), OutputError> {
-        self.written.into_iter().try_for_each(Written::keep)
+        let Some((file, place, _untidy)) = file else { return Ok(None) };
+        let folder = folder_of(&place).to_owned();
+        file.persist(place).map_err(|error| OutputError::new(&path, error.error))?;
+        super::KEPT.store(true, Ordering::Relaxed);
+        Ok(Some(folder))
     }
 }
 
@@ -168,32 +139,17 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Temporary file in the folder of `place`, with the permissions of a new file.
-fn beside(place: &Path) -> io::Result<NamedTempFile> {
-    let folder = folder_of(place);
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".lyapunov-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(|error| match error.kind() {
-        // Some system folders exist but take no files.
-        io::ErrorKind::NotFound if folder.is_dir() => io::ErrorKind::PermissionDenied.into(),
-        // The error would name the temporary file, which means nothing to the user.
-        kind => kind.into(),
-    })
-}
-
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.target {
-            Target::Replace(writer, _) => writer.write(bytes),
+            Target::Replace(writer, ..) => writer.write(bytes),
             Target::Direct(writer) => writer.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match &mut self.target {
-            Target::Replace(writer, _) => writer.flush(),
+            Target::Replace(writer, ..) => writer.flush(),
             Target::Direct(writer) => writer.flush(),
         }
     }

@@ -1,0 +1,97 @@
+//! The command `lyapunov map merge`.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use lyapunov_lab::map::{
+    Bounds, MergeError, Shard, areas, document, figure_names, merge, table_name,
+};
+
+use super::folder::Folder;
+use super::map::{MERGED, RESULTS, fill};
+use super::results::names;
+use super::{End, program, standard_output};
+use crate::files::{Inputs, Output, Outputs};
+
+/// Put the shards of a map together.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Merge {
+    /// The tables of all shards (map-i-of-n.csv), or folders that hold them.
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// Write the map into this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Print map.json instead of the table.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Merge {
+    pub(super) fn run(&self) -> Result<(), End> {
+        let tables = self.tables()?;
+        let inputs = Inputs::of("a shard", &tables);
+        let files = names(RESULTS, figure_names(), [table_name(Shard::WHOLE)]);
+        let folder = Folder::claim(&self.out, files, &inputs)?;
+        let table = folder.path().join(table_name(Shard::WHOLE));
+        let mut output = Output::create(&table).map_err(End::input)?;
+        let merged = merge(&tables, &mut output, &table);
+        let survey = merged.map_err(|error: MergeError| End::input(error))?;
+        let bounds = Bounds::of(survey.grid());
+        let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
+        End::if_interrupted()?;
+        folder.keep();
+        let command = format!("{} map merge", program());
+        let mut outputs = Outputs::of(folder.path());
+        outputs.add(output).map_err(End::input)?;
+        fill(&mut outputs, &survey, bounds.as_ref(), &text, [&command, MERGED])?;
+        outputs.keep().map_err(End::input)?;
+        let mut out = io::stdout().lock();
+        match (self.json, self.quiet) {
+            (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
+            (_, true) => Ok(()),
+            _ => out.write_all(areas(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
+        }
+    }
+
+    /// Paths of the tables, with those in the folders that were named.
+    fn tables(&self) -> Result<Vec<PathBuf>, End> {
+        let mut tables = Vec::new();
+        for path in &self.paths {
+            if path.is_file() || !path.exists() {
+                tables.push(path.clone());
+                continue;
+            }
+            if !path.is_dir() {
+                let remedy = "give a file: it is read more than once";
+                return Err(End::input(format!("{} is no file\n  = {remedy}", path.display())));
+            }
+            let refuse = |error| End::input(format!("{} cannot be read: {error}", path.display()));
+            let mut found = Vec::new();
+            for entry in path.read_dir().map_err(refuse)? {
+                let entry = entry.map_err(refuse)?.path();
+                let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                if name.starts_with("map-")
+                    && name.ends_with(".csv")
+                    && !name.ends_with(".part.csv")
+                {
+                    found.push(entry);
+                }
+            }
+            found.sort();
+            tables.extend(found);
+        }
+        if tables.is_empty() {
+            return Err(End::input(
+                "there is no table of a shard\n  = name the files map-i-of-n.csv, or folders that hold them",
+            ));
+        }
+        Ok(tables)
+    }
+}

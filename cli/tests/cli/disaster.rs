@@ -1,0 +1,133 @@
+//! Maps that are killed at random moments, or run out of room: no file is half-written, and what is resumed equals the
+//! uninterrupted map byte for byte.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+use crate::cli::place::Place;
+use crate::cli::said::{Said, Start};
+
+/// Moments at which a map is killed.
+const KILLS: u32 = 200;
+
+/// Kills of one map before it may end.
+const IN_A_ROW: u32 = 10;
+
+/// Numbers without an order (Marsaglia's xorshift).
+struct Draws(u64);
+
+impl Draws {
+    fn next(&mut self) -> u64 {
+        for shift in [13, -7, 17] {
+            self.0 ^= if shift > 0 { self.0 << shift } else { self.0 >> -shift };
+        }
+        self.0
+    }
+}
+
+/// A map of two bands and more, a fifth of whose time are its pictures.
+pub(crate) fn map<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    let axes =
+        ["--x", "environment.wall.stiffness=500..20000:7", "--y", "initial.velocity=0..0.1:6"];
+    let all = [&["map", "scene.toml"], &axes[..], &["--stabilizers", "none,tank", "--quiet"]];
+    all.concat().iter().chain(more).copied().collect()
+}
+
+pub(crate) fn place() -> Place {
+    let place = Place::new();
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 40.0");
+    place
+}
+
+/// The files of a folder that do not tell times; those still being written are left out.
+pub(crate) fn files(place: &Place, folder: &str) -> BTreeMap<String, Vec<u8>> {
+    let names = place.names(folder).into_iter();
+    let told = names.filter(|name| {
+        let is_unfinished = name.starts_with(".lyapunov-") || name.ends_with(".part.csv");
+        !is_unfinished && name != "map.json"
+    });
+    told.map(|name| (name.clone(), fs::read(place.path(format!("{folder}/{name}"))).unwrap()))
+        .collect()
+}
+
+/// Checks that each file of `folder` is one of the `whole` ones, or is as it was before.
+#[track_caller]
+pub(crate) fn are_whole(place: &Place, folder: &str, whole: &BTreeMap<String, Vec<u8>>) {
+    for (name, bytes) in files(place, folder) {
+        assert!(bytes == b"before" || whole.get(&name) == Some(&bytes), "{name} is half-written");
+    }
+    if let Ok(json) = fs::read_to_string(place.path(format!("{folder}/map.json"))) {
+        let told = serde_json::from_str::<serde_json::Value>(&json);
+        assert!(json == "before" || told.is_ok_and(|it| it["areas"].is_array()), "{json}");
+    }
+}
+
+#[test]
+fn a_map_that_is_killed_at_any_moment_is_resumed_to_the_same_bytes() {
+    let place = place();
+    let whole = place.run(map(&["--out", "whole"]));
+    whole.ended(0, &[]);
+    let (takes, whole) = (whole.took.as_micros() as u64, files(&place, "whole"));
+    let (mut draws, mut killed, mut ended) = (Draws(0x9e37_79b9_7f4a_7c15), 0, 0);
+    for round in 0.. {
+        if killed >= KILLS {
+            break;
+        }
+        let folder = format!("out-{round}");
+        fs::create_dir(place.path(&folder)).unwrap();
+        fs::write(place.path(format!("{folder}/map.csv")), "before").unwrap();
+        let resume = map(&["--out", &folder, "--resume"]);
+        for _ in 0..IN_A_ROW {
+            let mut child = place.command(&resume).start(Stdio::piped());
+            thread::sleep(Duration::from_micros(draws.next() % takes));
+            child.kill().unwrap();
+            let status = child.wait().unwrap();
+            killed += u32::from(!status.success());
+            ended += u32::from(status.success());
+            are_whole(&place, &folder, &whole);
+        }
+        place.run(&resume).ended(0, &[]);
+        assert_eq!(files(&place, &folder), whole, "{folder}");
+        assert_eq!(place.names(&folder), place.names("whole"));
+        fs::remove_dir_all(place.path(&folder)).unwrap();
+    }
+    assert!(killed >= KILLS && ended < KILLS, "{killed} killed, {ended} ended before");
+}
+
+/// No file may become longer than a limit, which stands for a disk that fills up at any place.
+#[test]
+fn a_map_that_runs_out_of_room_is_resumed_to_the_same_bytes() {
+    let place = place();
+    place.run(map(&["--out", "whole"])).ended(0, &[]);
+    let whole = files(&place, "whole");
+    let longest = whole.values().map(Vec::len).max().unwrap() as u64 / 512;
+    let (mut draws, mut refused) = (Draws(0x2545_f491_4f6c_dd1d), 0);
+    let limits = (0..6).chain((0..12).map(|_| draws.next() % longest));
+    for (round, blocks) in limits.collect::<Vec<_>>().into_iter().enumerate() {
+        let folder = format!("out-{round}");
+        fs::create_dir(place.path(&folder)).unwrap();
+        for name in ["map.csv", "map.json", "report.html", "verdict.svg"] {
+            fs::write(place.path(format!("{folder}/{name}")), "before").unwrap();
+        }
+        let resume = map(&["--out", &folder, "--resume"]);
+        let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &script, env!("CARGO_BIN_EXE_lyapunov")]).args(&resume);
+        let said = Said::by(shell.current_dir(place.path(".")));
+        refused += u32::from(said.status == Some(2));
+        said.ended(2, &["cannot be written"]);
+        are_whole(&place, &folder, &whole);
+        // Nothing has its name before all are whole.
+        for name in ["map.csv", "map.json", "report.html", "verdict.svg"] {
+            assert_eq!(place.text(&format!("{folder}/{name}")), "before");
+        }
+        assert!(!place.names(&folder).iter().any(|name| name.starts_with(".lyapunov-")));
+        place.run(&resume).ended(0, &[]);
+        assert_eq!(files(&place, &folder), whole, "{blocks} blocks");
+        fs::remove_dir_all(place.path(&folder)).unwrap();
+    }
+    assert_eq!(refused, 18);
+}

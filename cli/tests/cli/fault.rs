@@ -1,0 +1,145 @@
+//! Every write, rename and sync of a command that fails once, in turn, and what reaches the disk in which order. `strace`
+//! makes the calls fail and tells them; without it these tests say so and are skipped.
+
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::process::Command;
+
+use crate::cli::disaster::{are_whole, files, map, place};
+use crate::cli::place::Place;
+use crate::cli::said::Said;
+
+/// The calls that put something on a disk, each with an error that it may give.
+const CALLS: [(&str, &str); 4] = [
+    ("write", "ENOSPC"),
+    ("fsync", "EIO"),
+    ("fdatasync", "EIO"),
+    ("?rename,?renameat,renameat2,?link,linkat", "EIO"),
+];
+
+fn is_there() -> bool {
+    let traced = Command::new("strace").args(["-f", "-o", "/dev/null", "true"]).status();
+    let is_there = traced.is_ok_and(|status| status.success());
+    if !is_there {
+        eprintln!("SKIPPED: no strace that may trace a process");
+    }
+    is_there
+}
+
+/// The command under `strace`, which writes to the file `trace`.
+fn traced(place: &Place, options: &[&str], command: &[&str]) -> Said {
+    let mut strace = Command::new("strace");
+    strace.args(["-f", "-y", "-o", "trace", "-s", "0"]).args(options);
+    strace.arg(env!("CARGO_BIN_EXE_lyapunov")).args(command);
+    Said::by(strace.current_dir(place.path(".")))
+}
+
+/// Lets call number 1, 2 and so on of each kind fail, in a folder with earlier files, as long as there is one that fails;
+/// `check` looks at the folder afterwards.
+fn sweep(place: &Place, command: &[&str], mut check: impl FnMut(&Place, &str, &Said)) -> usize {
+    let mut faults = 0;
+    for (call, error) in CALLS {
+        for number in 1.. {
+            let _ = fs::remove_dir_all(place.path("out"));
+            fs::create_dir(place.path("out")).unwrap();
+            for name in place.names("whole") {
+                fs::write(place.path(format!("out/{name}")), "before").unwrap();
+            }
+            let fault = format!("inject={call}:error={error}:when={number}");
+            let said = traced(place, &["-e", &format!("trace={call}"), "-e", &fault], command);
+            if !place.text("trace").contains("(INJECTED)") {
+                said.ended(0, &[]);
+                break;
+            }
+            faults += 1;
+            check(place, &fault, &said);
+        }
+    }
+    faults
+}
+
+#[test]
+fn a_fault_of_any_call_leaves_whole_files_and_is_told() {
+    if !is_there() {
+        return;
+    }
+    let place = place();
+    place.run(["run", "scene.toml", "--quiet", "--out", "whole"]).ended(0, &[]);
+    let whole = files(&place, "whole");
+    let command = ["run", "scene.toml", "--quiet", "--out", "out"];
+    let faults = sweep(&place, &command, |place, fault, said| {
+        said.ended(2, &["cannot be written"]);
+        for (name, bytes) in files(place, "out") {
+            assert!(bytes == b"before" || whole[&name] == bytes, "{fault}: {name} is half-written");
+        }
+        assert_eq!(place.names("out"), place.names("whole"), "{fault}");
+        // Only a fault of the names themselves comes after files have theirs.
+        if fault.contains("=write") || fault.contains("=fdatasync") {
+            assert!(files(place, "out").values().all(|bytes| bytes == b"before"), "{fault}");
+        }
+        place.run(command).ended(0, &[]);
+        assert_eq!(files(place, "out"), whole, "{fault}");
+    });
+    // Five files are each written, synced and renamed, and their folder is synced.
+    assert!(faults > 16, "{faults}");
+}
+
+#[test]
+fn a_map_that_meets_any_fault_is_resumed_to_the_same_bytes() {
+    if !is_there() {
+        return;
+    }
+    let place = place();
+    place.run(map(&["--out", "whole"])).ended(0, &[]);
+    let whole = files(&place, "whole");
+    let faults = sweep(&place, &map(&["--out", "out"]), |place, fault, said| {
+        said.ended(2, &["cannot be written"]);
+        are_whole(place, "out", &whole);
+        assert!(!place.names("out").iter().any(|it| it.starts_with(".lyapunov-")), "{fault}");
+        place.run(map(&["--out", "out", "--resume"])).ended(0, &[]);
+        assert_eq!(files(place, "out"), whole, "{fault}");
+        assert_eq!(place.names("out"), place.names("whole"), "{fault}");
+    });
+    assert!(faults > 80, "{faults}");
+}
+
+/// What a power failure must not lose is synced before it is renamed, and the folder after it.
+#[test]
+fn a_file_is_on_the_disk_before_it_has_its_name_and_then_its_name_is() {
+    if !is_there() {
+        return;
+    }
+    let place = place();
+    let only = ["-e", "trace=fsync,fdatasync,?rename,?renameat,renameat2,write"];
+    for command in [&["run", "scene.toml", "--csv", "rows.csv"][..], &map(&["--out", "out"])] {
+        traced(&place, &only, command).ended(0, &[]);
+        let trace = place.text("trace");
+        let lines: Vec<&str> = trace.lines().collect();
+        let mut renamed = 0;
+        for (at, line) in lines.iter().enumerate().filter(|(_, line)| line.contains("rename")) {
+            let start = line.find(".lyapunov-").unwrap();
+            let name = &line[start..start + ".lyapunov-".len() + 6];
+            let before: Vec<&str> =
+                lines[..at].iter().copied().filter(|it| it.contains(name)).collect();
+            let last = before.iter().rposition(|it| it.contains("write(")).unwrap();
+            assert!(before[last..].iter().any(|it| it.contains("fsync(")), "{line}");
+            renamed += 1;
+        }
+        assert!(renamed == 1 || renamed > 20, "{renamed}");
+        let last = lines.iter().rposition(|line| line.contains("rename")).unwrap();
+        let folder = fs::canonicalize(place.path(".")).unwrap().display().to_string();
+        let is_folder = |it: &&&str| it.contains("fsync(") && it.contains(&format!("<{folder}"));
+        assert!(
+            lines[last..].iter().any(|it| is_folder(&it) && !it.contains(".lyapunov-")),
+            "{trace}"
+        );
+        // Each band of the unfinished table is synced.
+        if renamed > 1 {
+            let part: Vec<&&str> = lines.iter().filter(|it| it.contains("map.part.csv>")).collect();
+            let writes = part.iter().filter(|it| it.contains("write(")).count();
+            let syncs = part.iter().filter(|it| it.contains("sync(")).count();
+            assert!(writes > 1 && syncs >= writes, "{writes} writes, {syncs} syncs");
+        }
+    }
+}
