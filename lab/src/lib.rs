@@ -75,7 +75,8 @@ pub use show::output_error::OutputError;
 
 // Studies, one for each command.
 pub use studies::{
-    accuracy, bound, compare, effects, explain, hard, map, observe, paper, run, scenes, tune,
+    accuracy, bound, compare, effects, explain, hard, identify, map, observe, paper, run, scenes,
+    tune,
 };
 
 // Names of other crates that the interface above uses.

@@ -1,0 +1,36 @@
+//! Numbers with their 95 % intervals.
+
+use serde::Serialize;
+
+/// No interval is narrower than this share of its number: rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// A number with its 95 % interval.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// The lower end of its interval.
+    pub low: f64,
+    /// The upper end of its interval.
+    pub high: f64,
+}
+
+impl Estimate {
+    /// `value`, with an interval that reaches as far to both sides of `middle`; `size` is the magnitude that rounding goes by.
+    pub(super) fn about(value: f64, middle: f64, reach: f64, size: f64) -> Self {
+        let reach = reach.max(ROUNDING * size.abs());
+        Self { value, low: (middle - reach).min(value), high: (middle + reach).max(value) }
+    }
+
+    /// One divided by the number.
+    pub(super) fn inverse(self) -> Option<Self> {
+        let Self { value, low, high } = self;
+        (low > 0.0).then(|| Self { value: value.recip(), low: high.recip(), high: low.recip() })
+    }
+
+    /// Whether the data tell it from 0.
+    pub fn is_told(&self) -> bool {
+        self.low > 0.0 || self.high < 0.0
+    }
+}
