@@ -36,15 +36,43 @@ pub(super) fn spread(
     inverse: &Matrix4<f64>,
     free: usize,
 ) -> Option<Spread> {
-    let target = (weight / FEWEST).min(BLOCKS).max(free as f64 + 3.0);
-    let share = free as f64 / target;
+    let mut target = (weight / FEWEST).min(BLOCKS).max(free as f64 + 3.0);
+    let mut blocks = blocks(scores, inverse, free as f64 / target);
+    // Where few rows know nearly all, blocks are as fine as it takes.
+    while blocks.len() < free + 3 && target < scores.len() as f64 {
+        target *= 2.0;
+        blocks = self::blocks(scores, inverse, free as f64 / target);
+    }
+    let freedom = blocks.len().checked_sub(free + 1)? + 1;
+    if freedom < 2 {
+        return None;
+    }
+    let mut covariance = Matrix4::zeros();
+    for (sum, known) in &blocks {
+        let step = inverse * sum;
+        // The estimate without the block, to first order: (I − V K)⁻¹ V s. A block without which there is none counts as it is.
+        let rest = Matrix4::identity() - inverse * known;
+        let moved = rest.lu().solve(&step).filter(|it| it.iter().all(|it| it.is_finite()));
+        let moved = moved.unwrap_or(step);
+        covariance += moved * moved.transpose();
+    }
+    let finite = covariance.iter().all(|it| it.is_finite());
+    finite.then(|| Spread { covariance, factor: student(freedom as f64) })
+}
+
+/// Gradients and knowledge of consecutive rows, summed until each block has this `share` of leverage.
+fn blocks(
+    scores: &[Score],
+    inverse: &Matrix4<f64>,
+    share: f64,
+) -> Vec<(Vector4<f64>, Matrix4<f64>)> {
     let nothing = (Vector4::zeros(), Matrix4::zeros(), 0.0);
     let mut blocks = Vec::new();
     let (mut sum, mut known, mut leverage) = nothing;
     for score in scores {
         sum += score.slope * score.error;
         known += score.slope * score.slope.transpose();
-        leverage += (score.slope.transpose() * inverse * score.slope)[0];
+        leverage += score.slope.dot(&(inverse * score.slope));
         if leverage >= share {
             blocks.push((sum, known));
             (sum, known, leverage) = nothing;
@@ -53,22 +81,7 @@ pub(super) fn spread(
     if leverage > 0.0 {
         blocks.push((sum, known));
     }
-    let count = blocks.len() as f64;
-    let freedom = count - free as f64;
-    if freedom < 2.0 {
-        return None;
-    }
-    let mut covariance = Matrix4::zeros();
-    for (sum, known) in &blocks {
-        // The estimate without the block, to first order: (I − V K)⁻¹ V s.
-        let rest = Matrix4::identity() - inverse * known;
-        let moved = rest.lu().solve(&(inverse * sum))?;
-        covariance += moved * moved.transpose();
-    }
-    covariance
-        .iter()
-        .all(|it| it.is_finite())
-        .then_some(Spread { covariance, factor: student(freedom) })
+    blocks
 }
 
 /// The 97.5 % point of Student's distribution (Cornish and Fisher's expansion in 1 / freedom).

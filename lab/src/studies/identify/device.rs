@@ -5,7 +5,7 @@ use nalgebra::Vector4;
 use super::blocks::{Spread, spread};
 use super::estimate::Estimate;
 use super::least_squares::inverse;
-use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING};
+use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
 use super::plant::{Fit, Setting};
 use super::recording::Recording;
 use super::stretch::Stretch;
@@ -27,14 +27,27 @@ const STRETCH: usize = 32;
 /// Factor by which the whole log may fit worse than short stretches do before something unknown is said to push.
 const WORSE: f64 = 2.0;
 
-/// Mass, damping and spring, fitted.
+/// Share of the way from the least to the largest position below which nothing but rounding is left.
+const ROUNDING: f64 = 1e-9;
+
+/// Coefficients with what is known of their errors.
 #[derive(Clone, Debug)]
-pub(super) struct Device {
+struct Told {
     fit: Fit,
     spread: Spread,
     /// The coefficients without the bounds at 0.
     middle: Coefficients,
+}
+
+/// Mass, damping and spring, fitted.
+#[derive(Clone, Debug)]
+pub(super) struct Device {
+    told: Told,
+    /// The fit of the whole log, where `told` is that of short stretches.
+    other: Option<Told>,
     lag: usize,
+    /// The time by which the first fitted row comes after the first, s.
+    ahead: f64,
     /// The error of the whole log, and that of short stretches with a constant force of their own, m.
     pub(super) error: f64,
     pub(super) short_error: f64,
@@ -101,29 +114,17 @@ impl Device {
         let error = long.error(whole.count());
         let short_error = near.as_ref().map_or(error, |fit| fit.error(short.count()));
         let grid = recording.resolution().map_or(0.0, |it| it / 12_f64.sqrt());
-        let is_pushed = error > WORSE * short_error.max(grid);
-        let (setting, fit) = match near {
-            Some(near) if is_pushed => (short, near),
-            _ => (whole, long),
+        let least = short_error.max(grid).max(ROUNDING * recording.travel());
+        let ahead = stretches[0].times.get(lag).map_or(0.0, |it| it - stretches[0].times[0]);
+        let of_long = Told::of(&whole, long);
+        let of_short = near.filter(|_| error > WORSE * least).and_then(|fit| Told::of(&short, fit));
+        let is_pushed = of_short.is_some();
+        let (told, other) = match of_short {
+            Some(told) => (told, of_long),
+            None => (of_long.ok_or(Fault::NoMass)?, None),
         };
-        Self::told(&setting, fit, [error, short_error], is_pushed).ok_or(Fault::NoMass)
-    }
-
-    fn told(
-        setting: &Setting<'_>,
-        mut fit: Fit,
-        errors: [f64; 2],
-        is_pushed: bool,
-    ) -> Option<Self> {
-        let inverse = inverse(&fit.pass.known, setting.free)?;
-        let spread = spread(&fit.pass.scores, fit.pass.weight, &inverse, setting.count())?;
-        let middle = fit.at + setting.unbound_step(&fit);
-        if is_pushed {
-            fit.at[BIAS] = fit.pass.pushes / fit.pass.fitted.len() as f64;
-        }
-        let [error, short_error] = errors;
-        let device = Self { fit, spread, middle, lag: setting.lag, error, short_error, is_pushed };
-        device.mobility().inverse().map(|_| device)
+        let device = Self { told, other, lag, ahead, error, short_error, is_pushed };
+        device.mobility().inverse().map(|_| device).ok_or(Fault::NoMass)
     }
 
     /// Rows by which the force acts late.
@@ -133,12 +134,12 @@ impl Device {
 
     /// Fitted positions, from the row of the lag on in each stretch.
     pub(super) fn fitted(&self) -> &[f64] {
-        &self.fit.pass.fitted
+        &self.told.fit.pass.fitted
     }
 
-    /// Position and velocity of the first fitted row.
+    /// Position and velocity of the first row.
     pub(super) fn start(&self) -> [f64; 2] {
-        self.fit.pass.start
+        before(&self.told.fit.at, self.ahead, self.told.fit.pass.start)
     }
 
     fn mobility(&self) -> Estimate {
@@ -185,21 +186,44 @@ impl Device {
         self.told_by(|at| at[over] / at[under], slope)
     }
 
-    /// A function of the coefficients, to first order about them.
+    /// A function of the coefficients, to first order about them; of two fits the interval spans both.
     fn told_by(
         &self,
         of: impl Fn(&Coefficients) -> f64,
         slope: impl Fn(&Coefficients) -> Vector4<f64>,
     ) -> Estimate {
-        let slope = slope(&self.fit.at);
+        let told = self.told.estimate(&of, &slope);
+        self.other.as_ref().map_or(told, |other| told.or(other.estimate(&of, &slope)))
+    }
+}
+
+impl Told {
+    fn of(setting: &Setting<'_>, mut fit: Fit) -> Option<Self> {
+        let inverse = inverse(&fit.pass.known, setting.free)?;
+        let spread = spread(&fit.pass.scores, fit.pass.weight, &inverse, setting.count())?;
+        let middle = fit.at + setting.unbound_step(&fit);
+        if setting.pushed {
+            fit.at[BIAS] = fit.pass.pushes / fit.pass.fitted.len() as f64;
+        }
+        Some(Self { fit, spread, middle })
+    }
+
+    fn estimate(
+        &self,
+        of: impl Fn(&Coefficients) -> f64,
+        slope: impl Fn(&Coefficients) -> Vector4<f64>,
+    ) -> Estimate {
+        let at = &self.fit.at;
+        let (value, slope) = (of(at), slope(at));
         let variance = slope.dot(&(self.spread.covariance * slope));
-        let value = of(&self.fit.at);
-        let middle = if self.middle == self.fit.at {
-            value
-        } else {
-            value + slope.dot(&(self.middle - self.fit.at))
-        };
-        Estimate::about(value, middle, self.spread.factor * variance.max(0.0).sqrt(), value)
+        let bound = |it: usize| at[it] <= 0.0;
+        // Only a number that is held at 0 is away from what the data alone ask for.
+        let off: f64 = [DECAY, SPRING]
+            .into_iter()
+            .filter(|it| bound(*it))
+            .map(|it| slope[it] * (self.middle[it] - at[it]))
+            .sum();
+        Estimate::about(value, value + off, self.spread.factor * variance.max(0.0).sqrt(), value)
     }
 }
 

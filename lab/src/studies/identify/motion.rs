@@ -72,3 +72,13 @@ fn increment(decay: f64, spring: f64, time: f64) -> SMatrix<f64, 6, 7> {
     rate[(5, 0)] = -1.0;
     held_input(rate * time).fixed_rows::<6>(0).into_owned()
 }
+
+/// Position and velocity a `time` before those of `state`, without a force meanwhile.
+pub(super) fn before(at: &Coefficients, time: f64, state: [f64; 2]) -> [f64; 2] {
+    let step = increment(at[DECAY], at[SPRING], -time);
+    let [position, velocity] = state;
+    let moved = |row: usize| {
+        step[(row, 0)] * position + step[(row, 1)] * velocity + step[(row, 6)] * at[BIAS]
+    };
+    [position + moved(0), velocity + moved(1)]
+}

@@ -40,7 +40,7 @@ fn pushed(device: &Device) -> Option<String> {
         format!(
             "something pushes that the log does not hold, as a hand that moves or dry friction does: from its first row \
              the model follows the log within {whole} um, over 32 rows and with a constant force of their own within {short} um; \
-             the numbers are those of the latter, and may be biased by what pushes"
+             the numbers are those of the latter, with intervals that span both fits; what pushes may bias them"
         )
     })
 }

@@ -82,6 +82,19 @@ impl Recording {
         self.stretches.iter().flat_map(|it| &it.forces).fold(0.0_f64, |most, it| most.max(it.abs()))
     }
 
+    /// The least and the largest position, m.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        let positions = || self.stretches.iter().flat_map(|it| &it.positions);
+        let low = positions().copied().fold(f64::INFINITY, f64::min);
+        [low, positions().copied().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// The way from the least to the largest position, m.
+    pub(super) fn travel(&self) -> f64 {
+        let [low, high] = self.ends();
+        high - low
+    }
+
     /// The step of the grid on which all positions lie, m: an encoder's, or that of the digits written.
     pub(super) fn resolution(&self) -> Option<f64> {
         let moved = |stretch: &Stretch| {

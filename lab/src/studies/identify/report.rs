@@ -40,6 +40,8 @@ pub struct Report {
     pub wall: Option<WallReport>,
     /// The largest position, m.
     pub furthest: f64,
+    /// The least position, m.
+    pub nearest: f64,
     /// The step of the grid on which all positions lie, m.
     pub resolution: Option<f64>,
     /// Rows by which the recorded force acts late on the device.
@@ -110,7 +112,7 @@ impl Report {
         wall: Option<&Wall>,
     ) -> Self {
         let (first, last) = recording.times().unwrap_or_default();
-        let positions = recording.stretches.iter().flat_map(|it| &it.positions);
+        let [nearest, furthest] = recording.ends();
         Self {
             log: name.to_owned(),
             rows: recording.rows(),
@@ -125,7 +127,8 @@ impl Report {
             load: device.load(),
             start: device.start(),
             wall: wall.and_then(WallReport::of),
-            furthest: positions.fold(f64::NEG_INFINITY, |most, x| most.max(*x)),
+            furthest,
+            nearest,
             resolution: recording.resolution(),
             acts_late: device.lag(),
             residual: Residual {

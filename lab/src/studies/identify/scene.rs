@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::estimate::Estimate;
 use super::report::Report;
-use crate::text::{found, printable};
+use crate::text::printable;
 
 /// The scene that `report` tells, every fitted number with its interval.
 pub(super) fn toml(report: &Report) -> String {
@@ -62,7 +62,8 @@ fn write(out: &mut String, report: &Report) -> std::fmt::Result {
 }
 
 fn told(it: &Estimate, unit: &str) -> String {
-    format!("{:?} # {unit}, {} to {}", tidy(it.value), found(it.low), found(it.high))
+    let [_, low, high] = it.words();
+    format!("{:?} # {unit}, {low} to {high}", tidy(it.value))
 }
 
 /// A number with ten digits, since no log tells more, and 0 where a number of a scene is as good as that.

@@ -5,8 +5,12 @@ use std::fmt;
 use super::Identified;
 use super::estimate::Estimate;
 use super::report::Report;
-use crate::show::table::{Heading, Table};
+use crate::show::table::{Cell, Heading, Table};
 use crate::text::{folded, found, printable};
+
+/// What is said of a run that does not stay by its log.
+const LEAVES: &str = "a run of the scene below leaves the log: a loop at the edge of what is stable, a hand that moves, or a \
+                      stabilizer in the recorded one";
 
 impl fmt::Display for Identified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -36,12 +40,13 @@ impl Report {
         });
         let (whole, grid) = (found(1e6 * self.residual.whole), grid.unwrap_or_default());
         say("residual", &format!("{whole} um between x and the model under the log's force{grid}"));
-        if let Some(error) = self.replayed {
-            let error = found(1e3 * error);
-            say(
-                "run",
-                &format!("the scene below stays within {error} mm of the log (root mean square)"),
-            );
+        match self.replayed {
+            Some(error) if error <= self.furthest - self.nearest => {
+                let error = found(1e3 * error);
+                let words = "a run of the scene below stays within";
+                say("run", &format!("{words} {error} mm of the log (root mean square)"));
+            }
+            _ => say("run", LEAVES),
         }
         if let Some(wall) = &self.wall {
             let left = found(wall.residual);
@@ -65,7 +70,8 @@ impl Report {
             Heading::word("unit"),
         ];
         let rows = self.named().into_iter().map(|(_, name, unit, it)| {
-            [name.into(), it.value.into(), it.low.into(), it.high.into(), unit.into()]
+            let [value, low, high] = it.words().map(Cell::from);
+            [name.into(), value, low, high, unit.into()]
         });
         Table::new(headings).with_rows(rows)
     }
