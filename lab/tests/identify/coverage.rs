@@ -6,24 +6,37 @@ use rayon::prelude::*;
 use super::loops::{Chance, PLAIN, Truth};
 
 /// Logs of each kind, and their rows.
-const LOGS: u64 = 80;
+const LOGS: u64 = 60;
 const ROWS: usize = 800;
 
 /// What a log may suffer.
-const KINDS: [Truth; 3] = [
+const KINDS: [Truth; 4] = [
     Truth { encoder: 1e-5, ..PLAIN },
+    Truth { encoder: 1e-4, ..PLAIN },
     Truth { noise: 5e-6, late: 2, ..PLAIN },
-    Truth { noise: 1e-6, cell: 0.02, ..PLAIN },
+    Truth { blur: 2e-6, ..PLAIN },
 ];
 
 const NAMES: [&str; 7] =
     ["mass", "damping", "stiffness", "rest", "wall", "wall's stiffness", "wall's damping"];
 
-fn numbers(report: &Report) -> [Estimate; 7] {
+/// Each number of a report with its truth; where no spring is told, the constant force with that of the spring.
+fn numbers(report: &Report, truth: &Truth) -> [(Estimate, f64); 7] {
     let wall = report.wall.unwrap();
-    let rest = report.rest.unwrap();
-    let [place, stiffness, damping] = [wall.position, wall.stiffness, wall.damping];
-    [report.mass, report.damping, report.stiffness, rest, place, stiffness, damping]
+    let [place, stiffness, damping] = truth.wall;
+    let rest = match report.rest {
+        Some(rest) => (rest, truth.rest),
+        None => (report.load, truth.stiffness * truth.rest),
+    };
+    [
+        (report.mass, truth.mass),
+        (report.damping, truth.damping),
+        (report.stiffness, truth.stiffness),
+        rest,
+        (wall.position, place),
+        (wall.stiffness, stiffness),
+        (wall.damping, damping),
+    ]
 }
 
 fn held(truth: Truth, seed: u64) -> [bool; 7] {
@@ -31,15 +44,11 @@ fn held(truth: Truth, seed: u64) -> [bool; 7] {
     let truth = truth.varied(&mut chance);
     let log = truth.log(ROWS, &mut chance);
     let found = identify(log.as_bytes(), "log", &Settings::default()).unwrap();
-    let told = numbers(&found.report);
-    let [place, stiffness, damping] = truth.wall;
-    let true_ones =
-        [truth.mass, truth.damping, truth.stiffness, truth.rest, place, stiffness, damping];
-    std::array::from_fn(|it| told[it].low <= true_ones[it] && true_ones[it] <= told[it].high)
+    numbers(&found.report, &truth).map(|(told, truth)| (told.low..=told.high).contains(&truth))
 }
 
 /// Three standard deviations of a share about 95 % are the margin. The wall's numbers are exact where the log holds what the
-/// wall saw, as in the first two kinds, so they may be held more often.
+/// wall saw, as in all kinds but the last, so they may be held more often.
 #[test]
 fn intervals_hold_the_truth_in_about_95_of_100_logs() {
     let mut all = [0_u64; 7];

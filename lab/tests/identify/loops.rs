@@ -14,8 +14,8 @@ pub(super) struct Truth {
     /// Deviation of the position's noise, m, and the encoder's step, m.
     pub(super) noise: f64,
     pub(super) encoder: f64,
-    /// Deviation of the noise of a force sensor, N. The loop does not see it.
-    pub(super) cell: f64,
+    /// Deviation of the noise of another sensor, which wrote the log, m. The loop does not see it.
+    pub(super) blur: f64,
     /// Ticks by which the force acts late on the device.
     pub(super) late: usize,
     /// Amplitude of a hand that swings its rest at 2 Hz, m.
@@ -31,7 +31,7 @@ pub(super) const PLAIN: Truth = Truth {
     wall: [0.002, 1000.0, 10.0],
     noise: 0.0,
     encoder: 0.0,
-    cell: 0.0,
+    blur: 0.0,
     late: 0,
     swing: 0.0,
 };
@@ -102,8 +102,8 @@ impl Truth {
             let force =
                 if depth > 0.0 { (stiffness * depth + damping * speed).max(0.0) } else { 0.0 };
             forces.push(force);
-            let told = force + self.cell * chance.normal();
-            writeln!(log, "{time:?},{seen:?},{told:?}").unwrap();
+            let told = seen + self.blur * chance.normal();
+            writeln!(log, "{time:?},{told:?},{force:?}").unwrap();
             let acting = if row < self.late { 0.0 } else { forces[row - self.late] };
             for step in 0..STEPS {
                 let length = PERIOD / f64::from(STEPS);

@@ -142,6 +142,12 @@ impl Device {
         before(&self.told.fit.at, self.ahead, self.told.fit.pass.start)
     }
 
+    /// The error of the fitted positions, m: that of a row, shared among the rows for each number fitted.
+    pub(super) fn unsure(&self) -> f64 {
+        let Fit { pass, .. } = &self.told.fit;
+        (pass.cost * (pass.own + 4) as f64).sqrt() / pass.weight
+    }
+
     fn mobility(&self) -> Estimate {
         self.told_by(|at| at[MOBILITY], |_| Vector4::ith(MOBILITY, 1.0))
     }

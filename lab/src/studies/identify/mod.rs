@@ -83,7 +83,7 @@ pub fn identify(
 ) -> Result<Identified, ObserveError> {
     let recording = Recording::read(log, name, settings)?;
     let device = Device::of(&recording).map_err(|fault| fault.about(name))?;
-    let wall = Wall::of(&recording.stretches, device.fitted(), device.lag());
+    let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
     let mut report = Report::of(name, &recording, &device, wall.as_ref());
     let scene = scene::toml(&report);
     let replay = Replay::of(&scene, &recording);

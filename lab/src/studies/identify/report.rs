@@ -1,5 +1,6 @@
 //! Report on a fit.
 
+use nalgebra::Vector4;
 use serde::Serialize;
 
 use super::device::Device;
@@ -85,16 +86,21 @@ pub struct WallReport {
 impl WallReport {
     fn of(wall: &Wall) -> Option<Self> {
         let spread = wall.spread?;
-        let reach = |slope: nalgebra::Vector4<f64>| {
-            spread.factor * slope.dot(&(spread.covariance * slope)).max(0.0).sqrt()
-        };
         let [stiffness, damping] = [wall.at[0], wall.at[1]];
         let place = wall.position();
-        let by_place = nalgebra::Vector4::new(-place / stiffness, 0.0, -stiffness.recip(), 0.0);
-        let [of_stiffness, of_damping] = [0, 1].map(|it| reach(nalgebra::Vector4::ith(it, 1.0)));
+        // What the error of fitted positions may add, as a force.
+        let off = wall.unsure * (stiffness + damping * wall.speed / wall.travel);
+        let reach = |slope: Vector4<f64>, by: f64| {
+            let variance = slope.dot(&(spread.covariance * slope)).max(0.0);
+            spread.factor * (variance + (off / by).powi(2)).sqrt()
+        };
+        let by_place = Vector4::new(-place / stiffness, 0.0, -stiffness.recip(), 0.0);
+        let of_place = reach(by_place, stiffness);
+        let of_stiffness = reach(Vector4::x(), wall.travel);
+        let of_damping = reach(Vector4::y(), wall.speed);
         let size = place.abs().max(wall.travel);
         Some(Self {
-            position: Estimate::about(place, place, reach(by_place), size),
+            position: Estimate::about(place, place, of_place, size),
             stiffness: Estimate::about(stiffness, stiffness, of_stiffness, stiffness),
             damping: Estimate::about(damping, damping, of_damping, damping),
             rows: wall.rows,

@@ -10,6 +10,9 @@ use super::stretch::Stretch;
 /// than it began with.
 const TOUCH: [f64; 3] = [0.05, 1e-3, 1e-6];
 
+/// Share of the largest force up to which a depth is rounding: a wall may stand on a step of the encoder.
+const EDGE: f64 = 1e-9;
+
 /// Most rounds in which rows join or leave the contact.
 const ROUNDS: usize = 50;
 
@@ -58,6 +61,12 @@ pub(super) struct Wall {
     pub(super) force: f64,
     /// Standard deviation of the position in contact, m.
     pub(super) travel: f64,
+    /// Standard deviation of the velocity in contact, m/s.
+    pub(super) speed: f64,
+    /// Error of the positions that it was fitted to, where those are fitted themselves, m.
+    pub(super) unsure: f64,
+    /// Force below which a depth is rounding, N.
+    edge: f64,
     cost: f64,
 }
 
@@ -69,11 +78,17 @@ impl Wall {
 
     /// Its force, N.
     pub(super) fn force_at(&self, position: f64, velocity: f64) -> f64 {
-        wall(&self.at, position, velocity)
+        wall(&self.at, self.edge, position, velocity)
     }
 
-    /// The wall that explains the force of a log best; `fitted` are the positions from the row `late` of each stretch on.
-    pub(super) fn of(stretches: &[Stretch], fitted: &[f64], late: usize) -> Option<Self> {
+    /// The wall that explains the force of a log best; `fitted` are the positions from the row `late` of each
+    /// stretch on, `unsure` their error.
+    pub(super) fn of(
+        stretches: &[Stretch],
+        fitted: &[f64],
+        late: usize,
+        unsure: f64,
+    ) -> Option<Self> {
         let largest =
             stretches.iter().flat_map(|it| &it.forces).fold(0.0_f64, |most, it| most.max(*it));
         if largest <= 0.0 {
@@ -86,25 +101,32 @@ impl Wall {
             sources.into_iter().flatten().flat_map(|seen| (0..=LAGS).map(move |lag| (seen, lag)));
         let walls = all.flat_map(|(seen, lag)| {
             let touches = touches(stretches, fitted, late, seen, lag);
-            TOUCH.map(|share| Self::fit(&touches, share * largest, seen, lag))
+            TOUCH.map(|share| Self::fit(&touches, share, largest, (seen, lag)))
         });
         let walls = walls.flatten();
         // The first of several that explain it as well.
         let best =
             walls.reduce(|best, next| if next.cost < 0.98 * best.cost { next } else { best })?;
-        (best.error <= EXPLAINED * best.force).then_some(best)
+        let unsure = if best.seen == Seen::Fitted { unsure } else { 0.0 };
+        (best.error <= EXPLAINED * best.force).then_some(Self { unsure, ..best })
     }
 
-    fn fit(touches: &[Touch], threshold: f64, seen: Seen, lag: usize) -> Option<Self> {
-        let mut contact: Vec<bool> = touches.iter().map(|it| it.force > threshold).collect();
+    fn fit(
+        touches: &[Touch],
+        share: f64,
+        largest: f64,
+        (seen, lag): (Seen, usize),
+    ) -> Option<Self> {
+        let edge = EDGE * largest;
+        let wall = |at: &Vector4<f64>, it: &Touch| wall(at, edge, it.position, it.velocity);
+        let mut contact: Vec<bool> = touches.iter().map(|it| it.force > share * largest).collect();
         let mut at = Vector4::zeros();
         for _ in 0..ROUNDS {
             at = line(touches, &contact)?;
             if !(at[0] > 0.0) {
                 return None;
             }
-            let next: Vec<bool> =
-                touches.iter().map(|it| wall(&at, it.position, it.velocity) > 0.0).collect();
+            let next: Vec<bool> = touches.iter().map(|it| wall(&at, it) > 0.0).collect();
             if next == contact {
                 break;
             }
@@ -114,14 +136,13 @@ impl Wall {
         let rows = scores.len();
         let known: Matrix4<f64> = scores.iter().map(|it| it.slope * it.slope.transpose()).sum();
         let spread = inverse(&known, LINE).and_then(|it| spread(&scores, rows as f64, &it, 3));
-        let mean_square = |of: &dyn Fn(&Touch) -> f64| {
+        let mean = |of: &dyn Fn(&Touch) -> f64| {
             let of_contact = touches.iter().zip(&contact).filter(|it| *it.1);
-            of_contact.map(|it| of(it.0).powi(2)).sum::<f64>() / rows as f64
+            of_contact.map(|it| of(it.0)).sum::<f64>() / rows as f64
         };
-        let off = |it: &Touch| it.force - wall(&at, it.position, it.velocity);
-        let middle =
-            touches.iter().zip(&contact).filter(|it| *it.1).map(|it| it.0.position).sum::<f64>()
-                / rows as f64;
+        let mean_square = |of: &dyn Fn(&Touch) -> f64| mean(&|it| of(it).powi(2));
+        let off = |it: &Touch| it.force - wall(&at, it);
+        let [middle, drift] = [mean(&|it| it.position), mean(&|it| it.velocity)];
         Some(Self {
             at,
             spread,
@@ -131,14 +152,17 @@ impl Wall {
             error: mean_square(&off).sqrt(),
             force: mean_square(&|it| it.force).sqrt(),
             travel: mean_square(&|it| it.position - middle).sqrt(),
+            speed: mean_square(&|it| it.velocity - drift).sqrt(),
+            unsure: 0.0,
+            edge,
             cost: touches.iter().map(|it| off(it).powi(2)).sum::<f64>() / touches.len() as f64,
         })
     }
 }
 
-fn wall(at: &Vector4<f64>, position: f64, velocity: f64) -> f64 {
+fn wall(at: &Vector4<f64>, edge: f64, position: f64, velocity: f64) -> f64 {
     let depth = at[0] * position + at[2];
-    if depth > 0.0 { (depth + at[1] * velocity).max(0.0) } else { 0.0 }
+    if depth > edge { (depth + at[1] * velocity).max(0.0) } else { 0.0 }
 }
 
 const LINE: [bool; 4] = [true, true, true, false];
