@@ -76,7 +76,8 @@ pub use show::sync_folder::sync_folder;
 
 // Studies, one for each command.
 pub use studies::{
-    accuracy, bound, compare, effects, explain, hard, map, observe, paper, run, scenes, tune,
+    accuracy, bound, compare, effects, explain, hard, identify, map, observe, paper, run, scenes,
+    tune,
 };
 
 // Names of other crates that the interface above uses.

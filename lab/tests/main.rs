@@ -8,6 +8,7 @@ mod explain;
 mod family;
 mod floors;
 mod hard;
+mod identify;
 mod integrators;
 mod late_cap;
 mod map;

@@ -7,6 +7,7 @@ mod effects;
 mod explain;
 mod folder;
 mod hard;
+mod identify;
 mod left_out;
 mod map;
 mod merge;
@@ -60,6 +61,7 @@ enum Command {
     Paper(paper::Paper),
     Hard(hard::Hard),
     Observe(observe::Observe),
+    Identify(identify::Identify),
     Tune(tune::Tune),
     Effects(effects::Effects),
     Accuracy(accuracy::Accuracy),
@@ -79,6 +81,7 @@ impl Command {
             Self::Paper(paper) => paper.run(),
             Self::Hard(hard) => hard.run(),
             Self::Observe(observe) => observe.run(),
+            Self::Identify(identify) => identify.run(),
             Self::Tune(tune) => tune.run(),
             Self::Effects(effects) => effects.run(),
             Self::Accuracy(accuracy) => accuracy.run(),

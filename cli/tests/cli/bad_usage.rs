@@ -73,6 +73,7 @@ fn help_fits_and_names_everything() {
         (&["paper", "--help"], ENDS),
         (&["compare", "--help"], ENDS),
         (&["observe", "--help"], ENDS),
+        (&["identify", "--help"], ENDS),
         (
             &["scenes", "--help"],
             &["[NAME]", "lyapunov scenes tour > tour.toml", "--json", "--quiet"],

@@ -28,11 +28,12 @@ fn is_offline(page: &str) {
 #[test]
 fn every_command_that_computes_writes_page_json_rows_and_figures() {
     let place = place();
-    let cases: [(&[&str], &str, &[&str]); 7] = [
+    let cases: [(&[&str], &str, &[&str]); 8] = [
         (&["run", "scene.toml"], "run", &["run.svg", "run.png"]),
         (&["bound", "scene.toml"], "bound", &["bound.svg", "bound.png"]),
         (&["explain", "scene.toml"], "explain", &["explain.svg", "explain.png"]),
         (&["observe", "log.csv"], "observe", &["observe.svg", "observe.png"]),
+        (&["identify", "log.csv"], "identify", &["identify.svg", "identify.png", "identify.toml"]),
         (
             &["tune", "scene.toml", "--trials", "2", "--runs", "2"],
             "tune",

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod effects;
 pub mod explain;
 pub mod hard;
+pub mod identify;
 pub mod map;
 pub mod observe;
 pub mod paper;

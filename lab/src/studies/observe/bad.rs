@@ -20,7 +20,7 @@ pub(super) const SHORTEST: f64 = 1e-50;
 
 /// Reason why a row cannot be used.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Reason<'a> {
+pub(crate) enum Reason<'a> {
     Fields { found: usize, expected: usize },
     Number { role: Role, field: &'a [u8] },
     Range { role: Role, field: &'a [u8] },
@@ -55,11 +55,11 @@ impl fmt::Display for Reason<'_> {
 
 /// A bad row, with the time and force that can be read all the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bad<'a> {
-    pub(super) line: u64,
-    pub(super) reason: Reason<'a>,
-    pub(super) time: Option<f64>,
-    pub(super) force: Option<f64>,
+pub(crate) struct Bad<'a> {
+    pub(crate) line: u64,
+    pub(crate) reason: Reason<'a>,
+    pub(crate) time: Option<f64>,
+    pub(crate) force: Option<f64>,
 }
 
 /// A bad row in a report.
@@ -89,7 +89,7 @@ pub struct BadRows {
 }
 
 impl BadRows {
-    pub(super) fn add(&mut self, line: u64, reason: &Reason<'_>) {
+    pub(crate) fn add(&mut self, line: u64, reason: &Reason<'_>) {
         self.count += 1;
         *match reason {
             Reason::Fields { .. } | Reason::TooLong => &mut self.fields,

@@ -12,24 +12,24 @@ use super::scale::Scale;
 
 /// A good row, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sample {
-    pub(super) line: u64,
-    pub(super) t: f64,
-    pub(super) x: f64,
-    pub(super) f: f64,
-    pub(super) v: Option<f64>,
+pub(crate) struct Sample {
+    pub(crate) line: u64,
+    pub(crate) t: f64,
+    pub(crate) x: f64,
+    pub(crate) f: f64,
+    pub(crate) v: Option<f64>,
 }
 
 /// A row, good or bad.
 #[derive(Debug, PartialEq)]
-pub(super) enum Entry<'a> {
+pub(crate) enum Entry<'a> {
     Good(Sample),
     Bad(Bad<'a>),
 }
 
 /// Reader of the rows of a log.
 #[derive(Debug)]
-pub(super) struct Log<R> {
+pub(crate) struct Log<R> {
     lines: Lines<R>,
     row: RowReader,
     /// The first line, where it is itself a row.
@@ -39,7 +39,7 @@ pub(super) struct Log<R> {
 
 impl<R: Read> Log<R> {
     /// Reads up to the names of the columns, or to the first row where there are no names.
-    pub(super) fn open(
+    pub(crate) fn open(
         reader: R,
         name: &str,
         columns: &Columns,
@@ -56,7 +56,7 @@ impl<R: Read> Log<R> {
     }
 
     /// The next row; none at the end.
-    pub(super) fn read(&mut self) -> io::Result<Option<Entry<'_>>> {
+    pub(crate) fn read(&mut self) -> io::Result<Option<Entry<'_>>> {
         if std::mem::take(&mut self.pending)
             && let Some(first) = &self.first
         {

@@ -48,7 +48,7 @@ pub use traces::Traces;
 
 use std::io::Read;
 
-use log::Log;
+pub(crate) use log::{Entry, Log, Sample};
 use lyapunov_figures::Figure;
 use watch::Watch;
 

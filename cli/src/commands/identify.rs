@@ -1,0 +1,84 @@
+//! The command `lyapunov identify`.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use lyapunov_lab::identify::{self, Identified, Settings};
+use lyapunov_lab::observe::{Columns, Scale};
+
+use super::folder::Folder;
+use super::results::{Results, command_line};
+use super::source::Source;
+use super::{End, heed_interrupts, standard_output};
+
+/// The file that `--json` prints.
+const RESULTS: &str = "identify.json";
+
+/// Fit a scene to a recorded log: mass, damping, spring and wall, each with its 95 % interval.
+///
+/// The log is as for `observe`: time, position and the force that acts from each row until the next, positive where it
+/// resists motion towards larger x. Mass, damping and spring are those under which the recorded force moves the device
+/// as recorded; the wall is the force over the depth. The scene that is printed is ready to run. Notes say what the
+/// log cannot tell, and what it contradicts. docs/identify.md has the equations.
+///
+/// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
+#[derive(Args, Debug)]
+pub(crate) struct Identify {
+    /// The log; `-` is standard input.
+    log: PathBuf,
+    /// The columns of time, position, force and, if there is one, velocity: by name, or by number from 1. The wall may
+    /// have seen that velocity, or the backward difference.
+    #[arg(long, value_name = "T,X,F[,V]", default_value = "t,x,f")]
+    columns: Columns,
+    /// A factor from the log's unit of t, x, f or v to SI, as in x=1e-3,t=1e-6; f=-1 turns the sign.
+    #[arg(long, value_name = "COLUMN=FACTOR", value_delimiter = ',', allow_hyphen_values = true)]
+    scale: Vec<Scale>,
+    /// Write report.html, identify.json, the scene (identify.toml), the numbers (CSV) and the plot (SVG and PNG) into
+    /// this folder; made if not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print the numbers and the scene as JSON, in SI units.
+    #[arg(long, conflicts_with = "quiet")]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Identify {
+    pub(crate) fn run(&self) -> Result<(), End> {
+        heed_interrupts(false);
+        let settings = Settings { columns: self.columns.clone(), scales: self.scale.clone() };
+        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let identified = self.identify(&settings)?;
+        let json = identified.to_json().map_err(End::internal)?;
+        if let Some(folder) = folder {
+            let results = Results::new(identified.to_html(&command_line()), RESULTS, &json);
+            let results = results.with_figure("identify", &identified.figure())?;
+            let results = results.with_file("identify.toml", identified.scene.as_str());
+            folder.fill(results.with_file("identify.csv", identified.csv()))?;
+        }
+        let text = match (self.json, self.quiet) {
+            (true, _) => json,
+            (_, true) => return Ok(()),
+            _ => identified.to_string(),
+        };
+        io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
+    }
+
+    fn identify(&self, settings: &Settings) -> Result<Identified, End> {
+        let standard = self.log == Path::new("-");
+        let name =
+            if standard { "standard input".to_owned() } else { self.log.display().to_string() };
+        let source = if standard { Source::standard_input() } else { Source::open(&self.log) };
+        let mut source = source.map_err(|error| End::input(format!("{name}: {error}")))?;
+        if !self.quiet {
+            source.show_progress();
+        }
+        let identified = identify::identify(source, &name, settings);
+        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
+        End::if_interrupted()?;
+        identified.map_err(End::input)
+    }
+}

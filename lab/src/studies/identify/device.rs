@@ -1,0 +1,265 @@
+//! Mass, damping and spring that a log tells.
+
+use nalgebra::Vector4;
+
+use super::blocks::{Spread, spread};
+use super::estimate::Estimate;
+use super::least_squares::inverse;
+use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
+use super::plant::{Fit, Setting};
+use super::recording::Recording;
+use super::stretch::Stretch;
+use crate::studies::observe::ObserveError;
+
+/// Most rows by which the force may act late.
+const LAGS: usize = 8;
+
+/// Rows over which the lateness is looked for, and rows that are predicted from one state meanwhile.
+const LOOKED: usize = 4000;
+const AHEAD: usize = 256;
+
+/// Share by which a late force has to fit better than one that is not late.
+const BETTER: f64 = 0.98;
+
+/// Rows of a stretch in which an unknown force may be taken as constant.
+const STRETCH: usize = 32;
+
+/// Factor by which the whole log may fit worse than short stretches do before something unknown is said to push.
+const WORSE: f64 = 2.0;
+
+/// Share of the way from the least to the largest position below which nothing but rounding is left.
+const ROUNDING: f64 = 1e-9;
+
+/// Coefficients with what is known of their errors.
+#[derive(Clone, Debug)]
+struct Told {
+    fit: Fit,
+    spread: Spread,
+    /// The coefficients without the bounds at 0.
+    middle: Coefficients,
+}
+
+/// Mass, damping and spring, fitted.
+#[derive(Clone, Debug)]
+pub(super) struct Device {
+    told: Told,
+    /// The fit of the whole log, where `told` is that of short stretches.
+    other: Option<Told>,
+    lag: usize,
+    /// The time by which the first fitted row comes after the first, s.
+    ahead: f64,
+    /// The error of the whole log, and that of short stretches with a constant force of their own, m.
+    pub(super) error: f64,
+    pub(super) short_error: f64,
+    /// Whether something pushes that the log does not hold.
+    pub(super) is_pushed: bool,
+}
+
+/// Reason why a log tells no mass.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Fault {
+    Short,
+    Still,
+    NoForce,
+    NoMass,
+}
+
+impl Fault {
+    pub(super) fn about(self, name: &str) -> ObserveError {
+        let (fault, remedy) = match self {
+            Self::Short => (
+                "too few rows without a gap",
+                "give a log of 50 rows or more, in free motion and in contact",
+            ),
+            Self::Still => ("x is the same in all rows", "give a log of a motion"),
+            Self::NoForce => (
+                "f is 0 in all rows, so only ratios to the mass are told",
+                "record a contact: the force that moves the device tells its mass",
+            ),
+            Self::NoMass => (
+                "the force does not tell the mass: a mass without end lies within its 95 % interval",
+                "record firmer or longer contacts; check the sign of f (--scale f=-1) and its unit",
+            ),
+        };
+        ObserveError::about(name, fault).with_help(remedy)
+    }
+}
+
+impl Device {
+    pub(super) fn of(recording: &Recording) -> Result<Self, Fault> {
+        let stretches = &recording.stretches;
+        if recording.rows() < 20 {
+            return Err(Fault::Short);
+        }
+        if stretches.iter().all(|it| it.positions.iter().all(|x| *x == stretches[0].positions[0])) {
+            return Err(Fault::Still);
+        }
+        if recording.largest_force() == 0.0 {
+            return Err(Fault::NoForce);
+        }
+        let setting = Setting {
+            stretches,
+            period: recording.period,
+            lag: 0,
+            horizon: usize::MAX,
+            pushed: false,
+            free: [true; 4],
+        };
+        let (lag, from) = lag(&setting).ok_or(Fault::NoMass)?;
+        let whole = Setting { lag, ..setting };
+        let long = whole.fit(from).ok_or(Fault::NoMass)?;
+        let short =
+            Setting { horizon: STRETCH, pushed: true, free: [true, true, false, true], ..whole };
+        let near = short.fit(long.at);
+        let error = long.error(whole.count());
+        let short_error = near.as_ref().map_or(error, |fit| fit.error(short.count()));
+        let grid = recording.resolution().map_or(0.0, |it| it / 12_f64.sqrt());
+        let least = short_error.max(grid).max(ROUNDING * recording.travel());
+        let ahead = stretches[0].times.get(lag).map_or(0.0, |it| it - stretches[0].times[0]);
+        let of_long = Told::of(&whole, long);
+        let of_short = near.filter(|_| error > WORSE * least).and_then(|fit| Told::of(&short, fit));
+        let is_pushed = of_short.is_some();
+        let (told, other) = match of_short {
+            Some(told) => (told, of_long),
+            None => (of_long.ok_or(Fault::NoMass)?, None),
+        };
+        let device = Self { told, other, lag, ahead, error, short_error, is_pushed };
+        device.mobility().inverse().map(|_| device).ok_or(Fault::NoMass)
+    }
+
+    /// Rows by which the force acts late.
+    pub(super) fn lag(&self) -> usize {
+        self.lag
+    }
+
+    /// Fitted positions, from the row of the lag on in each stretch.
+    pub(super) fn fitted(&self) -> &[f64] {
+        &self.told.fit.pass.fitted
+    }
+
+    /// Position and velocity of the first row.
+    pub(super) fn start(&self) -> [f64; 2] {
+        before(&self.told.fit.at, self.ahead, self.told.fit.pass.start)
+    }
+
+    /// The error of the fitted positions, m: that of a row, shared among the rows for each number fitted.
+    pub(super) fn unsure(&self) -> f64 {
+        let Fit { pass, .. } = &self.told.fit;
+        (pass.cost * (pass.own + 4) as f64).sqrt() / pass.weight
+    }
+
+    fn mobility(&self) -> Estimate {
+        self.told_by(|at| at[MOBILITY], |_| Vector4::ith(MOBILITY, 1.0))
+    }
+
+    /// The mass, kg.
+    pub(super) fn mass(&self) -> Estimate {
+        let mobility = self.mobility();
+        mobility.inverse().unwrap_or(Estimate {
+            value: mobility.value.recip(),
+            low: 0.0,
+            high: f64::INFINITY,
+        })
+    }
+
+    /// Damping in N·s/m.
+    pub(super) fn damping(&self) -> Estimate {
+        self.ratio(DECAY, MOBILITY)
+    }
+
+    /// Stiffness of the hand's spring in N/m.
+    pub(super) fn stiffness(&self) -> Estimate {
+        self.ratio(SPRING, MOBILITY)
+    }
+
+    /// The position at which the spring is relaxed, m; none where no spring is told.
+    pub(super) fn rest(&self) -> Option<Estimate> {
+        self.stiffness().is_told().then(|| self.ratio(BIAS, SPRING))
+    }
+
+    /// The constant force, N.
+    pub(super) fn load(&self) -> Estimate {
+        self.ratio(BIAS, MOBILITY)
+    }
+
+    fn ratio(&self, over: usize, under: usize) -> Estimate {
+        let slope = |at: &Coefficients| {
+            let mut slope = Vector4::zeros();
+            slope[over] = at[under].recip();
+            slope[under] = -at[over] / at[under].powi(2);
+            slope
+        };
+        self.told_by(|at| at[over] / at[under], slope)
+    }
+
+    /// A function of the coefficients, to first order about them; of two fits the interval spans both.
+    fn told_by(
+        &self,
+        of: impl Fn(&Coefficients) -> f64,
+        slope: impl Fn(&Coefficients) -> Vector4<f64>,
+    ) -> Estimate {
+        let told = self.told.estimate(&of, &slope);
+        self.other.as_ref().map_or(told, |other| told.or(other.estimate(&of, &slope)))
+    }
+}
+
+impl Told {
+    fn of(setting: &Setting<'_>, mut fit: Fit) -> Option<Self> {
+        let inverse = inverse(&fit.pass.known, setting.free)?;
+        let spread = spread(&fit.pass.scores, fit.pass.weight, &inverse, setting.count())?;
+        let middle = fit.at + setting.unbound_step(&fit);
+        if setting.pushed {
+            fit.at[BIAS] = fit.pass.pushes / fit.pass.fitted.len() as f64;
+        }
+        Some(Self { fit, spread, middle })
+    }
+
+    fn estimate(
+        &self,
+        of: impl Fn(&Coefficients) -> f64,
+        slope: impl Fn(&Coefficients) -> Vector4<f64>,
+    ) -> Estimate {
+        let at = &self.fit.at;
+        let (value, slope) = (of(at), slope(at));
+        let variance = slope.dot(&(self.spread.covariance * slope));
+        let bound = |it: usize| at[it] <= 0.0;
+        // Only a number that is held at 0 is away from what the data alone ask for.
+        let off: f64 = [DECAY, SPRING]
+            .into_iter()
+            .filter(|it| bound(*it))
+            .map(|it| slope[it] * (self.middle[it] - at[it]))
+            .sum();
+        Estimate::about(value, value + off, self.spread.factor * variance.max(0.0).sqrt(), value)
+    }
+}
+
+/// Rows by which the force acts late, and coefficients for it, from the part of the log about the largest force.
+fn lag(setting: &Setting<'_>) -> Option<(usize, Coefficients)> {
+    let part = [excerpt(setting.stretches)?];
+    let fit = |lag: usize| {
+        let setting = Setting { stretches: &part, lag, horizon: AHEAD, ..*setting };
+        let fit = setting.fit(Coefficients::zeros())?;
+        Some((lag, fit.error(setting.count()), fit.at))
+    };
+    let fits: Vec<_> = (0..=LAGS).filter_map(fit).collect();
+    let best = fits.iter().min_by(|one, other| one.1.total_cmp(&other.1))?;
+    let chosen = fits.iter().find(|it| BETTER * it.1 <= best.1)?;
+    Some((chosen.0, chosen.2))
+}
+
+/// The rows about the largest force.
+fn excerpt(stretches: &[Stretch]) -> Option<Stretch> {
+    let peak = |it: &Stretch| it.forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+    let stretch = stretches.iter().max_by(|one, other| peak(one).total_cmp(&peak(other)))?;
+    let most = peak(stretch);
+    let at = stretch.forces.iter().position(|it| it.abs() == most)?;
+    let first = at.saturating_sub(LOOKED / 2).min(stretch.len().saturating_sub(LOOKED));
+    let rows = first..(first + LOOKED).min(stretch.len());
+    let part = |of: &[f64]| of.get(rows.clone()).map(<[f64]>::to_vec).unwrap_or_default();
+    Some(Stretch {
+        times: part(&stretch.times),
+        positions: part(&stretch.positions),
+        forces: part(&stretch.forces),
+        velocities: part(&stretch.velocities),
+    })
+}

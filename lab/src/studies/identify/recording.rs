@@ -1,0 +1,141 @@
+//! Log in memory, without what cannot be used.
+
+use std::io::Read;
+
+use super::Settings;
+use super::stretch::Stretch;
+use crate::studies::observe::{BadRows, Entry, Log, ObserveError, Sample};
+
+/// The most rows of a log.
+const MOST: usize = 1_000_000;
+
+/// Length of a time step, in median periods, above which it is a gap; as in `observe`.
+const GAP: f64 = 1.5;
+
+/// Fewest rows of a stretch that is fitted to.
+const FEWEST: usize = 8;
+
+/// The good rows of a log, in stretches without a gap.
+#[derive(Clone, Debug)]
+pub(super) struct Recording {
+    pub(super) stretches: Vec<Stretch>,
+    /// The median period, s.
+    pub(super) period: f64,
+    pub(super) bad_rows: BadRows,
+}
+
+impl Recording {
+    /// Reads the log called `name`.
+    pub(super) fn read(
+        log: impl Read,
+        name: &str,
+        settings: &Settings,
+    ) -> Result<Self, ObserveError> {
+        let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
+        let mut bad_rows = BadRows::default();
+        let (mut rows, mut spans): (Vec<(Sample, bool)>, bool) = (Vec::new(), false);
+        while let Some(entry) =
+            log.read().map_err(|error| ObserveError::unreadable(name, &error))?
+        {
+            match entry {
+                Entry::Bad(bad) => {
+                    bad_rows.add(bad.line, &bad.reason);
+                    spans = true;
+                }
+                Entry::Good(sample) => {
+                    let last = rows.last().map(|it| it.0);
+                    if let Some(last) = last
+                        && !(sample.t > last.t)
+                    {
+                        let message = format!("t = {:?} s is not after {:?} s", sample.t, last.t);
+                        return Err(ObserveError::at(name, sample.line, message)
+                            .with_help("sort the log, or cut it where the clock went back"));
+                    }
+                    rows.push((sample, std::mem::take(&mut spans)));
+                }
+            }
+            if rows.len() > MOST {
+                return Err(ObserveError::about(name, format!("more than {MOST} rows")).with_help(
+                    "cut the log: some contacts and free motion between them are enough",
+                ));
+            }
+        }
+        if rows.len() < 2 {
+            return Err(ObserveError::too_few(name, &bad_rows));
+        }
+        let period = median(&rows);
+        Ok(Self { stretches: stretches(&rows, period), period, bad_rows })
+    }
+
+    /// The number of rows that are fitted to.
+    pub(super) fn rows(&self) -> usize {
+        self.stretches.iter().map(Stretch::len).sum()
+    }
+
+    /// The first and the last of these rows' times, s.
+    pub(super) fn times(&self) -> Option<(f64, f64)> {
+        Some((*self.stretches.first()?.times.first()?, *self.stretches.last()?.times.last()?))
+    }
+
+    /// The largest magnitude of the force, N.
+    pub(super) fn largest_force(&self) -> f64 {
+        self.stretches.iter().flat_map(|it| &it.forces).fold(0.0_f64, |most, it| most.max(it.abs()))
+    }
+
+    /// The least and the largest position, m.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        let positions = || self.stretches.iter().flat_map(|it| &it.positions);
+        let low = positions().copied().fold(f64::INFINITY, f64::min);
+        [low, positions().copied().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// The way from the least to the largest position, m.
+    pub(super) fn travel(&self) -> f64 {
+        let [low, high] = self.ends();
+        high - low
+    }
+
+    /// The step of the grid on which all positions lie, m: an encoder's, or that of the digits written.
+    pub(super) fn resolution(&self) -> Option<f64> {
+        let moved = |stretch: &Stretch| {
+            let pairs = stretch.positions.windows(2);
+            pairs.map(|it| (it[1] - it[0]).abs()).filter(|it| *it > 0.0).collect::<Vec<_>>()
+        };
+        let moves: Vec<f64> = self.stretches.iter().flat_map(moved).collect();
+        let step = moves.iter().copied().reduce(f64::min)?;
+        // A grid that nearly every move is many steps of is the rounding of a computer.
+        let is_grid = |step: f64| {
+            moves.iter().all(|it| ((it / step).round() - it / step).abs() < 1e-3 && it / step < 1e6)
+        };
+        if moves.len() < 8 || !is_grid(step) {
+            return None;
+        }
+        let (steps, way) =
+            moves.iter().fold((0.0, 0.0), |sum, it| (sum.0 + (it / step).round(), sum.1 + it));
+        Some(way / steps)
+    }
+}
+
+/// The median of the steps that span no bad row, or of all.
+fn median(rows: &[(Sample, bool)]) -> f64 {
+    let step = |pair: &[(Sample, bool)]| pair[1].0.t - pair[0].0.t;
+    let mut steps: Vec<f64> = rows.windows(2).filter(|it| !it[1].1).map(step).collect();
+    if steps.is_empty() {
+        steps = rows.windows(2).map(step).collect();
+    }
+    let middle = steps.len() / 2;
+    *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+fn stretches(rows: &[(Sample, bool)], period: f64) -> Vec<Stretch> {
+    let goes_on =
+        |one: &(Sample, bool), next: &(Sample, bool)| !next.1 && next.0.t - one.0.t <= GAP * period;
+    let long = rows.chunk_by(goes_on).filter(|it| it.len() >= FEWEST);
+    let stretch = |rows: &[(Sample, bool)]| Stretch {
+        times: rows.iter().map(|it| it.0.t).collect(),
+        positions: rows.iter().map(|it| it.0.x).collect(),
+        forces: rows.iter().map(|it| it.0.f).collect(),
+        velocities: rows.iter().filter_map(|it| it.0.v).collect(),
+    };
+    long.map(stretch).collect()
+}

@@ -1,0 +1,73 @@
+//! Scene of a fit, as TOML.
+
+use std::fmt::Write as _;
+
+use super::estimate::Estimate;
+use super::report::Report;
+use crate::text::printable;
+
+/// The scene that `report` tells, every fitted number with its interval.
+pub(super) fn toml(report: &Report) -> String {
+    let mut text = String::new();
+    // Writing to a string never fails.
+    let _ = write(&mut text, report);
+    text
+}
+
+fn write(out: &mut String, report: &Report) -> std::fmt::Result {
+    let name: String = report.log.chars().map(printable).collect();
+    writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
+    let (period, duration) = (tidy(report.median_period), tidy(report.duration));
+    let rate = tidy(period.recip());
+    writeln!(
+        out,
+        "# Look at x: it should follow the log.\nduration = {duration:?}\nservo_rate = {rate:?}"
+    )?;
+    writeln!(out, "\n[operator]\nstiffness = {}", told(&report.stiffness, "N/m"))?;
+    if let Some(rest) = &report.rest {
+        writeln!(out, "rest = {}", told(rest, "m"))?;
+    }
+    writeln!(
+        out,
+        "\n# Hand and device move as one.\n[device]\nmass = {}",
+        told(&report.mass, "kg")
+    )?;
+    writeln!(out, "damping = {}", told(&report.damping, "N.s/m"))?;
+    let [position, velocity] = report.start.map(tidy);
+    writeln!(out, "\n[initial]\nposition = {position:?}\nvelocity = {velocity:?}")?;
+    match &report.wall {
+        Some(wall) => {
+            writeln!(out, "\n[environment.wall]\nposition = {}", told(&wall.position, "m"))?;
+            writeln!(out, "stiffness = {}", told(&wall.stiffness, "N/m"))?;
+            writeln!(out, "damping = {}", told(&wall.damping, "N.s/m"))?;
+        }
+        None => {
+            let place = tidy(report.furthest);
+            writeln!(
+                out,
+                "\n# The log tells no wall.\n[environment.wall]\nposition = {place:?}\nstiffness = 0.0"
+            )?;
+        }
+    }
+    if let Some(resolution) = report.resolution {
+        writeln!(out, "\n[effects.encoder]\nresolution = {:?}", tidy(resolution))?;
+    }
+    if report.delay() > 0 {
+        writeln!(out, "\n[effects.delay]\nticks = {}", report.delay())?;
+    }
+    if report.rest.is_none() && report.load.value != 0.0 {
+        writeln!(out, "\n[effects.load]\nforce = {}", told(&report.load, "N"))?;
+    }
+    Ok(())
+}
+
+fn told(it: &Estimate, unit: &str) -> String {
+    let [_, low, high] = it.words();
+    format!("{:?} # {unit}, {low} to {high}", tidy(it.value))
+}
+
+/// A number with ten digits, since no log tells more, and 0 where a number of a scene is as good as that.
+fn tidy(value: f64) -> f64 {
+    const NOTHING: f64 = 1e-12;
+    if value.abs() < NOTHING { 0.0 } else { format!("{value:.9e}").parse().unwrap_or(value) }
+}

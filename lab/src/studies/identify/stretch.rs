@@ -1,0 +1,18 @@
+//! Stretch of a log without a gap.
+
+/// Rows of a log between two gaps, in SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Stretch {
+    pub(super) times: Vec<f64>,
+    pub(super) positions: Vec<f64>,
+    /// The force that acts from each row until the next.
+    pub(super) forces: Vec<f64>,
+    /// The velocities of the log; empty where it has none.
+    pub(super) velocities: Vec<f64>,
+}
+
+impl Stretch {
+    pub(super) fn len(&self) -> usize {
+        self.times.len()
+    }
+}

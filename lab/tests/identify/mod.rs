@@ -1,0 +1,6 @@
+//! Scenes fitted to logs of known truth.
+
+mod coverage;
+mod loops;
+mod notes;
+mod simulator;

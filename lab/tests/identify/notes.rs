@@ -1,0 +1,130 @@
+//! What a log cannot tell is said.
+
+use lyapunov_lab::identify::{Identified, Settings, identify};
+use lyapunov_lab::observe::ObserveError;
+use lyapunov_lab::{Scene, identify as study};
+
+use super::loops::{Chance, PLAIN, Truth};
+
+fn fitted(log: &str) -> Result<Identified, ObserveError> {
+    identify(log.as_bytes(), "log.csv", &Settings::default())
+}
+
+fn of(truth: Truth, rows: usize) -> Identified {
+    fitted(&truth.log(rows, &mut Chance::new(7))).unwrap()
+}
+
+fn says(found: &Identified, words: &str) -> bool {
+    found.report.notes.iter().any(|note| note.contains(words))
+}
+
+#[test]
+fn a_hand_that_stays_is_no_unknown_push() {
+    let found = of(Truth { encoder: 1e-5, ..PLAIN }, 800);
+    assert!(!found.report.residual.is_pushed && !says(&found, "late") && !says(&found, "no wall"));
+    assert_eq!(found.report.notes.len(), 1, "{:?}", found.report.notes);
+}
+
+#[test]
+fn a_hand_that_moves_is_said() {
+    let found = of(Truth { swing: 0.004, noise: 1e-6, ..PLAIN }, 2000);
+    assert!(found.report.residual.is_pushed && says(&found, "something pushes"));
+    // The wall is another column's affair.
+    let wall = found.report.wall.unwrap();
+    assert!((wall.stiffness.value - 1000.0).abs() < 1e-3);
+    assert!((found.report.mass.value - 0.3).abs() < 0.03, "{:?}", found.report.mass);
+}
+
+#[test]
+fn a_force_that_acts_late_is_a_delay() {
+    let found = of(Truth { late: 3, encoder: 1e-5, ..PLAIN }, 800);
+    assert_eq!(found.report.acts_late, 3);
+    assert!(says(&found, "f acts 3 rows (3 ms) late"), "{:?}", found.report.notes);
+    assert!(found.scene.contains("[effects.delay]\nticks = 3\n"));
+}
+
+/// A motor shakes the device where nothing stands.
+fn shaken(mut force: impl FnMut(f64) -> f64) -> String {
+    let (mass, damping) = (0.5, 3.0);
+    let (mut x, mut v) = (0.0, 0.0);
+    let mut log = String::from("t,x,f\n");
+    for row in 0..500 {
+        let time = 1e-3 * f64::from(row);
+        let acting = force(time);
+        log += &format!("{time:?},{x:?},{acting:?}\n");
+        // Exact under a held force.
+        let (decay, end) = ((-damping / mass * 1e-3_f64).exp(), -acting / damping);
+        x += end * 1e-3 + (v - end) * mass / damping * (1.0 - decay);
+        v = end + (v - end) * decay;
+    }
+    log
+}
+
+#[test]
+fn without_a_wall_the_scene_has_none() {
+    let found = fitted(&shaken(|t| 2.0 * (40.0 * t).sin() + (97.0 * t).cos())).unwrap();
+    assert!(says(&found, "no wall") && found.report.wall.is_none());
+    assert!((found.report.mass.value - 0.5).abs() < 1e-6);
+    assert!((found.report.damping.value - 3.0).abs() < 1e-5);
+    let scene = Scene::parse(&found.scene, "found").unwrap();
+    assert_eq!(scene.environment.wall().unwrap().stiffness.get(), 0.0);
+}
+
+#[test]
+fn what_tells_nothing_is_refused_with_a_remedy() {
+    let row = |n: u32, x: f64, f: f64| format!("{:?},{x:?},{f:?}\n", 1e-3 * f64::from(n));
+    let log = |of: &dyn Fn(u32) -> (f64, f64)| {
+        let rows = (0..100).map(|n| of(n)).enumerate();
+        rows.fold(String::from("t,x,f\n"), |log, (n, (x, f))| log + &row(n as u32, x, f))
+    };
+    let cases = [
+        (log(&|_| (0.001, 1.0)), "same in all rows"),
+        (log(&|n| (1e-3 * f64::from(n), 0.0)), "f is 0 in all rows"),
+        (String::from("t,x,f\n0,0,0\n1,1,1\n"), "too few rows"),
+        (String::from("t,x,f\n0,0,0\n"), "fewer than two good rows"),
+        (log(&|n| (1e-3 * f64::from(n * 7919 % 13), 1e-6)), "does not tell the mass"),
+    ];
+    for (log, words) in cases {
+        let error = fitted(&log).unwrap_err();
+        assert!(error.message().contains(words), "{error}");
+        assert!(error.help().is_some(), "{error}");
+    }
+}
+
+/// Numbers of any size end in a result or an error.
+#[test]
+fn hostile_logs_end_without_a_panic() {
+    let mut chance = Chance::new(3);
+    for size in [1e-45, 1e-9, 1.0, 1e9, 1e45] {
+        for force in [1e-40, 1.0, 1e48] {
+            let mut log = String::from("t,x,f\n");
+            for n in 0..60 {
+                let bad = if n % 17 == 5 { "NaN" } else { "" };
+                let (x, f) = (size * chance.even(), force * (chance.even() - 0.3));
+                log += &format!("{:?},{x:?}{bad},{f:?}\n", 0.1 * f64::from(n));
+            }
+            let _ = fitted(&log);
+        }
+    }
+}
+
+#[test]
+fn gaps_cut_the_log() {
+    let log = PLAIN.log(900, &mut Chance::new(5));
+    let lines: Vec<_> = log.lines().collect();
+    let cut: Vec<_> = lines[..400].iter().chain(&lines[470..]).copied().collect();
+    let found = fitted(&cut.join("\n")).unwrap();
+    assert_eq!(found.report.stretches, 2);
+    assert!(says(&found, "a gap cut the log into 2 stretches"), "{:?}", found.report.notes);
+    assert!((found.report.mass.value - 0.3).abs() < 1e-6);
+}
+
+#[test]
+fn a_page_holds_figure_numbers_and_scene() {
+    let found: study::Identified = of(PLAIN, 400);
+    let page = found.to_html("lyapunov identify log.csv");
+    for part in ["<svg", "environment.wall", "identify.toml", "Fitted to log.csv"] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert_eq!(found.csv().lines().count(), 8);
+}
