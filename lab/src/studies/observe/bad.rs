@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::columns::Role;
+use super::notation::Mark;
 use crate::text::shorten;
 
 /// Number of bad rows that are listed; the rest are only counted.
@@ -20,9 +21,10 @@ pub(super) const SHORTEST: f64 = 1e-50;
 
 /// Reason why a row cannot be used.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Reason<'a> {
+pub(crate) enum Reason<'a> {
     Fields { found: usize, expected: usize },
     Number { role: Role, field: &'a [u8] },
+    Mark { role: Role, field: &'a [u8], known: Mark },
     Range { role: Role, field: &'a [u8] },
     Order { time: f64, last: f64, line: u64 },
     TooLong,
@@ -42,6 +44,14 @@ impl fmt::Display for Reason<'_> {
             Self::Number { role, field } => {
                 write!(f, "{} is `{}`, no number", role.letter(), text(field))
             }
+            Self::Mark { role, field, known } => {
+                let (letter, known) = (role.letter(), known.name());
+                write!(
+                    f,
+                    "{letter} is `{}`, and numbers before have a decimal {known}",
+                    text(field)
+                )
+            }
             Self::Range { role, field } => {
                 write!(f, "{} is `{}`, out of range", role.letter(), text(field))
             }
@@ -55,9 +65,9 @@ impl fmt::Display for Reason<'_> {
 
 /// A bad row, with the time and force that can be read all the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bad<'a> {
-    pub(super) line: u64,
-    pub(super) reason: Reason<'a>,
+pub(crate) struct Bad<'a> {
+    pub(crate) line: u64,
+    pub(crate) reason: Reason<'a>,
     pub(super) time: Option<f64>,
     pub(super) force: Option<f64>,
 }
@@ -89,11 +99,11 @@ pub struct BadRows {
 }
 
 impl BadRows {
-    pub(super) fn add(&mut self, line: u64, reason: &Reason<'_>) {
+    pub(crate) fn add(&mut self, line: u64, reason: &Reason<'_>) {
         self.count += 1;
         *match reason {
             Reason::Fields { .. } | Reason::TooLong => &mut self.fields,
-            Reason::Number { .. } => &mut self.numbers,
+            Reason::Number { .. } | Reason::Mark { .. } => &mut self.numbers,
             Reason::Range { .. } => &mut self.range,
             Reason::Order { .. } => &mut self.order,
         } += 1;

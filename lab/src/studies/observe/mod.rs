@@ -21,9 +21,11 @@ mod contact;
 mod envelope;
 mod error;
 mod fields;
+mod heading;
 mod layout;
 mod lines;
 mod log;
+mod notation;
 mod observed_energy;
 mod page;
 mod report;
@@ -36,8 +38,7 @@ mod watch;
 
 pub use bad::{BadRow, BadRows};
 pub use candidate::Candidate;
-pub use columns::Columns;
-pub use columns::Role;
+pub use columns::{Column, Columns, Role};
 pub use contact::{Contact, Contacts};
 pub use error::ObserveError;
 pub use observed_energy::{Debt, ObservedEnergy};
@@ -48,7 +49,7 @@ pub use traces::Traces;
 
 use std::io::Read;
 
-use log::Log;
+pub(crate) use log::{Entry, Log, Sample};
 use lyapunov_figures::Figure;
 use watch::Watch;
 
@@ -114,6 +115,8 @@ pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observ
     let Some((report, traces)) = watch.finish() else {
         return Err(ObserveError::too_few(name, &bad));
     };
+    let (columns, decimal_commas) = (log.columns().to_vec(), log.has_decimal_commas());
     let report = Report { log: name.to_owned(), candidate: settings.candidate, ..report };
+    let report = Report { columns, decimal_commas, ..report };
     Ok(Observed { report, traces })
 }

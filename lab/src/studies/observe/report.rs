@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::bad::BadRows;
 use super::candidate::Candidate;
+use super::columns::Column;
 use super::contact::Contacts;
 use super::observed_energy::ObservedEnergy;
 use super::step::Gaps;
@@ -14,6 +15,10 @@ use crate::measure::Oddity;
 pub struct Report {
     /// The name of the log.
     pub log: String,
+    /// The columns as they were read.
+    pub columns: Vec<Column>,
+    /// Whether the numbers have decimal commas.
+    pub decimal_commas: bool,
     /// The candidate whose decrease is summed.
     pub candidate: Candidate,
     /// The number of good rows.

@@ -9,7 +9,7 @@ use super::report::Report;
 use super::step::GAP;
 use super::traces::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, printable};
+use crate::text::{folded, found, printable, shorten};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -32,6 +32,7 @@ impl fmt::Display for Lines<'_> {
         let units = Units::of(report);
         let name: String = report.log.chars().map(printable).collect();
         write!(f, "{name}: {} rows over {} s", report.rows, found(report.duration))?;
+        report.write_columns(f)?;
         report.write_rows(f, &units)?;
         report.write_sums(f, &units)?;
         report.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
@@ -79,6 +80,22 @@ impl Units {
 }
 
 impl Report {
+    /// Writes what was read from the headings and not asked for.
+    fn write_columns(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let told = self.columns.iter().filter(|it| it.is_guessed || it.unit.is_some());
+        let mut told: Vec<String> = told
+            .map(|column| {
+                let heading = shorten(column.heading.as_deref().unwrap_or_default());
+                let unit = column.unit.map_or_else(String::new, |unit| format!(" in {unit}"));
+                format!("{} is `{heading}`{unit}", column.role.letter())
+            })
+            .collect();
+        if self.decimal_commas {
+            told.push("numbers have decimal commas".to_owned());
+        }
+        if told.is_empty() { Ok(()) } else { line(f, "columns", &told.join(", ")) }
+    }
+
     fn write_rows(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
         let (start, end) = (units.time(self.start), units.time(self.end));
         let period = found(1e3 * self.median_period);
