@@ -7,6 +7,7 @@ use super::candidate::Candidate;
 use super::columns::Column;
 use super::contact::Contacts;
 use super::observed_energy::ObservedEnergy;
+use super::replay::Replay;
 use super::step::Gaps;
 use crate::measure::Oddity;
 
@@ -51,6 +52,9 @@ pub struct Report {
     pub contacts: Contacts,
     /// The signs of a mistake in the log, such as a unit that looks off.
     pub look_at: Vec<Oddity>,
+    /// What stabilizers would have done; none where nobody was asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub replay: Option<Replay>,
 }
 
 /// Energy over the port, by held work.

@@ -14,10 +14,15 @@ use crate::text::{folded, found, printable, shorten};
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.lines())?;
-        match self.worst_contacts() {
+        let indented = |table: Table| textwrap::indent(table.to_string().trim_end(), "  ");
+        if let Some(table) = self.worst_contacts() {
+            write!(f, "\n{}", indented(table))?;
+        }
+        match &self.replay {
             None => Ok(()),
-            Some(table) => {
-                write!(f, "\n{}", textwrap::indent(table.to_string().trim_end(), "  "))
+            Some(replay) => {
+                write!(f, "\n\n{}\n{}", replay.lines(), indented(replay.table()))?;
+                write!(f, "\n{}", folded("  note        ", replay.note))
             }
         }
     }
