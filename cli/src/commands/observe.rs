@@ -1,7 +1,7 @@
 //! The command `lyapunov observe`.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use lyapunov_lab::family::StabilizerNames;
@@ -144,11 +144,7 @@ impl Observe {
     }
 
     fn observe(&self, settings: &Settings) -> Result<Observed, End> {
-        let standard = self.log == Path::new("-");
-        let name =
-            if standard { "standard input".to_owned() } else { self.log.display().to_string() };
-        let source = if standard { Source::standard_input() } else { Source::open(&self.log) };
-        let mut source = source.map_err(|error| End::input(format!("{name}: {error}")))?;
+        let (mut source, name) = Source::named(&self.log)?;
         if !self.quiet {
             source.show_progress();
         }

@@ -28,7 +28,7 @@ impl Columns {
     }
 
     /// Whether there is a column of this role.
-    pub(super) fn has(&self, role: Role) -> bool {
+    pub(crate) fn has(&self, role: Role) -> bool {
         role.index() < self.0.len()
     }
 
@@ -81,7 +81,7 @@ pub struct Column {
     pub unit: Option<&'static str>,
     /// Whether the heading has another name than was asked for.
     #[serde(skip)]
-    pub(super) is_guessed: bool,
+    pub(crate) is_guessed: bool,
 }
 
 /// Quantity that a column of a log holds.

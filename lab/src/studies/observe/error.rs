@@ -15,29 +15,29 @@ pub struct ObserveError {
 
 impl ObserveError {
     /// Error without a remedy yet.
-    pub(super) fn new(message: impl Into<String>) -> Self {
+    pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), help: None }
     }
 
     /// Error at a line of a log.
-    pub(super) fn at(name: &str, line: u64, message: impl fmt::Display) -> Self {
+    pub(crate) fn at(name: &str, line: u64, message: impl fmt::Display) -> Self {
         let name: String = name.chars().map(printable).collect();
         Self::new(format!("{name}:{line}: {message}"))
     }
 
     /// Error of a log as a whole.
-    pub(super) fn about(name: &str, message: impl fmt::Display) -> Self {
+    pub(crate) fn about(name: &str, message: impl fmt::Display) -> Self {
         let name: String = name.chars().map(printable).collect();
         Self::new(format!("{name}: {message}"))
     }
 
     /// Error of the stream behind a log.
-    pub(super) fn unreadable(name: &str, error: &io::Error) -> Self {
+    pub(crate) fn unreadable(name: &str, error: &io::Error) -> Self {
         Self::about(name, format!("it cannot be read: {error}"))
     }
 
     /// Error of a log with fewer than two good rows.
-    pub(super) fn too_few(name: &str, bad: &BadRows) -> Self {
+    pub(crate) fn too_few(name: &str, bad: &BadRows) -> Self {
         let error = Self::about(name, "fewer than two good rows, so nothing moved");
         error.with_help(match (bad.first.first(), bad.remedy()) {
             (Some(first), Some(remedy)) => {
@@ -48,7 +48,7 @@ impl ObserveError {
         })
     }
 
-    pub(super) fn with_help(self, help: impl Into<String>) -> Self {
+    pub(crate) fn with_help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }
 

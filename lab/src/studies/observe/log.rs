@@ -2,7 +2,7 @@
 
 use std::io::{self, Read};
 
-use super::bad::{Bad, LARGEST, Reason};
+use super::bad::{Bad, LARGEST, Reason, SHORTEST};
 use super::columns::{Column, Columns, Role};
 use super::error::ObserveError;
 use super::layout::Layout;
@@ -18,6 +18,13 @@ pub(crate) struct Sample {
     pub(crate) x: f64,
     pub(crate) f: f64,
     pub(crate) v: Option<f64>,
+}
+
+impl Sample {
+    /// Whether `later` comes after this row, by more than a division by the time between them can bear.
+    pub(crate) fn is_before(&self, later: &Self) -> bool {
+        later.t - self.t >= SHORTEST
+    }
 }
 
 /// A row, good or bad.

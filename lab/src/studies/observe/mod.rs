@@ -50,9 +50,14 @@ pub use scale::Scale;
 pub use step::{Gap, Gaps};
 pub use traces::Traces;
 
+pub(crate) use bad::Reason;
+pub(crate) use envelope::Envelope;
+pub(crate) use log::{Entry, Log, Sample};
+pub(crate) use text::described;
+pub(crate) use traces::prefix;
+
 use std::io::Read;
 
-pub(crate) use log::{Entry, Log, Sample};
 use lyapunov_figures::Figure;
 use replay::Replays;
 use watch::Watch;

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::candidate::Candidate;
+use super::columns::Column;
 use super::contact::{Contact, SHARE};
 use super::observed_energy::ObservedEnergy;
 use super::report::Report;
@@ -87,18 +88,8 @@ impl Units {
 impl Report {
     /// Writes what was read from the headings and not asked for.
     fn write_columns(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let told = self.columns.iter().filter(|it| it.is_guessed || it.unit.is_some());
-        let mut told: Vec<String> = told
-            .map(|column| {
-                let heading = shorten(column.heading.as_deref().unwrap_or_default());
-                let unit = column.unit.map_or_else(String::new, |unit| format!(" in {unit}"));
-                format!("{} is `{heading}`{unit}", column.role.letter())
-            })
-            .collect();
-        if self.decimal_commas {
-            told.push("numbers have decimal commas".to_owned());
-        }
-        if told.is_empty() { Ok(()) } else { line(f, "columns", &told.join(", ")) }
+        let told = described(&self.columns, self.decimal_commas);
+        told.map_or(Ok(()), |told| line(f, "columns", &told))
     }
 
     fn write_rows(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
@@ -223,6 +214,22 @@ impl Report {
         let rows = contacts.worst.iter().map(|contact| cells(contact, &units));
         Some(Table::new(headings.map(Heading::number)).with_rows(rows))
     }
+}
+
+/// What was read from the headings of a log and not asked for; none where nothing was.
+pub(crate) fn described(columns: &[Column], decimal_commas: bool) -> Option<String> {
+    let told = columns.iter().filter(|it| it.is_guessed || it.unit.is_some());
+    let mut told: Vec<String> = told
+        .map(|column| {
+            let heading = shorten(column.heading.as_deref().unwrap_or_default());
+            let unit = column.unit.map_or_else(String::new, |unit| format!(" in {unit}"));
+            format!("{} is `{heading}`{unit}", column.role.letter())
+        })
+        .collect();
+    if decimal_commas {
+        told.push("numbers have decimal commas".to_owned());
+    }
+    (!told.is_empty()).then(|| told.join(", "))
 }
 
 /// History of an observed energy in words.

@@ -23,7 +23,7 @@ pub struct Traces {
 const MARK: f64 = 0.003;
 
 /// Readable unit for a magnitude: its factor from SI, and its prefix.
-pub(super) fn prefix(largest: f64) -> (f64, &'static str) {
+pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
     match largest {
         size if size >= 1.0 || size == 0.0 => (1.0, ""),
         size if size >= 1e-3 => (1e3, "m"),

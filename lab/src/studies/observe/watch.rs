@@ -2,7 +2,7 @@
 
 use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
-use super::bad::{Bad, BadRows, Reason, SHORTEST};
+use super::bad::{Bad, BadRows, Reason};
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
 use super::error::ObserveError;
@@ -60,7 +60,7 @@ impl Watch {
 
     fn good(&mut self, reading: &Sample) {
         if let Some(last) = self.last {
-            if reading.t - last.t < SHORTEST {
+            if !last.is_before(reading) {
                 let (line, time) = (reading.line, reading.t);
                 let reason = Reason::Order { time, last: last.t, line: last.line };
                 return self.bad(&Bad { line, reason, time: None, force: None });
