@@ -180,7 +180,10 @@ try {
   const bound = made("bound", "bound", "scenes/press-1khz.toml");
   const explain = made("explain", "explain", "scenes/paper-50k-popc.toml");
   const sweep = made("sweep", "map", "scenes/press-1khz.toml", "--x", "environment.wall.stiffness=100..50000:5:log");
-  const pages = [model, map, paper, teleoperation, run, bound, explain, sweep];
+  const log = "scenes/logs/mujoco-wall.csv";
+  const against = made("against", "run", "scenes/paper-8k-none.toml", "--against", log);
+  const observe = made("observe", "observe", log, "--stabilizers", "all", "--scene", "scenes/paper-8k-none.toml");
+  const pages = [model, map, paper, teleoperation, run, bound, explain, sweep, against, observe];
   for (const made of pages) await looks(browser, made("report.html"));
   const values = rows(model("van-der-pol.csv")).filter((row) => row.stabilizer === "lolc-decay");
   const shares = values.map(({ t, v }) => ({ t: Number(t), v: Number(v) / Number(values[0].v) }));

@@ -1,16 +1,17 @@
 //! The command `lyapunov identify`.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use lyapunov_lab::identify::{self, Identified, Settings};
 use lyapunov_lab::observe::{Columns, Scale};
 
 use super::folder::Folder;
-use super::results::{Results, command_line};
+use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, heed_interrupts, standard_output};
+use super::{End, standard_output};
+use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "identify.json";
@@ -48,9 +49,11 @@ pub(crate) struct Identify {
 
 impl Identify {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(false);
         let settings = Settings { columns: self.columns.clone(), scales: self.scale.clone() };
-        let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
+        let inputs = Inputs::of("the log", [&self.log]);
+        let files = names(RESULTS, ["identify"], ["identify.toml", "identify.csv"]);
+        let claim = |path| Folder::claim(path, &files, &inputs);
+        let folder = self.out.as_deref().map(claim).transpose()?;
         let identified = self.identify(&settings)?;
         let json = identified.to_json().map_err(End::internal)?;
         if let Some(folder) = folder {
@@ -68,11 +71,7 @@ impl Identify {
     }
 
     fn identify(&self, settings: &Settings) -> Result<Identified, End> {
-        let standard = self.log == Path::new("-");
-        let name =
-            if standard { "standard input".to_owned() } else { self.log.display().to_string() };
-        let source = if standard { Source::standard_input() } else { Source::open(&self.log) };
-        let mut source = source.map_err(|error| End::input(format!("{name}: {error}")))?;
+        let (mut source, name) = Source::named(&self.log)?;
         if !self.quiet {
             source.show_progress();
         }

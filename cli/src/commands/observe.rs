@@ -1,10 +1,12 @@
 //! The command `lyapunov observe`.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use lyapunov_lab::observe::{self, Candidate, Columns, Observed, Scale, Settings};
+use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::observe::{self, Asked, Candidate, Columns, Observed, Scale, Settings};
+use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
@@ -17,9 +19,9 @@ const RESULTS: &str = "observe.json";
 
 /// Observe a recorded log of any device: when energy was generated, how much and by which contact.
 ///
-/// The log is CSV (commas, semicolons or tabs) with the names of the columns in its first line, in SI units: t
-/// in s, increasing but not necessarily evenly; x in m; f in N, the environment's force on the device that acts
-/// from this row until the next. Power f v > 0 flows into the environment: f is positive where it resists
+/// The log is CSV (commas, semicolons or tabs) with the names of the columns in its first line, in SI units unless a name
+/// tells another, as in x [mm], f_kN or time (ms): t in s, increasing but not necessarily evenly; x in m; f in N, the
+/// environment's force on the device that acts from this row until the next. What run --csv writes is read as it is. Power f v > 0 flows into the environment: f is positive where it resists
 /// motion towards larger x, as a wall does. For a log with the other sign of force add --scale f=-1.
 ///
 /// Bad rows are counted and named, and the next good row spans the gap. docs/observe.md defines every number.
@@ -30,10 +32,12 @@ pub(crate) struct Observe {
     /// The log; `-` is standard input.
     log: PathBuf,
     /// The columns of time, position, force and, if there is one, velocity: by name, or by number from 1.
-    /// Without a velocity the backward difference over the true time step is taken.
+    /// Without a velocity the backward difference over the true time step is taken. The letters stand for time, position or
+    /// pos, force or f_act, and velocity as well.
     #[arg(long, value_name = "T,X,F[,V]", default_value = "t,x,f")]
     columns: Columns,
-    /// A factor from the log's unit of t, x, f or v to SI, as in x=1e-3,t=1e-6; f=-1 turns the sign.
+    /// A factor from the log's unit of t, x, f or v to SI, as in x=1e-3,t=1e-6, in place of a unit that the name of the
+    /// column tells; f=-1 turns the sign.
     #[arg(long, value_name = "COLUMN=FACTOR", value_delimiter = ',', allow_hyphen_values = true)]
     scale: Vec<Scale>,
     /// The candidate whose decrease is summed, in the words of scene files; spring is the port's energy, as in
@@ -49,7 +53,15 @@ pub(crate) struct Observe {
     /// The force above which there is contact, N [default: 1 % of the largest so far].
     #[arg(long, value_name = "NEWTON", allow_negative_numbers = true)]
     contact: Option<f64>,
-    /// Write report.html, observe.json, the contacts (CSV) and the plot (SVG and PNG) into this folder; made if not there.
+    /// Ask these stabilizers what they would have done on the recorded motion, by name, or all; docs/family.md has the
+    /// names. Had one acted, the motion would have been another.
+    #[arg(long, value_name = "NAMES")]
+    stabilizers: Option<StabilizerNames>,
+    /// The scene that sets the numbers of these stabilizers, as in compare: mass, servo period, delay, environment.
+    #[arg(long, value_name = "SCENE", requires = "stabilizers")]
+    scene: Option<PathBuf>,
+    /// Write report.html, observe.json, the contacts and the stabilizers (CSV) and plots (SVG and PNG) into this folder;
+    /// made if not there.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print the report as JSON, in SI units.
@@ -75,19 +87,45 @@ impl Observe {
             scales: self.scale.clone(),
             candidate: self.candidate()?,
             contact: self.contact,
+            asked: self.asked()?,
         };
-        let inputs = Inputs::of("the log", [&self.log]);
-        let files = names(RESULTS, ["observe"], ["observe.csv"]);
+        let mut inputs = Inputs::of("the log", [&self.log]);
+        let mut files = names(RESULTS, ["observe"], ["observe.csv"]);
+        if let Some(asked) = &settings.asked {
+            inputs = inputs.and("the scene", self.scene.as_deref()).and_named_by(&asked.scene);
+            files.extend(
+                ["stabilizers.csv", "stabilizers.svg", "stabilizers.png"].map(str::to_owned),
+            );
+        }
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
         let observed = self.observe(&settings)?;
         if let Some(folder) = folder {
             let results =
                 Results::new(observed.to_html(&command_line()), RESULTS, &json(&observed)?);
-            let results = results.with_figure("observe", &observed.figure())?;
+            let mut results = results.with_figure("observe", &observed.figure())?;
+            if let Some(replay) = &observed.report.replay {
+                results = results.with_file("stabilizers.csv", replay.csv());
+            }
+            if let Some(figure) = observed.would_have() {
+                results = results.with_figure("stabilizers", &figure)?;
+            }
             folder.fill(results.with_file("observe.csv", observed.csv()))?;
         }
         self.tell(&observed)
+    }
+
+    /// Who is asked what they would have done.
+    fn asked(&self) -> Result<Option<Asked>, End> {
+        let Some(stabilizers) = self.stabilizers.clone() else { return Ok(None) };
+        let Some(path) = &self.scene else {
+            return Err(End::input(
+                "--stabilizers needs --scene: mass, servo period, delay and environment set their numbers\n  \
+                 = add --scene SCENE, a file for your device; scenes/paper-8k-none.toml is a short one",
+            ));
+        };
+        let scene = Scene::load(path).map_err(End::input)?;
+        Ok(Some(Asked { stabilizers, scene, name: path.display().to_string() }))
     }
 
     fn candidate(&self) -> Result<Candidate, End> {
@@ -115,11 +153,7 @@ impl Observe {
     }
 
     fn observe(&self, settings: &Settings) -> Result<Observed, End> {
-        let standard = self.log == Path::new("-");
-        let name =
-            if standard { "standard input".to_owned() } else { self.log.display().to_string() };
-        let source = if standard { Source::standard_input() } else { Source::open(&self.log) };
-        let mut source = source.map_err(|error| End::input(format!("{name}: {error}")))?;
+        let (mut source, name) = Source::named(&self.log)?;
         if !self.quiet {
             source.show_progress();
         }

@@ -3,16 +3,18 @@
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use indicatif::ProgressBar;
 use lyapunov::ParameterError;
 use lyapunov_lab::explain::Hint;
-use lyapunov_lab::run::Curves;
+use lyapunov_lab::observe::{Columns, Scale};
+use lyapunov_lab::run::{Against, Curves, Laid, Start};
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Csv, OutputError, Rollout, Space, Summary, in_space};
+use lyapunov_lab::{Csv, OutputError, Rollout, Row, Space, Summary, in_space};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
+use super::source::Source;
 use super::{BAR, End, say, shown, standard_output};
 use crate::files::{Inputs, Output};
 
@@ -40,6 +42,25 @@ pub(crate) struct Run {
     /// into this folder; made if not there.
     #[arg(long, value_name = "DIR", conflicts_with = "csv")]
     out: Option<PathBuf>,
+    /// Lay this log over the run and tell the difference; `-` is standard input. Both have one clock, and the scene goes on
+    /// at least as long as the log; docs/command.md defines the numbers, docs/observe.md what a log is.
+    #[arg(long, value_name = "LOG")]
+    against: Option<PathBuf>,
+    /// Where the run starts: at the scene's own start, or with the log's first row, whose time is then 0.
+    #[arg(long, value_enum, default_value_t = Word::Scene, requires = "against")]
+    start: Word,
+    /// The log's columns of time, position, force and, if there is one, velocity, as in lyapunov observe.
+    #[arg(long, value_name = "T,X,F[,V]", default_value = "t,x,f", requires = "against")]
+    columns: Columns,
+    /// A factor from the log's unit of t, x, f or v to SI, as in lyapunov observe.
+    #[arg(
+        long,
+        value_name = "COLUMN=FACTOR",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        requires = "against"
+    )]
+    scale: Vec<Scale>,
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -48,76 +69,133 @@ pub(crate) struct Run {
     quiet: bool,
 }
 
+/// The starts in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Word {
+    Scene,
+    Log,
+}
+
+/// A run that ended, and the log that was laid over it.
+#[derive(Debug)]
+struct Ended {
+    summary: Summary,
+    laid: Option<Laid>,
+}
+
+/// A log that is laid over a run.
+type Log = Against<Source>;
+
 impl Run {
     pub(crate) fn run(&self) -> Result<(), End> {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         if let Some(out) = &self.out {
-            return self.fill(&scene, out);
+            let (scene, log) = self.laid_over(scene)?;
+            return self.fill(&scene, log, out);
         }
         match &self.csv {
             Some(path) if path == Path::new("-") => {
+                let (scene, log) = self.laid_over(scene)?;
                 // Standard output by itself writes each line separately.
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::of(output, &scene).map_err(standard_output)?;
                 let hidden = ProgressBar::hidden();
-                let told = simulate(&scene, &hidden, Some((&mut csv, &standard_output)), None)?;
+                let rows: Rows<'_, _> = (&mut csv, &standard_output);
+                let told = simulate(&scene, &hidden, Some(rows), None, log)?;
                 csv.into_inner().map_err(standard_output)?;
                 if !self.quiet {
                     say(self.words(&told)?.trim_end());
                 }
             }
             Some(path) => {
-                Inputs::scene(&self.scene, &scene).spare(path)?;
+                self.inputs(&scene).spare(path)?;
+                let (scene, log) = self.laid_over(scene)?;
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::of(output, &scene).map_err(refused)?;
                 let bar = self.progress(&scene);
-                let told = simulate(&scene, &bar, Some((&mut csv, &refused)), None)?;
+                let told = simulate(&scene, &bar, Some((&mut csv, &refused)), None, log)?;
                 csv.into_inner().map_err(refused)?.keep().map_err(End::input)?;
                 self.tell(&told)?;
             }
             None => {
+                let (scene, log) = self.laid_over(scene)?;
                 let nowhere: Option<Rows<'_, io::Sink>> = None;
-                self.tell(&simulate(&scene, &self.progress(&scene), nowhere, None)?)?;
+                self.tell(&simulate(&scene, &self.progress(&scene), nowhere, None, log)?)?;
             }
         }
         Ok(())
     }
 
     /// Simulates with results in the folder `out`.
-    fn fill(&self, scene: &Scene, out: &Path) -> Result<(), End> {
-        let inputs = Inputs::scene(&self.scene, scene);
-        let folder = Folder::claim(out, names(RESULTS, ["run"], ["run.csv"]), &inputs)?;
+    fn fill(&self, scene: &Scene, log: Option<Log>, out: &Path) -> Result<(), End> {
+        let (figures, rows) = match log {
+            None => (&["run"][..], &["run.csv"][..]),
+            Some(_) => (&["run", "against"][..], &["run.csv", "against.csv"][..]),
+        };
+        let folder = Folder::claim(out, names(RESULTS, figures, rows), &self.inputs(scene))?;
         let place = out.join("run.csv");
         let refused = |error| End::input(OutputError::new(&place, error));
         let output = Output::create(&place).map_err(End::input)?;
         let mut csv = Csv::of(output, scene).map_err(refused)?;
         let mut curves = Curves::new(scene);
         let rows = Some((&mut csv, &refused as &dyn Fn(io::Error) -> End));
-        let told = simulate(scene, &self.progress(scene), rows, Some(&mut curves))?;
+        let told = simulate(scene, &self.progress(scene), rows, Some(&mut curves), log)?;
         let name = self.scene.display().to_string();
-        let page = curves.to_html(&name, &told, &command_line());
-        let json = told.to_json(&name).map_err(End::internal)?;
-        let results = Results::new(page, RESULTS, &json);
-        let results = results.with_figure("run", &curves.figure(&name, &told))?;
+        let page = curves.to_html(&name, &told.summary, told.laid.as_ref(), &command_line());
+        let results = Results::new(page, RESULTS, &self.json(&told)?);
+        let mut results = results.with_figure("run", &curves.figure(&name, &told.summary))?;
+        if let Some(laid) = &told.laid {
+            results = results.with_figure("against", &laid.figure())?;
+            results = results.with_file("against.csv", laid.csv());
+        }
         folder.fill(results.with_rows(csv.into_inner().map_err(refused)?))?;
         self.tell(&told)
     }
 
-    fn tell(&self, summary: &Summary) -> Result<(), End> {
+    /// The scene as it is run, and the log that is laid over it.
+    fn laid_over(&self, scene: Scene) -> Result<(Scene, Option<Log>), End> {
+        let Some(path) = &self.against else { return Ok((scene, None)) };
+        let start = match self.start {
+            Word::Scene => Start::Scene,
+            Word::Log => Start::Log,
+        };
+        let (source, name) = Source::named(path)?;
+        let log = Against::open(source, &name, &self.columns, &self.scale, start);
+        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
+        End::if_interrupted()?;
+        let log = log.map_err(End::input)?;
+        Ok((log.started(&scene).map_err(End::input)?, Some(log)))
+    }
+
+    /// The files that are read.
+    fn inputs(&self, scene: &Scene) -> Inputs {
+        Inputs::scene(&self.scene, scene).and("the log", self.against.as_deref())
+    }
+
+    fn tell(&self, told: &Ended) -> Result<(), End> {
         if self.quiet {
             return Ok(());
         }
-        io::stdout().write_all(self.words(summary)?.as_bytes()).map_err(standard_output)
+        io::stdout().write_all(self.words(told)?.as_bytes()).map_err(standard_output)
     }
 
-    fn words(&self, summary: &Summary) -> Result<String, End> {
-        let scene = self.scene.display();
+    fn words(&self, told: &Ended) -> Result<String, End> {
         if self.json {
-            summary.to_json(&scene.to_string()).map_err(End::internal)
-        } else {
-            Ok(format!("{scene}\n{summary}\n{}", Hint::of(summary)))
+            return self.json(told);
         }
+        let (scene, summary) = (self.scene.display(), &told.summary);
+        let laid = told.laid.as_ref().map_or_else(String::new, |laid| laid.text() + "\n");
+        Ok(format!("{scene}\n{summary}\n{}{laid}", Hint::of(summary)))
+    }
+
+    fn json(&self, told: &Ended) -> Result<String, End> {
+        let scene = self.scene.display().to_string();
+        let json = match &told.laid {
+            None => told.summary.to_json(&scene),
+            Some(laid) => laid.to_json(&scene, &told.summary),
+        };
+        json.map_err(End::internal)
     }
 
     /// Progress bar, hidden for a short run.
@@ -137,8 +215,9 @@ fn simulate<W: Write>(
     bar: &ProgressBar,
     rows: Option<Rows<'_, W>>,
     curves: Option<&mut Curves>,
-) -> Result<Summary, End> {
-    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), rows, curves))
+    log: Option<Log>,
+) -> Result<Ended, End> {
+    in_space!(scene, Axes => drain(scene, bar, Rollout::<Axes>::of(scene), rows, curves, log))
 }
 
 fn drain<V: Space, W: Write>(
@@ -147,8 +226,10 @@ fn drain<V: Space, W: Write>(
     rollout: Result<Rollout<V>, ParameterError>,
     mut rows: Option<Rows<'_, W>>,
     mut curves: Option<&mut Curves>,
-) -> Result<Summary, End> {
+    mut log: Option<Log>,
+) -> Result<Ended, End> {
     let mut summary = Summary::new(scene);
+    let broken = |error| End::if_interrupted().err().unwrap_or_else(|| End::input(error));
     for tick in rollout.map_err(End::input)? {
         if summary.rows.is_multiple_of(BREATH) {
             End::if_interrupted()?;
@@ -161,7 +242,11 @@ fn drain<V: Space, W: Write>(
         if let Some(curves) = &mut curves {
             curves.add(&tick, &summary);
         }
+        if let Some(log) = &mut log {
+            log.add(&Row::of(&tick), scene.period()).map_err(broken)?;
+        }
     }
     bar.finish_and_clear();
-    Ok(summary)
+    let laid = log.map(|log| log.finish(scene)).transpose().map_err(broken)?;
+    Ok(Ended { summary, laid })
 }

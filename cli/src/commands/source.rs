@@ -38,12 +38,12 @@ enum Stream {
 }
 
 impl Source {
-    pub(crate) fn standard_input() -> io::Result<Self> {
+    fn standard_input() -> io::Result<Self> {
         Ok(Self::of(waiting(|| Ok(io::stdin()))?, None))
     }
 
     /// Opens the file at `path`, or whatever else is there.
-    pub(crate) fn open(path: &Path) -> io::Result<Self> {
+    fn open(path: &Path) -> io::Result<Self> {
         let found = fs::metadata(path).map_err(remedied)?;
         if found.is_dir() {
             return Err(io::Error::other("this is a folder\n  = give the path of a file in it"));
@@ -59,6 +59,17 @@ impl Source {
 
     fn of(stream: Stream, size: Option<u64>) -> Self {
         Self { stream, size, read: 0, bar: ProgressBar::hidden() }
+    }
+
+    /// The log at `path`, or of standard input for `-`, with its name in messages.
+    ///
+    /// # Errors
+    /// A place without a file that can be read.
+    pub(crate) fn named(path: &Path) -> Result<(Self, String), End> {
+        let standard = path == Path::new("-");
+        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
+        let source = if standard { Self::standard_input() } else { Self::open(path) };
+        Ok((source.map_err(|error| End::input(format!("{name}: {error}")))?, name))
     }
 
     /// Shows a progress bar, unless the file is small.

@@ -22,6 +22,12 @@ impl Inputs {
         Self(vec![("the scene", path.to_owned())]).and_named_by(scene)
     }
 
+    /// The same with the file at `path`, which is called `noun`, if there is one.
+    pub(crate) fn and(mut self, noun: &'static str, path: Option<&Path>) -> Self {
+        self.0.extend(path.map(|path| (noun, path.to_owned())));
+        self
+    }
+
     /// The same with the file that `scene` names.
     pub(crate) fn and_named_by(mut self, scene: &Scene) -> Self {
         self.0.extend(scene.named_file().map(|path| ("the motion of the scene", path.to_owned())));

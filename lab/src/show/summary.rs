@@ -12,7 +12,7 @@ use crate::measure::summary::MILLI;
 use crate::measure::{Oddity, Summary, Verdict, Yardstick};
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct Document<'a, A: Serialize> {
     scene: &'a str,
     rows: u64,
     complete: bool,
@@ -26,6 +26,9 @@ struct Document<'a> {
     energy_into_port_mj: f64,
     stabilizer: Option<Observed>,
     look_at: Vec<Oddity>,
+    /// What a study adds under a name of its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    against: Option<A>,
 }
 
 /// A place in mm: a number on a line, a list in a space.
@@ -65,6 +68,15 @@ impl Summary {
     /// # Errors
     /// None: every part can be written as JSON, and a number that is not finite becomes null.
     pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+        self.to_json_against(scene, None::<()>)
+    }
+
+    /// The same with the log that the run was laid over under `against`.
+    pub(crate) fn to_json_against(
+        &self,
+        scene: &str,
+        against: Option<impl Serialize>,
+    ) -> serde_json::Result<String> {
         let complete = self.left_range().is_none();
         let settling_time_s = self.settled.filter(|_| complete);
         let stabilizer = self.stabilizing.is_there().then(|| self.stabilizer());
@@ -82,6 +94,7 @@ impl Summary {
             energy_into_port_mj: MILLI * self.absorbed,
             stabilizer,
             look_at: self.look_at(),
+            against,
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::columns::Role;
+use super::notation::Mark;
 use crate::text::shorten;
 
 /// Number of bad rows that are listed; the rest are only counted.
@@ -23,6 +24,7 @@ pub(super) const SHORTEST: f64 = 1e-50;
 pub(crate) enum Reason<'a> {
     Fields { found: usize, expected: usize },
     Number { role: Role, field: &'a [u8] },
+    Mark { role: Role, field: &'a [u8], known: Mark },
     Range { role: Role, field: &'a [u8] },
     Order { time: f64, last: f64, line: u64 },
     TooLong,
@@ -41,6 +43,14 @@ impl fmt::Display for Reason<'_> {
             }
             Self::Number { role, field } => {
                 write!(f, "{} is `{}`, no number", role.letter(), text(field))
+            }
+            Self::Mark { role, field, known } => {
+                let (letter, known) = (role.letter(), known.name());
+                write!(
+                    f,
+                    "{letter} is `{}`, and numbers before have a decimal {known}",
+                    text(field)
+                )
             }
             Self::Range { role, field } => {
                 write!(f, "{} is `{}`, out of range", role.letter(), text(field))
@@ -93,7 +103,7 @@ impl BadRows {
         self.count += 1;
         *match reason {
             Reason::Fields { .. } | Reason::TooLong => &mut self.fields,
-            Reason::Number { .. } => &mut self.numbers,
+            Reason::Number { .. } | Reason::Mark { .. } => &mut self.numbers,
             Reason::Range { .. } => &mut self.range,
             Reason::Order { .. } => &mut self.order,
         } += 1;

@@ -8,6 +8,9 @@ use super::error::ObserveError;
 
 /// The columns of time, position, force and, optionally, velocity, in this order: by name, or by number from 1.
 ///
+/// A name is that of a heading, with its unit or without. The letters t, x, f and v, which are the default, stand for the
+/// words of [`Role::words`] as well, where no heading is called so.
+///
 /// ```
 /// use lyapunov_lab::observe::Columns;
 /// assert!("time,position,force".parse::<Columns>().is_ok());
@@ -25,7 +28,7 @@ impl Columns {
     }
 
     /// Whether there is a column of this role.
-    pub(super) fn has(&self, role: Role) -> bool {
+    pub(crate) fn has(&self, role: Role) -> bool {
         role.index() < self.0.len()
     }
 
@@ -67,6 +70,20 @@ impl FromStr for Columns {
     }
 }
 
+/// Column of a log as it was read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Column {
+    /// Its quantity.
+    pub role: Role,
+    /// Its heading; none in a log without headings.
+    pub heading: Option<String>,
+    /// The unit that the heading tells and the numbers were read in; none where it tells none, or `--scale` another.
+    pub unit: Option<&'static str>,
+    /// Whether the heading has another name than was asked for.
+    #[serde(skip)]
+    pub(crate) is_guessed: bool,
+}
+
 /// Quantity that a column of a log holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -92,6 +109,26 @@ impl Role {
             Self::X => "x",
             Self::F => "f",
             Self::V => "v",
+        }
+    }
+
+    /// The names that its letter stands for.
+    pub fn words(self) -> &'static [&'static str] {
+        match self {
+            Self::T => &["time"],
+            Self::X => &["position", "pos"],
+            Self::F => &["force", "f_act"],
+            Self::V => &["velocity"],
+        }
+    }
+
+    /// Its quantity in a word.
+    pub(super) fn quantity(self) -> &'static str {
+        match self {
+            Self::T => "time",
+            Self::X => "position",
+            Self::F => "force",
+            Self::V => "velocity",
         }
     }
 

@@ -10,7 +10,7 @@ type Point = (f64, f64);
 /// When there is no room for another bucket, neighbours merge and buckets are twice as long from then on. The points
 /// that are kept draw the same curve as all points.
 #[derive(Clone, Debug)]
-pub(super) struct Envelope {
+pub(crate) struct Envelope {
     buckets: Vec<Bucket>,
     /// Points in a full bucket, and in the last one.
     size: u64,
@@ -41,11 +41,11 @@ impl Bucket {
 }
 
 impl Envelope {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { buckets: Vec::with_capacity(MOST), size: 1, filled: 0 }
     }
 
-    pub(super) fn add(&mut self, x: f64, y: f64) {
+    pub(crate) fn add(&mut self, x: f64, y: f64) {
         let bucket = Bucket::of((x, y));
         if self.filled < self.size
             && let Some(last) = self.buckets.last_mut()
@@ -66,7 +66,7 @@ impl Envelope {
     }
 
     /// The points that are kept, in order.
-    pub(super) fn points(&self) -> impl Iterator<Item = Point> {
+    pub(crate) fn points(&self) -> impl Iterator<Item = Point> {
         self.buckets.iter().flat_map(|bucket| {
             let mut middle = [bucket.lowest, bucket.highest];
             middle.sort_by(|one, other| one.0.total_cmp(&other.0));

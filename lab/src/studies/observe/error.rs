@@ -15,7 +15,7 @@ pub struct ObserveError {
 
 impl ObserveError {
     /// Error without a remedy yet.
-    pub(super) fn new(message: impl Into<String>) -> Self {
+    pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), help: None }
     }
 

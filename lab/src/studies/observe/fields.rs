@@ -1,6 +1,7 @@
 //! Fields of a line, and the number in a field.
 
 use super::lines::find;
+use super::notation::is_number;
 
 /// The raw fields of a line.
 ///
@@ -60,8 +61,17 @@ pub(super) fn number(field: &[u8]) -> Option<f64> {
     plain(field).or_else(|| plain(bare(field)))
 }
 
-/// The delimiter of a line: the most frequent among comma, semicolon and tab.
+/// The delimiter of a line: the most frequent among comma, semicolon and tab, or one of the latter two that parts numbers
+/// with decimal commas.
 pub(super) fn delimiter(line: &[u8]) -> u8 {
+    let parts = |delimiter: &u8| {
+        let mut fields =
+            Fields::new(line, *delimiter).filter(|field| !field.trim_ascii().is_empty());
+        find(*delimiter, line).is_some() && fields.all(|field| is_number(field, *delimiter))
+    };
+    if let Some(delimiter) = [b';', b'\t'].into_iter().find(parts) {
+        return delimiter;
+    }
     let count = |delimiter| line.iter().filter(|byte| **byte == delimiter).count();
     let [comma, semicolon, tab] = [b',', b';', b'\t'].map(count);
     match () {
@@ -110,9 +120,18 @@ mod tests {
 
     #[test]
     fn the_delimiter_is_the_most_frequent() {
-        for (line, expected) in
-            [("t,x,f", b','), ("t;x;f", b';'), ("t\tx\tf", b'\t'), ("t", b','), ("a;b;c,d", b';')]
-        {
+        for (line, expected) in [
+            ("t,x,f", b','),
+            ("t;x;f", b';'),
+            ("t\tx\tf", b'\t'),
+            ("t", b','),
+            ("a;b;c,d", b';'),
+            ("0,1;0,2;0,3", b';'),
+            ("0,1\t;", b','),
+            ("0,1\t0,2\t-3,5e-1", b'\t'),
+            ("0;1;2", b';'),
+            ("0,1,2", b','),
+        ] {
             assert_eq!(delimiter(line.as_bytes()), expected, "{line}");
         }
     }

@@ -1,9 +1,11 @@
 //! Places of the requested columns in a row.
 
 use super::bad::Reason;
-use super::columns::{Columns, Role, position};
+use super::columns::{Column, Columns, Role, position};
 use super::error::ObserveError;
-use super::fields::{Fields, bare, delimiter, number};
+use super::fields::{Fields, bare, delimiter};
+use super::heading::{Heading, Unit};
+use super::notation::is_number;
 use crate::text::{nearest, shorten};
 
 /// The most names that a message lists.
@@ -12,11 +14,15 @@ const LISTED: usize = 12;
 /// Places of the requested columns in a row.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    delimiter: u8,
+    pub(super) delimiter: u8,
     /// The number of fields in a row.
     width: usize,
     /// Index and role of each column, in the order of the indices.
     wanted: Vec<(usize, Role)>,
+    /// The heading of each column as asked for, in the order of the roles.
+    headings: Vec<(Role, String, String)>,
+    /// The line of the headings.
+    line: u64,
     /// Whether the line that it was read from is itself a row.
     pub(super) is_row: bool,
 }
@@ -36,9 +42,9 @@ impl Layout {
         }
         let delimiter = delimiter(line);
         let fields: Vec<&[u8]> = Fields::new(line, delimiter).map(bare).collect();
-        let mut wanted = Vec::new();
+        let (mut wanted, mut headings) = (Vec::new(), Vec::new());
         for (role, asked) in columns.roles() {
-            let index = find(asked, &fields, columns).map_err(|(message, help)| {
+            let index = find(role, asked, &fields, columns).map_err(|(message, help)| {
                 wrong(message).with_help(help.replace("{role}", role.letter()))
             })?;
             if let Some((_, other)) = wanted.iter().find(|(taken, _)| *taken == index) {
@@ -50,13 +56,52 @@ impl Layout {
                 .with_help("give --columns a column of its own for each"));
             }
             wanted.push((index, role));
+            let heading = String::from_utf8_lossy(fields[index]).into_owned();
+            headings.push((role, asked.to_owned(), heading));
         }
         wanted.sort_by_key(|(index, _)| *index);
         let is_row = columns.numbered()
-            && wanted
-                .iter()
-                .any(|(index, _)| fields.get(*index).copied().and_then(number).is_some());
-        Ok(Self { delimiter, width: fields.len(), wanted, is_row })
+            && wanted.iter().any(|(index, _)| is_number(fields[*index], delimiter));
+        Ok(Self { delimiter, width: fields.len(), wanted, headings, line: at, is_row })
+    }
+
+    /// The columns with the units of their headings, and for each role the power of ten from its unit.
+    ///
+    /// A factor in `factors` counts in place of a unit; −1 turns the sign and leaves the unit.
+    pub(super) fn units(
+        &self,
+        name: &str,
+        factors: &[f64; 4],
+        scaled: &[bool; 4],
+    ) -> Result<(Vec<Column>, [i32; 4]), ObserveError> {
+        let (mut read, mut powers) = (Vec::new(), [0; 4]);
+        for (role, asked, text) in &self.headings {
+            let (role, index) = (*role, role.index());
+            if self.is_row {
+                read.push(Column { role, heading: None, unit: None, is_guessed: false });
+                continue;
+            }
+            let heading = Heading::of(text, role);
+            let is_told = scaled[index] && factors[index] != -1.0;
+            let unit = heading.unit.filter(|_| !is_told);
+            if let (None, Some(written), false) = (unit, heading.written, is_told) {
+                return Err(self.no_unit(name, role, text, written));
+            }
+            powers[index] = unit.map_or(0, Unit::power);
+            let is_guessed = position(asked).is_none() && asked != text && asked != heading.name;
+            let (heading, unit) = (Some(text.clone()), unit.map(Unit::symbol));
+            read.push(Column { role, heading, unit, is_guessed });
+        }
+        Ok((read, powers))
+    }
+
+    fn no_unit(&self, name: &str, role: Role, heading: &str, written: &str) -> ObserveError {
+        let (letter, quantity, symbols) = (role.letter(), role.quantity(), Unit::symbols(role));
+        let (heading, written) = (shorten(heading), shorten(written));
+        let message = format!("the column `{heading}`: `{written}` is no unit of {quantity}");
+        ObserveError::at(name, self.line, message).with_help(format!(
+            "the units are {symbols}; for another, give its factor to SI, as in --scale {letter}=1e-3, and              {letter}=1 where it is SI"
+        ))
     }
 
     /// The requested fields, in the order of the roles.
@@ -83,16 +128,16 @@ impl Layout {
 }
 
 /// The index of a column, or the fault and its remedy.
-fn find(asked: &str, fields: &[&[u8]], columns: &Columns) -> Result<usize, (String, String)> {
-    let mut named = fields.iter().enumerate().filter(|(_, field)| **field == asked.as_bytes());
-    if let Some((index, _)) = named.next().filter(|_| !columns.numbered()) {
-        return match named.next() {
-            None => Ok(index),
-            Some((other, _)) => Err((
-                format!("there are two columns `{}`: {} and {}", asked, index + 1, other + 1),
-                "give --columns the number of the right one".to_owned(),
-            )),
-        };
+fn find(
+    role: Role,
+    asked: &str,
+    fields: &[&[u8]],
+    columns: &Columns,
+) -> Result<usize, (String, String)> {
+    if !columns.numbered()
+        && let Some(index) = only(asked, fields, |field| field == asked)?
+    {
+        return Ok(index);
     }
     if let Some(index) = position(asked) {
         return if index < fields.len() {
@@ -102,14 +147,47 @@ fn find(asked: &str, fields: &[&[u8]], columns: &Columns) -> Result<usize, (Stri
             Err((message, "columns are counted from 1".to_owned()))
         };
     }
+    if let Some(index) = only(asked, fields, |field| Heading::of(field, role).name == asked)? {
+        return Ok(index);
+    }
+    let is_word = |field: &str| {
+        let name = Heading::of(field, role).name;
+        role.words().iter().any(|word| word.eq_ignore_ascii_case(name))
+    };
+    if asked == role.letter()
+        && let Some(index) = only(role.quantity(), fields, is_word)?
+    {
+        return Ok(index);
+    }
     Err((format!("there is no column `{}`", shorten(asked)), missing(asked, fields)))
+}
+
+/// The index of the one column whose heading `fits`; none without one.
+fn only(
+    asked: &str,
+    fields: &[&[u8]],
+    fits: impl Fn(&str) -> bool,
+) -> Result<Option<usize>, (String, String)> {
+    let mut found = fields.iter().enumerate().filter_map(|(index, field)| {
+        str::from_utf8(field).ok().filter(|field| fits(field)).map(|field| (index, field))
+    });
+    let Some((index, first)) = found.next() else { return Ok(None) };
+    let Some((other, second)) = found.next() else { return Ok(Some(index)) };
+    let (at, and) = (index + 1, other + 1);
+    let message = if first == second {
+        format!("there are two columns `{}`: {at} and {and}", shorten(first))
+    } else {
+        let (first, second) = (shorten(first), shorten(second));
+        format!("two columns may be `{asked}`: {at}, `{first}`, and {and}, `{second}`")
+    };
+    Err((message, "give --columns the number of the right one".to_owned()))
 }
 
 /// Remedy for a column that is not there.
 fn missing(asked: &str, fields: &[&[u8]]) -> String {
     let names: Vec<String> =
         fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect();
-    if !fields.is_empty() && fields.iter().all(|field| number(field).is_some()) {
+    if !fields.is_empty() && fields.iter().all(|field| is_number(field, b';')) {
         return "this line holds numbers, so the log has no names: give --columns the numbers of \
                 the columns, from 1, as in 1,2,3"
             .to_owned();

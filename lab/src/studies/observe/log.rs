@@ -2,12 +2,12 @@
 
 use std::io::{self, Read};
 
-use super::bad::{Bad, LARGEST, Reason};
-use super::columns::{Columns, Role};
+use super::bad::{Bad, LARGEST, Reason, SHORTEST};
+use super::columns::{Column, Columns, Role};
 use super::error::ObserveError;
-use super::fields::number;
 use super::layout::Layout;
 use super::lines::{Lines, Next};
+use super::notation::{Fault, Mark, Notation};
 use super::scale::Scale;
 
 /// A good row, in SI units.
@@ -18,6 +18,13 @@ pub(crate) struct Sample {
     pub(crate) x: f64,
     pub(crate) f: f64,
     pub(crate) v: Option<f64>,
+}
+
+impl Sample {
+    /// Whether `later` comes after this row, by more than a division by the time between them can bear.
+    pub(crate) fn is_before(&self, later: &Self) -> bool {
+        later.t - self.t >= SHORTEST
+    }
 }
 
 /// A row, good or bad.
@@ -32,6 +39,7 @@ pub(crate) enum Entry<'a> {
 pub(crate) struct Log<R> {
     lines: Lines<R>,
     row: RowReader,
+    columns: Vec<Column>,
     /// The first line, where it is itself a row.
     first: Option<Vec<u8>>,
     pending: bool,
@@ -47,12 +55,27 @@ impl<R: Read> Log<R> {
     ) -> Result<Self, ObserveError> {
         let mut lines = Lines::new(reader);
         let (layout, first) = head(&mut lines, name, columns)?;
-        let mut factors = [1.0; 4];
-        scales.iter().for_each(|scale| factors[scale.role.index()] *= scale.factor);
+        let (mut factors, mut scaled) = ([1.0; 4], [false; 4]);
+        for Scale { role, factor } in scales {
+            factors[role.index()] *= factor;
+            scaled[role.index()] = true;
+        }
+        let (read, powers) = layout.units(name, &factors, &scaled)?;
         let has_velocity = columns.has(Role::V);
         let pending = layout.is_row;
-        let row = RowReader { layout, factors, has_velocity };
-        Ok(Self { lines, row, first: pending.then_some(first), pending })
+        let notation = Notation::of(layout.delimiter);
+        let row = RowReader { layout, factors, powers, notation, has_velocity };
+        Ok(Self { lines, row, columns: read, first: pending.then_some(first), pending })
+    }
+
+    /// The columns as they are read.
+    pub(crate) fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// Whether the numbers so far have decimal commas.
+    pub(crate) fn has_decimal_commas(&self) -> bool {
+        self.row.notation.mark() == Some(Mark::Comma)
     }
 
     /// The next row; none at the end.
@@ -126,11 +149,14 @@ fn head<R: Read>(
 struct RowReader {
     layout: Layout,
     factors: [f64; 4],
+    /// Powers of ten from the units of the headings.
+    powers: [i32; 4],
+    notation: Notation,
     has_velocity: bool,
 }
 
 impl RowReader {
-    fn read<'a>(&self, text: &'a [u8], line: u64) -> Entry<'a> {
+    fn read<'a>(&mut self, text: &'a [u8], line: u64) -> Entry<'a> {
         let fields = match self.layout.pick(text) {
             Ok(fields) => fields,
             Err(reason) => return Entry::Bad(Bad { line, reason, time: None, force: None }),
@@ -138,22 +164,26 @@ impl RowReader {
         match self.sample(&fields, line) {
             Ok(sample) => Entry::Good(sample),
             Err(reason) => {
-                let told = |role| self.value(role, &fields).ok();
-                Entry::Bad(Bad { line, reason, time: told(Role::T), force: told(Role::F) })
+                let [time, force] = [Role::T, Role::F].map(|role| self.value(role, &fields).ok());
+                Entry::Bad(Bad { line, reason, time, force })
             }
         }
     }
 
-    fn sample<'a>(&self, fields: &[&'a [u8]; 4], line: u64) -> Result<Sample, Reason<'a>> {
+    fn sample<'a>(&mut self, fields: &[&'a [u8]; 4], line: u64) -> Result<Sample, Reason<'a>> {
         let [t, x, f] = [Role::T, Role::X, Role::F].map(|role| self.value(role, fields));
         let v = self.has_velocity.then(|| self.value(Role::V, fields)).transpose();
         Ok(Sample { line, t: t?, x: x?, f: f?, v: v? })
     }
 
     /// The value of a column in SI units.
-    fn value<'a>(&self, role: Role, fields: &[&'a [u8]; 4]) -> Result<f64, Reason<'a>> {
+    fn value<'a>(&mut self, role: Role, fields: &[&'a [u8]; 4]) -> Result<f64, Reason<'a>> {
         let field = fields[role.index()];
-        let number = number(field).ok_or(Reason::Number { role, field })?;
+        let number = self.notation.read(field, self.powers[role.index()]);
+        let number = number.map_err(|fault| match fault {
+            Fault::NoNumber => Reason::Number { role, field },
+            Fault::OtherMark(known) => Reason::Mark { role, field, known },
+        })?;
         let value = number * self.factors[role.index()];
         if value.abs() <= LARGEST { Ok(value) } else { Err(Reason::Range { role, field }) }
     }

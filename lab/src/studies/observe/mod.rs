@@ -21,11 +21,15 @@ mod contact;
 mod envelope;
 mod error;
 mod fields;
+mod heading;
 mod layout;
 mod lines;
 mod log;
+mod marks;
+mod notation;
 mod observed_energy;
 mod page;
+mod replay;
 mod report;
 mod scale;
 mod step;
@@ -36,20 +40,26 @@ mod watch;
 
 pub use bad::{BadRow, BadRows};
 pub use candidate::Candidate;
-pub use columns::Columns;
-pub use columns::Role;
+pub use columns::{Column, Columns, Role};
 pub use contact::{Contact, Contacts};
 pub use error::ObserveError;
 pub use observed_energy::{Debt, ObservedEnergy};
+pub use replay::{Asked, Left, NOTE, Replay, Replayed};
 pub use report::{ConstantDamper, Energy, Report};
 pub use scale::Scale;
 pub use step::{Gap, Gaps};
 pub use traces::Traces;
 
+pub(crate) use bad::Reason;
+pub(crate) use envelope::Envelope;
+pub(crate) use log::{Entry, Log, Sample};
+pub(crate) use text::described;
+pub(crate) use traces::prefix;
+
 use std::io::Read;
 
-pub(crate) use log::{Entry, Log, Sample};
 use lyapunov_figures::Figure;
+use replay::Replays;
 use watch::Watch;
 
 /// Settings for reading and observing a log.
@@ -63,6 +73,8 @@ pub struct Settings {
     pub candidate: Candidate,
     /// The force above which there is contact, N; none: 1 % of the largest so far.
     pub contact: Option<f64>,
+    /// Stabilizers to ask what they would have done; none: nobody.
+    pub asked: Option<Asked>,
 }
 
 impl Settings {
@@ -95,25 +107,29 @@ impl Observed {
     pub fn figure(&self) -> Figure {
         self.traces.figure(&self.report)
     }
+
+    /// Figure of the forces that stabilizers would have added; none where nobody would have.
+    pub fn would_have(&self) -> Option<Figure> {
+        self.report.replay.as_ref()?.figure("force that each stabilizer would have added")
+    }
 }
 
 /// Reads the log called `name` to its end and observes it.
 ///
 /// # Errors
-/// Settings out of range, a log without the requested columns or with fewer than two good rows, or a stream that
-/// fails.
+/// Settings out of range, a log without the requested columns or with fewer than two good rows, a scene that does not fit
+/// the log or those who are asked, or a stream that fails.
 pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, ObserveError> {
     settings.check()?;
     let candidate = settings.candidate.checked()?;
     let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
-    let mut watch = Watch::new(candidate, settings.contact);
+    let replays = Replays::of(settings.asked.as_ref())?;
+    let mut watch = Watch::new(candidate, settings.contact, replays);
     while let Some(entry) = log.read().map_err(|error| ObserveError::unreadable(name, &error))? {
         watch.add(&entry);
     }
-    let bad = watch.bad_rows().clone();
-    let Some((report, traces)) = watch.finish() else {
-        return Err(ObserveError::too_few(name, &bad));
-    };
-    let report = Report { log: name.to_owned(), candidate: settings.candidate, ..report };
+    let (report, traces) = watch.finish(name)?;
+    let (columns, decimal_commas) = (log.columns().to_vec(), log.has_decimal_commas());
+    let report = Report { candidate: settings.candidate, columns, decimal_commas, ..report };
     Ok(Observed { report, traces })
 }

@@ -14,7 +14,18 @@ impl Observed {
         let lines = self.report.lines();
         // The first line is the heading.
         let (setting, lines) = lines.split_once('\n').unwrap_or((&lines, ""));
-        let caption = "Force, the energy that each of both sums observes, and position.";
+        let marked = if self.traces.has_marks() {
+            " Below stand the gaps, and the time between the good rows on both sides of bad ones."
+        } else {
+            ""
+        };
+        let caption =
+            format!("Force, the energy that each of both sums observes, and position.{marked}");
+        let mut files =
+            vec![("observe.csv", "the contacts"), ("observe.json", "all numbers, in SI units")];
+        if self.report.replay.is_some() {
+            files.push(("stabilizers.csv", "what each stabilizer would have done"));
+        }
         let body = html! {
             p { "By " (html::maker(command)) ". " (setting) "." }
             (labelled(lines))
@@ -24,10 +35,16 @@ impl Observed {
             }
             h2 { "Over time" }
             (html::figure(Some("observe"), &self.figure(), &html! { (caption) }))
-            (beside(&[
-                ("observe.csv", "the contacts"),
-                ("observe.json", "all numbers, in SI units"),
-            ]))
+            @if let Some(replay) = &self.report.replay {
+                h2 { "What stabilizers would have done" }
+                p { (replay.note) }
+                (labelled(&replay.lines()))
+                (replay.table().to_html("short"))
+                @if let Some(figure) = self.would_have() {
+                    (html::figure(Some("stabilizers"), &figure, &html! { (replay.caption()) }))
+                }
+            }
+            (beside(&files))
         };
         html::page(&format!("Log {}", self.report.log), &body)
     }

@@ -4,8 +4,10 @@ use serde::Serialize;
 
 use super::bad::BadRows;
 use super::candidate::Candidate;
+use super::columns::Column;
 use super::contact::Contacts;
 use super::observed_energy::ObservedEnergy;
+use super::replay::Replay;
 use super::step::Gaps;
 use crate::measure::Oddity;
 
@@ -14,6 +16,10 @@ use crate::measure::Oddity;
 pub struct Report {
     /// The name of the log.
     pub log: String,
+    /// The columns as they were read.
+    pub columns: Vec<Column>,
+    /// Whether the numbers have decimal commas.
+    pub decimal_commas: bool,
     /// The candidate whose decrease is summed.
     pub candidate: Candidate,
     /// The number of good rows.
@@ -46,6 +52,9 @@ pub struct Report {
     pub contacts: Contacts,
     /// The signs of a mistake in the log, such as a unit that looks off.
     pub look_at: Vec<Oddity>,
+    /// What stabilizers would have done; none where nobody was asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub replay: Option<Replay>,
 }
 
 /// Energy over the port, by held work.

@@ -3,21 +3,27 @@
 use std::fmt;
 
 use super::candidate::Candidate;
+use super::columns::Column;
 use super::contact::{Contact, SHARE};
 use super::observed_energy::ObservedEnergy;
 use super::report::Report;
 use super::step::GAP;
 use super::traces::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, printable};
+use crate::text::{folded, found, printable, shorten};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.lines())?;
-        match self.worst_contacts() {
+        let indented = |table: Table| textwrap::indent(table.to_string().trim_end(), "  ");
+        if let Some(table) = self.worst_contacts() {
+            write!(f, "\n{}", indented(table))?;
+        }
+        match &self.replay {
             None => Ok(()),
-            Some(table) => {
-                write!(f, "\n{}", textwrap::indent(table.to_string().trim_end(), "  "))
+            Some(replay) => {
+                write!(f, "\n\n{}\n{}", replay.lines(), indented(replay.table()))?;
+                write!(f, "\n{}", folded("  note        ", replay.note))
             }
         }
     }
@@ -32,6 +38,7 @@ impl fmt::Display for Lines<'_> {
         let units = Units::of(report);
         let name: String = report.log.chars().map(printable).collect();
         write!(f, "{name}: {} rows over {} s", report.rows, found(report.duration))?;
+        report.write_columns(f)?;
         report.write_rows(f, &units)?;
         report.write_sums(f, &units)?;
         report.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
@@ -79,6 +86,12 @@ impl Units {
 }
 
 impl Report {
+    /// Writes what was read from the headings and not asked for.
+    fn write_columns(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let told = described(&self.columns, self.decimal_commas);
+        told.map_or(Ok(()), |told| line(f, "columns", &told))
+    }
+
     fn write_rows(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
         let (start, end) = (units.time(self.start), units.time(self.end));
         let period = found(1e3 * self.median_period);
@@ -201,6 +214,22 @@ impl Report {
         let rows = contacts.worst.iter().map(|contact| cells(contact, &units));
         Some(Table::new(headings.map(Heading::number)).with_rows(rows))
     }
+}
+
+/// What was read from the headings of a log and not asked for; none where nothing was.
+pub(crate) fn described(columns: &[Column], decimal_commas: bool) -> Option<String> {
+    let told = columns.iter().filter(|it| it.is_guessed || it.unit.is_some());
+    let mut told: Vec<String> = told
+        .map(|column| {
+            let heading = shorten(column.heading.as_deref().unwrap_or_default());
+            let unit = column.unit.map_or_else(String::new, |unit| format!(" in {unit}"));
+            format!("{} is `{heading}`{unit}", column.role.letter())
+        })
+        .collect();
+    if decimal_commas {
+        told.push("numbers have decimal commas".to_owned());
+    }
+    (!told.is_empty()).then(|| told.join(", "))
 }
 
 /// History of an observed energy in words.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::envelope::Envelope;
 use super::log::Sample;
+use super::marks::Marks;
 use super::report::Report;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
@@ -14,10 +15,15 @@ pub struct Traces {
     force: Envelope,
     held: Envelope,
     sampled: Envelope,
+    gaps: Marks,
+    bad_rows: Marks,
 }
 
+/// The least width of a mark, as a share of the log.
+const MARK: f64 = 0.003;
+
 /// Readable unit for a magnitude: its factor from SI, and its prefix.
-pub(super) fn prefix(largest: f64) -> (f64, &'static str) {
+pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
     match largest {
         size if size >= 1.0 || size == 0.0 => (1.0, ""),
         size if size >= 1e-3 => (1e3, "m"),
@@ -28,7 +34,9 @@ pub(super) fn prefix(largest: f64) -> (f64, &'static str) {
 impl Traces {
     pub(super) fn new() -> Self {
         let empty = Envelope::new();
-        Self { position: empty.clone(), force: empty.clone(), held: empty.clone(), sampled: empty }
+        let (gaps, bad_rows) = (Marks::default(), Marks::default());
+        let [position, force, held] = [0; 3].map(|_| empty.clone());
+        Self { position, force, held, sampled: empty, gaps, bad_rows }
     }
 
     /// Adds a row with the observed energies up to it.
@@ -43,7 +51,37 @@ impl Traces {
         self.force.add(time, force);
     }
 
-    /// Figure of force, observed energies and position over time.
+    /// Marks a gap.
+    pub(super) fn gap(&mut self, from: f64, to: f64) {
+        self.gaps.add(from, to);
+    }
+
+    /// Marks the time from the good row before some bad ones to the good row after them.
+    pub(super) fn bad_rows(&mut self, from: f64, to: f64) {
+        self.bad_rows.add(from, to);
+    }
+
+    /// Whether a gap or a bad row is marked.
+    pub(super) fn has_marks(&self) -> bool {
+        !(self.gaps.is_empty() && self.bad_rows.is_empty())
+    }
+
+    /// Panel of the gaps and bad rows.
+    fn marks(&self, label: &str, origin: f64, report: &Report) -> Panel {
+        let width = MARK * report.duration;
+        let bars = |marks: &Marks, row: usize, colour: usize| {
+            let mut bars = marks.bars(-(row as f64), width);
+            bars.iter_mut().for_each(|bar| (bar.0, bar.1) = (bar.0 - origin, bar.1 - origin));
+            Series::bars("", colour, &bars)
+        };
+        Panel::new("(d) gaps and bad rows", label, "")
+            .with_x_range(report.start - origin, report.end - origin)
+            .with_rows(vec!["gap".to_owned(), "bad rows".to_owned()])
+            .with_series(bars(&self.gaps, 0, 0))
+            .with_series(bars(&self.bad_rows, 1, 1))
+    }
+
+    /// Figure of force, observed energies and position over time, and of gaps and bad rows where there are any.
     pub(super) fn figure(&self, report: &Report) -> Figure {
         // On an axis far from zero the numbers would be too long to distinguish.
         let far = report.start.abs() > 100.0 * report.duration;
@@ -72,7 +110,7 @@ impl Traces {
             None => energy,
         };
         let title = Path::new(&report.log).file_name().map(|name| name.to_string_lossy());
-        Figure::new(title.unwrap_or_default())
+        let figure = Figure::new(title.unwrap_or_default())
             .with_width(840.0)
             .with_panel_height(190.0)
             .with_panel(
@@ -83,7 +121,12 @@ impl Traces {
             .with_panel(
                 Panel::new("(c) position", &label, format!("position, {metres}m"))
                     .with_series(Series::line("", 0, curve(&self.position, metre))),
-            )
+            );
+        if self.has_marks() {
+            figure.with_panel(self.marks(&label, origin, report))
+        } else {
+            figure
+        }
     }
 }
 

@@ -2,11 +2,13 @@
 
 use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
-use super::bad::{Bad, BadRows, Reason, SHORTEST};
+use super::bad::{Bad, BadRows, Reason};
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
+use super::error::ObserveError;
 use super::log::{Entry, Sample};
 use super::observed_energy::ObservedEnergy;
+use super::replay::Replays;
 use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step, median};
 use super::tally::Tally;
@@ -35,7 +37,7 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    pub(super) fn new(candidate: Credited, contact: Option<f64>) -> Self {
+    pub(super) fn new(candidate: Credited, contact: Option<f64>, replays: Replays) -> Self {
         Self {
             rows: 0,
             bad: BadRows::default(),
@@ -45,7 +47,7 @@ impl Watch {
             forces: None,
             waiting: Vec::with_capacity(WAITING),
             period: None,
-            account: Books::new(candidate, contact),
+            account: Books::new(candidate, contact, replays),
         }
     }
 
@@ -58,7 +60,7 @@ impl Watch {
 
     fn good(&mut self, reading: &Sample) {
         if let Some(last) = self.last {
-            if reading.t - last.t < SHORTEST {
+            if !last.is_before(reading) {
                 let (line, time) = (reading.line, reading.t);
                 let reason = Reason::Order { time, last: last.t, line: last.line };
                 return self.bad(&Bad { line, reason, time: None, force: None });
@@ -66,9 +68,15 @@ impl Watch {
             let (least, most) = self.forces.take().unwrap_or((last.f, last.f));
             let forces = (least.min(last.f), most.max(last.f));
             let spans = std::mem::take(&mut self.spans);
+            if spans {
+                self.account.traces.bad_rows(last.t, reading.t);
+            }
             self.step(Step { from: last, to: *reading, forces, spans });
         } else {
-            (self.spans, self.forces) = (false, None);
+            if std::mem::take(&mut self.spans) {
+                self.account.traces.bad_rows(reading.t, reading.t);
+            }
+            self.forces = None;
             self.first = Some(*reading);
             self.account.start(reading);
         }
@@ -106,20 +114,24 @@ impl Watch {
         period
     }
 
-    /// The bad rows so far.
-    pub(super) fn bad_rows(&self) -> &BadRows {
-        &self.bad
-    }
-
-    /// The report and the curves; none with fewer than two good rows.
-    pub(super) fn finish(mut self) -> Option<(Report, Traces)> {
+    /// The report and the curves of the log called `name`.
+    ///
+    /// # Errors
+    /// Fewer than two good rows; ticks that are not those of the scene of a replay.
+    pub(super) fn finish(mut self, name: &str) -> Result<(Report, Traces), ObserveError> {
         let period = self.settle();
-        let (first, last) = (self.first?, self.last.filter(|_| self.rows > 1)?);
+        let (Some(first), Some(last), 2..) = (self.first, self.last, self.rows) else {
+            return Err(ObserveError::too_few(name, &self.bad));
+        };
         let mut account = self.account;
         account.traces.push(last.t, account.pushed);
+        if self.spans {
+            account.traces.bad_rows(last.t, last.t);
+        }
         let contacts = account.contacts.finish();
         let look_at = account.signs.finish(period, account.port.generated());
         let report = Report {
+            log: name.to_owned(),
             rows: self.rows,
             bad_rows: self.bad,
             start: first.t,
@@ -140,9 +152,10 @@ impl Watch {
             printed: account.sampled_course.finish(),
             contacts,
             look_at,
+            replay: account.replays.finish(name, period)?,
             ..Report::default()
         };
-        Some((report, account.traces))
+        Ok((report, account.traces))
     }
 }
 
@@ -160,6 +173,7 @@ struct Books {
     contacts: Finder,
     traces: Traces,
     signs: LogSigns,
+    replays: Replays,
     /// Force of the last step, N.
     pushed: f64,
 }
@@ -169,7 +183,7 @@ fn observing<W: Work>(candidate: Credited) -> Observing<W> {
 }
 
 impl Books {
-    fn new(candidate: Credited, contact: Option<f64>) -> Self {
+    fn new(candidate: Credited, contact: Option<f64>, replays: Replays) -> Self {
         Self {
             held: observing(candidate),
             sampled: observing(candidate),
@@ -182,6 +196,7 @@ impl Books {
             contacts: Finder::new(contact),
             traces: Traces::new(),
             signs: LogSigns::new(contact),
+            replays,
             pushed: 0.0,
         }
     }
@@ -198,9 +213,11 @@ impl Books {
     fn book(&mut self, step: &Step, median: f64) {
         if step.is_gap(median) {
             self.gaps.add(step);
+            self.traces.gap(step.from.t, step.to.t);
         }
         let sample = step.sample(median);
         let motion = sample.velocity * sample.velocity * sample.period;
+        self.replays.book(step, &sample, median);
         self.port.add(sample.work, motion);
         self.credited.add(self.held.candidate.credit(&sample), 0.0);
         let held = self.held.observe(&sample, step.to.f);

@@ -2,7 +2,7 @@
 
 use maud::html;
 
-use super::Curves;
+use super::{Curves, Laid};
 use crate::measure::Summary;
 use crate::show::beside::beside;
 use crate::show::html;
@@ -10,23 +10,32 @@ use crate::show::labelled::labelled;
 use crate::studies::explain::Hint;
 
 impl Curves {
-    /// The page of the run of the scene called `name`, as HTML; `command` made it.
-    pub fn to_html(&self, name: &str, summary: &Summary, command: &str) -> String {
+    /// The page of the run of the scene called `name`, with the log that is `laid` over it, as HTML; `command` made it.
+    pub fn to_html(
+        &self,
+        name: &str,
+        summary: &Summary,
+        laid: Option<&Laid>,
+        command: &str,
+    ) -> String {
         let scene = toml::to_string(&summary.scene).unwrap_or_default();
         let hint = Hint::of(summary).to_string();
         // The command to ask next is a sentence of its own.
         let (why, next) = hint.split_once('\n').unwrap_or((&hint, ""));
         let lines = format!("{summary}\n{why}");
+        let mut files =
+            vec![("run.csv", "a row for each servo tick"), ("run.json", "the numbers above")];
+        if laid.is_some() {
+            files.push(("against.csv", "the differences from the log"));
+        }
         let body = html! {
             p { "By " (html::maker(command)) "." }
             (labelled(&lines))
             @if !next.trim().is_empty() { p { (html::coded(next.trim())) "." } }
             h2 { "What the loop does" }
             (html::figure(Some("run"), &self.figure(name, summary), &html! { (self.caption(summary)) }))
-            (beside(&[
-                ("run.csv", "a row for each servo tick"),
-                ("run.json", "the numbers above"),
-            ]))
+            @if let Some(laid) = laid { (laid.markup()) }
+            (beside(&files))
             h2 { "Scene" }
             p { "Every number, with its default in place." }
             pre { (scene) }

@@ -1,0 +1,102 @@
+//! Stabilizers that are asked what they would have done on a recorded motion.
+//!
+//! Each gets the log's motion and force tick by tick, and its own correction counts as applied from then on: it books the
+//! work of the recorded force and of what it added, on the recorded displacement. That displacement would have been
+//! another, which [`NOTE`] says wherever the numbers stand.
+
+mod account;
+mod entrant;
+mod picture;
+mod replayed;
+mod table;
+
+use lyapunov::{HeldTick, PortSample};
+
+use super::error::ObserveError;
+use super::log::Sample;
+use super::step::Step;
+use crate::files::Scene;
+use crate::simulate::family::StabilizerNames;
+use account::Account;
+pub use replayed::{Left, Replay, Replayed};
+
+/// The sentence that stands with every replay.
+pub const NOTE: &str = "Had a stabilizer acted, the motion would have been another: this is what each would have answered to the \
+                        recorded motion, and not what the loop would have done. lyapunov compare simulates that.";
+
+/// Share of the scene's period by which that of the log may differ.
+const NEAR: f64 = 0.1;
+
+/// Stabilizers to ask, and the scene that sets their numbers as in a comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// Who is asked.
+    pub stabilizers: StabilizerNames,
+    /// The scene.
+    pub scene: Scene,
+    /// Its name.
+    pub name: String,
+}
+
+/// The accounts of all stabilizers over a log.
+#[derive(Debug, Default)]
+pub(super) struct Replays {
+    accounts: Vec<Account>,
+    left: Vec<Left>,
+    scene: String,
+    servo_period: f64,
+    has_started: bool,
+}
+
+impl Replays {
+    /// Those who are asked, before the first row; none where nobody is.
+    pub(super) fn of(asked: Option<&Asked>) -> Result<Self, ObserveError> {
+        let Some(asked) = asked else { return Ok(Self::default()) };
+        let (accounts, left) = entrant::entered(asked)?;
+        let (scene, servo_period) = (asked.name.clone(), asked.scene.period());
+        Ok(Self { accounts, left, scene, servo_period, has_started: false })
+    }
+
+    /// Tells each of them a step; the first one tells the row before it as well.
+    pub(super) fn book(&mut self, step: &Step, sample: &PortSample<f64>, median: f64) {
+        if self.accounts.is_empty() {
+            return;
+        }
+        if !std::mem::replace(&mut self.has_started, true) {
+            let first = start(&step.from, median);
+            self.accounts.iter_mut().for_each(|it| it.add(&first, &step.from));
+        }
+        self.accounts.iter_mut().for_each(|it| it.add(sample, &step.to));
+    }
+
+    /// What each would have done; none where nobody was asked.
+    ///
+    /// # Errors
+    /// A log whose ticks are not those of the scene.
+    pub(super) fn finish(self, name: &str, median: f64) -> Result<Option<Replay>, ObserveError> {
+        if self.accounts.is_empty() {
+            return Ok(None);
+        }
+        let period = self.servo_period;
+        if (median - period).abs() > NEAR * period {
+            let rate = median.recip();
+            let told = format!(
+                "the rows are {median:?} s apart, and {} has a servo period of {period:?} s",
+                self.scene
+            );
+            return Err(ObserveError::about(name, told).with_help(format!(
+                "a stabilizer is set for the ticks it runs at: give the scene the log's, servo_rate = {rate}, or a log \
+                 with a row for each tick"
+            )));
+        }
+        let (rows, traces) = self.accounts.into_iter().map(Account::finish).unzip();
+        let (scene, note) = (self.scene, NOTE);
+        Ok(Some(Replay { scene, note, stabilizers: rows, not_replayed: self.left, traces }))
+    }
+}
+
+/// The sample of the first row: nothing has moved yet.
+fn start(row: &Sample, period: f64) -> PortSample<f64> {
+    let (position, velocity) = (row.x, row.v.unwrap_or(0.0));
+    HeldTick { period, position, velocity, displacement: 0.0, applied: 0.0 }.sample()
+}
