@@ -9,20 +9,38 @@ use crate::simulate::{Space, Tick};
 
 /// The applied force, split into the environment's and the controller's share, along the first axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Split {
+pub(crate) struct Split<T = f64> {
     /// The environment's force that is due now, before saturation, N: `f_env(n − d)`, 0 for `n < d`.
-    pub(crate) late: f64,
+    pub(crate) late: T,
     /// The environment's share, N: `f_e(n) = clip(f_env(n − d))`, the force that would act now without a controller.
-    pub(crate) environment: f64,
+    pub(crate) environment: T,
     /// The rest of the applied force, N: the controller's share.
-    pub(crate) controller: f64,
+    pub(crate) controller: T,
 }
 
 /// Splits the applied force tick by tick: saturates and delays the environment's force as the loop does the whole.
 #[derive(Clone, Debug)]
-pub(crate) struct Share {
-    limit: f64,
-    waiting: VecDeque<f64>,
+pub(crate) struct Share<T = f64> {
+    limit: T,
+    waiting: VecDeque<T>,
+}
+
+impl<T: Scalar> Share<T> {
+    /// The shares of forces that act `ticks` late, no larger than `limit`.
+    pub(crate) fn late(ticks: usize, limit: T) -> Self {
+        Self { limit, waiting: VecDeque::from(vec![T::zero(); ticks]) }
+    }
+
+    /// Splits the applied force, of which the environment gave `environment` as it was commanded.
+    #[inline(always)]
+    pub(crate) fn of(&mut self, environment: T, applied: T) -> Split<T> {
+        self.waiting.push_back(environment);
+        let late = self.waiting.pop_front().unwrap_or_else(T::zero);
+        let (most, least) = (self.limit, -self.limit);
+        let clipped = T::choose(late.below(least), least, late);
+        let environment = T::choose(clipped.above(most), most, clipped);
+        Split { late, environment, controller: applied - environment }
+    }
 }
 
 impl Share {
@@ -32,19 +50,12 @@ impl Share {
         // Rounded as the loop rounds it.
         let limit = |force: f64| V::Scalar::of(force).lane(0);
         let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| limit(it.force.get()));
-        Self { limit, waiting: VecDeque::from(vec![0.0; ticks.into()]) }
+        Self::late(ticks.into(), limit)
     }
 
     /// Splits the force applied from `tick` on.
     pub(crate) fn split<V: Space>(&mut self, tick: &Tick<V>) -> Split {
         self.of(tick.environment.axis(0), tick.applied.axis(0))
-    }
-
-    fn of(&mut self, environment: f64, applied: f64) -> Split {
-        self.waiting.push_back(environment);
-        let late = self.waiting.pop_front().unwrap_or_default();
-        let environment = late.clamp(-self.limit, self.limit);
-        Split { late, environment, controller: applied - environment }
     }
 
     /// Whether a force of the environment does not act yet.
