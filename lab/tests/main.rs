@@ -9,6 +9,7 @@ mod family;
 mod floors;
 mod hard;
 mod integrators;
+mod lanes;
 mod late_cap;
 mod map;
 mod models;

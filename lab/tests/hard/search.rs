@@ -5,9 +5,9 @@
 use std::cell::Cell;
 use std::fmt::Write;
 
-use lyapunov_lab::{F64x8, Space};
 use lyapunov_lab::hard::{Tally, watch};
 use lyapunov_lab::scene::Scene;
+use lyapunov_lab::{F64x8, Space};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 

@@ -104,7 +104,9 @@ fn answering<V: Space>(
         Fitted::Around(wrapper) => {
             let port = match wrapper.pace() {
                 Pace::Environment => port,
-                Pace::Servo => wrapper.around(port, V::Scalar::of(scenes.common().period()), seen)?,
+                Pace::Servo => {
+                    wrapper.around(port, V::Scalar::of(scenes.common().period()), seen)?
+                }
             };
             (port, AnyStabilizer::called(Passing))
         }
@@ -135,7 +137,9 @@ impl<V: Space> Render<V> for AtServoRate<'_, V> {
         match around {
             None => received(scenes, environment),
             Some(wrapper) => {
-                let period = V::Scalar::of(scenes.common().environment_ratio() as f64 * scenes.common().period());
+                let period = V::Scalar::of(
+                    scenes.common().environment_ratio() as f64 * scenes.common().period(),
+                );
                 received(scenes, wrapper.around(scenes.port(environment), period, seen)?)
             }
         }

@@ -95,7 +95,9 @@ struct Reshape<'a, B, P, T> {
     interval: T,
 }
 
-impl<V: Space, B: OperatedBody<V>> NullaryFnOnce for Reshape<'_, On<B>, Parts<B::Parts, V>, V::Scalar> {
+impl<V: Space, B: OperatedBody<V>> NullaryFnOnce
+    for Reshape<'_, On<B>, Parts<B::Parts, V>, V::Scalar>
+{
     type Output = Result<(), ParameterError>;
 
     #[inline(always)]

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use lyapunov::{
     ParameterError, Plant, PortSample, Scalar, Signal,
     bodies::{
-        self, Body, DampedMass, ElasticJoint, Impedance, IntegratedPlant, OperatedBody,
-        PlantExt, Stribeck, TwoMassBody, TwoMassParts,
+        self, Body, DampedMass, ElasticJoint, Impedance, IntegratedPlant, OperatedBody, PlantExt,
+        Stribeck, TwoMassBody, TwoMassParts,
     },
     effects::{Random, Source},
     integrators::{
@@ -235,9 +235,7 @@ where
     Ok(body.resting_at(rest).starting(position, velocity))
 }
 
-fn start<V: Space, K: Kind<V>>(
-    scenes: Scenes<'_>,
-) -> Result<(K::Body, K::Parts), ParameterError> {
+fn start<V: Space, K: Kind<V>>(scenes: Scenes<'_>) -> Result<(K::Body, K::Parts), ParameterError> {
     let parts = K::parts(scenes, held);
     Ok((K::body(scenes, parts)?, parts))
 }

@@ -7,9 +7,9 @@ use lyapunov::{
 use nalgebra::SVector;
 use pulp::NullaryFnOnce;
 
-use super::{Fitted, Scenes};
 use super::plant::{self, AnyPlant};
 use super::seen::Operator;
+use super::{Fitted, Scenes};
 use crate::files::scene::{
     Basis, Coordinates, Environment, Lanes, Rates, Render, Scene, Stabilizer,
 };
@@ -41,10 +41,7 @@ pub trait Space: Signal<Scalar: Send> + Send {
     ///
     /// # Errors
     /// A parameter out of the range of the scalar, a stabilizer of another space, and a loop without what it is set by.
-    fn fitted(
-        tables: &[Stabilizer],
-        scenes: Scenes<'_>,
-    ) -> Result<Fitted<Self>, ParameterError>;
+    fn fitted(tables: &[Stabilizer], scenes: Scenes<'_>) -> Result<Fitted<Self>, ParameterError>;
 
     /// The plant of the scenes; where a link sets the operator apart from the device, `operator` records its motion.
     ///
@@ -138,10 +135,7 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
         scenes.common().environment.in_space(of)
     }
 
-    fn fitted(
-        tables: &[Stabilizer],
-        scenes: Scenes<'_>,
-    ) -> Result<Fitted<Self>, ParameterError> {
+    fn fitted(tables: &[Stabilizer], scenes: Scenes<'_>) -> Result<Fitted<Self>, ParameterError> {
         Fitted::in_space(&Basis::of(scenes.common()), Lanes::new(tables).common())
     }
 

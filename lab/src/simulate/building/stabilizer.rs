@@ -3,8 +3,8 @@
 use std::fmt;
 
 use lyapunov::{
-    Correction, DampingLimit, Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy,
-    PortSample, Signal, Stabilizer,
+    Correction, DampingLimit, Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError,
+    PortEnergy, PortSample, Signal, Stabilizer,
     accumulators::{Accumulator, Compensated},
     environments::ForceLaw,
 };

@@ -33,7 +33,6 @@ impl<V: Space> AnyWrapper<V> {
 }
 
 impl<V: Signal> AnyWrapper<V> {
-
     /// The rate that it runs at.
     pub(super) fn pace(&self) -> Pace {
         self.pace

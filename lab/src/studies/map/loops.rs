@@ -126,10 +126,8 @@ impl Work<'_> {
         let metered = |number: T| number.metered();
         let fate = Fate::of_lanes(scenes.iter().map(|scene| &**scene));
         let rest = |lane: usize| fate.criterion(lane.min(scenes.len() - 1)).rest();
-        let band = (
-            T::Meter::from_lanes(|lane| rest(lane).0),
-            T::Meter::from_lanes(|lane| rest(lane).1),
-        );
+        let band =
+            (T::Meter::from_lanes(|lane| rest(lane).0), T::Meter::from_lanes(|lane| rest(lane).1));
         let limit = |it: &Scene| it.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
         let common = on.common();
         let wall = |it: &Scene| it.environment.wall().map_or(0.0, |it| it.position.get());
@@ -209,8 +207,7 @@ impl<T: Metered> Group<T> {
     fn tick(&mut self) {
         let tick = self.rollout.tick();
         self.sound = self.sound & tick.sound();
-        let (position, velocity) =
-            (tick.truth.position.metered(), tick.truth.velocity.metered());
+        let (position, velocity) = (tick.truth.position.metered(), tick.truth.velocity.metered());
         self.fate.add(position, velocity);
         let (applied, moved) = (tick.applied.metered(), tick.truth.displacement.metered());
         let split = self.share.of(tick.environment.metered(), applied);

@@ -22,13 +22,13 @@ mod table;
 mod varied;
 mod vary;
 
+pub use crate::simulate::Instructions;
 pub use crate::simulate::family::BasicName;
 pub use axis::{Axis, AxisError, Spacing};
 pub use bounds::{Bounds, OverExact};
 pub use checkpoint::{Checkpoint, CheckpointError};
 pub use document::{Computation, document};
 pub use grid::{Grid, GridError};
-pub use crate::simulate::Instructions;
 pub use kernel::{Kernel, Lanes};
 pub use merge::{MergeError, merge};
 pub use outcome::{Measure, Measures, Outcome};

@@ -282,9 +282,9 @@ impl<'a> Run<'a> {
             Method::Lanes(instructions) => Some(*instructions),
             Method::Single => None,
         };
-        Cells { scenes: &scenes, member, instructions }.outcomes(go_on).map_err(|(place, error)| {
-            RunError::Cell(self.grid.at(cells[place], error.to_string()))
-        })
+        Cells { scenes: &scenes, member, instructions }
+            .outcomes(go_on)
+            .map_err(|(place, error)| RunError::Cell(self.grid.at(cells[place], error.to_string())))
     }
 
     /// Results of `of` for all cells, on all threads: in shares that become smaller, so that threads finish together.

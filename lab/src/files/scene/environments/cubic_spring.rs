@@ -8,8 +8,8 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper,
 };
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
+use crate::files::scene::book::{Key, key};
 use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A two-sided spring that hardens, as Duffing's: f = k d + c d^3 for d = x - position.
@@ -71,8 +71,10 @@ impl OnALine for CubicSpring {
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring =
-            lyapunov::environments::CubicSpring::<T>::new(each.each(|it| it.stiffness), each.each(|it| it.cubic))?;
+        let spring = lyapunov::environments::CubicSpring::<T>::new(
+            each.each(|it| it.stiffness),
+            each.each(|it| it.cubic),
+        )?;
         to.render(spring.at(each.each(|it| it.position)), no_credit()?)
     }
 }

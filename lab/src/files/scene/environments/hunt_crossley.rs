@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, Number, OnALine, Rates, spring_and_damper};
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
+use crate::files::scene::book::{Key, key};
 use crate::files::scene::quantity::{Finite, NonNegative, Positive};
 
 /// A one-sided wall after Hunt and Crossley: f = max(0, k p^e (1 + damping v)) for the depth p = x - position > 0.
@@ -75,8 +75,11 @@ impl OnALine for HuntCrossley {
         to: R,
     ) -> Result<R::Made, ParameterError> {
         let (stiffness, exponent) = (each.each(|it| it.stiffness), each.each(|it| it.exponent));
-        let wall =
-            lyapunov::environments::HuntCrossley::new(stiffness, exponent, each.each(|it| it.damping))?;
+        let wall = lyapunov::environments::HuntCrossley::new(
+            stiffness,
+            exponent,
+            each.each(|it| it.damping),
+        )?;
         let wall = wall.at(each.each(|it| it.position));
         to.render(wall, wall.dissipation())
     }

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped};
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
+use crate::files::scene::book::{Key, key};
 use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A two-sided mass, spring and damper: f = m a + b v + k (x - position), a the difference of v from one environment tick
@@ -73,8 +73,8 @@ impl OnALine for MassSpringDamper {
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let body =
-            lyapunov::environments::MassSpringDamper::<T>::new(Self::parts(each))?.at(each.each(|it| it.position));
+        let body = lyapunov::environments::MassSpringDamper::<T>::new(Self::parts(each))?
+            .at(each.each(|it| it.position));
         to.render(body, body.dissipation())
     }
 }

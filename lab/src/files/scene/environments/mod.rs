@@ -22,8 +22,8 @@ use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::files::scene::{Draft, Lanes, Scene};
 use crate::files::scene::book::{Key, count, joined};
+use crate::files::scene::{Draft, Lanes, Scene};
 use kind::{InSpace, OnALine};
 use render::Boxed;
 

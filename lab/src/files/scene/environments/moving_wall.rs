@@ -8,8 +8,8 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper, swinging,
 };
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
+use crate::files::scene::book::{Key, key};
 use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A one-sided wall whose surface swings: position + amplitude sin(2 pi frequency t).
@@ -78,7 +78,10 @@ impl OnALine for MovingWall {
         rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let wall = lyapunov::environments::Wall::new(each.each(|it| it.stiffness), each.each(|it| it.damping))?;
+        let wall = lyapunov::environments::Wall::new(
+            each.each(|it| it.stiffness),
+            each.each(|it| it.damping),
+        )?;
         let (amplitude, frequency) = (each.each(|it| it.amplitude), each.each(|it| it.frequency));
         let wall = wall.at(each.each(|it| it.position));
         let moving = lyapunov::environments::MovingWall::new(

@@ -8,9 +8,9 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper,
 };
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
-use crate::files::scene::quantity::{Finite};
+use crate::files::scene::book::{Key, key};
+use crate::files::scene::quantity::Finite;
 
 /// A two-sided spring: f = k (x - position).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -54,8 +54,8 @@ impl OnALine for Spring {
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring =
-            lyapunov::environments::Spring::<T>::new(each.each(|it| it.stiffness))?.at(each.each(|it| it.position));
+        let spring = lyapunov::environments::Spring::<T>::new(each.each(|it| it.stiffness))?
+            .at(each.each(|it| it.position));
         to.render(spring, no_credit()?)
     }
 }

@@ -8,8 +8,8 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper, swinging,
 };
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
+use crate::files::scene::book::{Key, key};
 use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A two-sided spring whose stiffness swings: k(t) = stiffness + amplitude sin(2 pi frequency t).
@@ -78,8 +78,8 @@ impl OnALine for VaryingSpring {
         rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring =
-            lyapunov::environments::Spring::<T>::new(each.each(|it| it.stiffness))?.at(each.each(|it| it.position));
+        let spring = lyapunov::environments::Spring::<T>::new(each.each(|it| it.stiffness))?
+            .at(each.each(|it| it.position));
         let (amplitude, frequency) = (each.each(|it| it.amplitude), each.each(|it| it.frequency));
         let spring = lyapunov::environments::VaryingSpring::new(
             spring,

@@ -8,8 +8,8 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper,
 };
 use super::render::Render;
-use crate::files::scene::book::{Key, key};
 use crate::files::scene::Lanes;
+use crate::files::scene::book::{Key, key};
 use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A one-sided wall: f = max(0, k p + b v) for the depth p = x - position > 0, else 0.

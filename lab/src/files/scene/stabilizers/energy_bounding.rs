@@ -55,8 +55,9 @@ impl Anywhere for EnergyBounding {
         to: R,
     ) -> Result<R::Made, ParameterError> {
         let law = Law::new(on.each(Self::c1), on.each(Self::c2))?;
-        Ok(to.behind(law
-            .on_damping(on.each(|_, on| on.damping), on.each(|_, on| on.limit.period))?
-            .late(on.common().delay)))
+        Ok(to.behind(
+            law.on_damping(on.each(|_, on| on.damping), on.each(|_, on| on.limit.period))?
+                .late(on.common().delay),
+        ))
     }
 }

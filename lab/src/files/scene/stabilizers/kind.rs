@@ -5,9 +5,9 @@ use std::fmt;
 use lyapunov::{DampingLimit, OnePort, ParameterError, Scalar, Signal, Stabilizer};
 
 use super::{Basis, Pledge};
-use crate::files::scene::{Damping, Lanes, OutOfRange};
 use crate::files::scene::book::Key;
 use crate::files::scene::check::Conflict;
+use crate::files::scene::{Damping, Lanes, OutOfRange};
 
 /// A number of a stabilizer on a loop, by its key.
 #[derive(Clone, Copy, Debug, PartialEq)]

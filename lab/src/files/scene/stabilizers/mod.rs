@@ -41,8 +41,8 @@ use schemars::JsonSchema;
 use serde::de::{self, DeserializeSeed, Deserializer, EnumAccess, VariantAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::files::scene::{Lanes, OutOfRange};
 use crate::files::scene::book::{Key, count, joined};
+use crate::files::scene::{Lanes, OutOfRange};
 use kind::{Anywhere, OnALine, OnLoops};
 
 pub(crate) use basis::Basis;

@@ -58,7 +58,8 @@ pub(super) fn follow<T: Scalar, R: Install<T>>(
 ) -> Result<R::Made, ParameterError> {
     let start = [0, 1].map(|index| on.each(|_, on| on.start[index]));
     let following = Following { limit, start, damper, to };
-    let references: Option<Vec<&Reference>> = on.pairs().map(|(_, on)| on.reference.as_ref()).collect();
+    let references: Option<Vec<&Reference>> =
+        on.pairs().map(|(_, on)| on.reference.as_ref()).collect();
     match references {
         None => following.of(|_, _| T::zero()),
         Some(references) => Reference::render(&references, following),

@@ -5,8 +5,8 @@ use lyapunov::{
     environments::{ForceLaw, Kinematics},
 };
 
-use crate::files::scene::{Draft, Lanes};
 use crate::files::scene::environments::{Environment, Rates, Render};
+use crate::files::scene::{Draft, Lanes};
 
 /// The ideal environment of a scene, as a store of energy that is a function of position and velocity.
 #[derive(Clone, Debug, PartialEq)]
