@@ -59,7 +59,10 @@ pub mod own {
 }
 
 // Simulation.
-pub use simulate::building::{AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Space};
+pub use simulate::aligned::{Aligned, F64x8};
+pub use simulate::building::{
+    AnyPlant, AnyStabilizer, AnyWrapper, Assembly, Fitted, Port, Scenes, Space,
+};
 pub use simulate::ensemble::{Constant, Ensemble, Moves};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;

@@ -1,7 +1,6 @@
 //! The family by name: each stabilizer is what docs/family.md says, with the numbers of that page worked out by hand.
 
 use approx::abs_diff_eq;
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::laws::Samples;
 use lyapunov::{
     DampingLimit, Popc, PortEnergy, PortSample, Scalar, Stabilizer, StorageFunction,
@@ -13,7 +12,7 @@ use lyapunov::{
     },
 };
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
-use lyapunov_lab::{AnyStabilizer, Rollout, Row, Scene};
+use lyapunov_lab::{AnyStabilizer, F64x8, Rollout, Row, Scene};
 
 /// A hand of 0.2 + 0.3 kg on 50 N/m, let go 40 mm before a wall that is computed every fourth tick.
 const SCENE: &str = "
@@ -308,9 +307,9 @@ fn lanes_and_scalars_are_set_alike() {
     for member in StabilizerName::ALL {
         member.on::<f32>(&scene).unwrap();
         // The others are ports around an environment.
-        let Some(mut lanes) = member.on::<AutoF64x8>(&scene).unwrap().behind() else { continue };
+        let Some(mut lanes) = member.on::<F64x8>(&scene).unwrap().behind() else { continue };
         let mut alone = member.on::<f64>(&scene).unwrap().behind().unwrap();
-        for (sample, effort) in Samples::<AutoF64x8>::new(AutoF64x8::of(PERIOD)).seeded(7) {
+        for (sample, effort) in Samples::<F64x8>::new(F64x8::of(PERIOD)).seeded(7) {
             let together = lanes.stabilize(&sample, effort);
             let correction = alone.stabilize(&first(&sample), effort.lane(0));
             let (ours, theirs) = (together.effort.lane(0), correction.effort);

@@ -1,9 +1,8 @@
 //! Scenes under each integrator, against the exact motion.
 
-use lyapunov::lanes::AutoF64x8;
 use lyapunov_lab::scene::{Draft, Integrator, Positive, Scalar, StepsPerTick};
 use lyapunov_lab::scenes::{SCENES, text_of};
-use lyapunov_lab::{Rollout, Scene, Space, Tick, in_space};
+use lyapunov_lab::{F64x8, Rollout, Scene, Space, Tick, in_space};
 
 /// Rows that are compared: too few for errors to grow.
 const ROWS: usize = 60;
@@ -95,7 +94,7 @@ fn single_precision_and_lanes_move_alike() {
             assert!(error < 1e-3 * span, "{integrator:?}: {error:e} m of {span:e} m");
         }
         let lanes = moved_by(&double, integrator);
-        let wide = Rollout::<AutoF64x8>::of(&lanes).expect("a loop").rows().take(ROWS);
+        let wide = Rollout::<F64x8>::of(&lanes).expect("a loop").rows().take(ROWS);
         let narrow = Rollout::<f64>::of(&lanes).expect("a loop").rows();
         for (wide, narrow) in wide.zip(narrow) {
             assert_eq!(wide, narrow, "{integrator:?}");

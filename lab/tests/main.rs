@@ -10,6 +10,7 @@ mod floors;
 mod hard;
 mod identify;
 mod integrators;
+mod lanes;
 mod late_cap;
 mod map;
 mod models;

@@ -1,9 +1,8 @@
 //! Published laws from scene files: numbers worked by hand, and what each paper promises of a run.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::{HeldTick, OnePort, Scalar};
-use lyapunov_lab::{Assembly, Rollout, Scene, Space, Summary};
+use lyapunov_lab::{Assembly, F64x8, Rollout, Scene, Space, Summary};
 
 const PERIOD: f64 = 1e-3;
 
@@ -94,7 +93,7 @@ fn lanes_of_a_table_equal_the_scalar() {
     let coupled = "virtual-coupling = {}";
     for (table, _) in WORKED.iter().chain(&[(coupled, [0.0; 10])]) {
         let scene = scene(&format!("stabilizer.{table}"));
-        let lanes = forces::<AutoF64x8>(&scene, &WAY);
+        let lanes = forces::<F64x8>(&scene, &WAY);
         for (lanes, alone) in lanes.iter().zip(forces::<f64>(&scene, &WAY)) {
             assert_eq!([lanes.lane(0), lanes.lane(7)], [alone; 2], "{table}");
         }

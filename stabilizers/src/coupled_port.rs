@@ -138,7 +138,7 @@ impl<P, V: Signal> CoupledPort<P, V> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for CoupledPort<P, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let VirtualCoupling { stiffness, damping, drag } = self.coupling;
         let (damper, drag) = (damping / sample.period, drag / sample.period);
@@ -165,7 +165,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for CoupledPort<P, V> {
         felt
     }
 
-    #[inline]
+    #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
     }

@@ -109,7 +109,7 @@ impl<P, V: Signal> InputToState<P, V> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let known = self.slope.above(V::Scalar::of(0.0));
         let shift = V::choose(known, self.answer.map(|answer| answer / self.slope), V::zero());
@@ -138,7 +138,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
         given
     }
 
-    #[inline]
+    #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
     }

@@ -110,7 +110,7 @@ fn within<T: Scalar>(value: T, end: T) -> T {
 }
 
 impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let zero = V::Scalar::of(0.0);
         let work = sample.work.sum();

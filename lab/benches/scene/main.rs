@@ -11,9 +11,8 @@ use std::time::{Duration, Instant};
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::{OnePort, ParameterError, Plant, Scalar};
-use lyapunov_lab::{Assembly, Scene, Space};
+use lyapunov_lab::{Assembly, F64x8, Scene, Space};
 
 /// Ticks of a run: the way to the wall and the first bounces.
 const TICKS: usize = 1000;
@@ -130,7 +129,7 @@ fn times<T: Space + Scalar>(criterion: &mut Criterion, scalar: &str) {
 
 fn scenes(criterion: &mut Criterion) {
     times::<f64>(criterion, "f64");
-    times::<AutoF64x8>(criterion, "f64x8");
+    times::<F64x8>(criterion, "f64x8");
 }
 
 criterion_group! {

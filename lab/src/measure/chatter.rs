@@ -15,19 +15,28 @@ const BAND: (f64, f64) = (5.0, 50.0);
 /// to its length.
 #[derive(Clone, Debug)]
 pub(crate) struct Chatter<V: Signal> {
-    length: u64,
-    hop: u64,
-    tick: u64,
+    length: i64,
+    hop: i64,
+    /// The place of the tick in the segments of even and of odd number; not in one below 0, and from `length` on.
+    places: [i64; 2],
+    /// The place of the tick in the phasors' round.
+    turned: i64,
     windows: [Phasor; 2],
+    phasors: Phasors,
     lines: Vec<Line<V>>,
+    /// The windowed forces of ticks that the lines do not have yet.
+    waiting: [[V; 2]; BLOCK],
+    count: usize,
     power: V::Scalar,
     segments: u64,
 }
 
-/// One frequency: its phasor, and the sums of the two segments that overlap.
+/// Ticks that the sums of a line take at once: they are read and written once for all of these.
+const BLOCK: usize = 8;
+
+/// One frequency: the sums of the two segments that overlap.
 #[derive(Clone, Copy, Debug)]
 struct Line<V> {
-    phasor: Phasor,
     sums: [(V, V); 2],
     /// 2 for a line that also stands for its mirror image.
     weight: f64,
@@ -55,6 +64,30 @@ impl Phasor {
     }
 }
 
+/// The phasors of all lines, which turn side by side, and their values over the ticks of a block.
+#[derive(Clone, Debug)]
+struct Phasors {
+    each: Vec<Phasor>,
+    values: [Vec<(f64, f64)>; BLOCK],
+}
+
+impl Phasors {
+    fn new(each: Vec<Phasor>) -> Self {
+        let values = [(); BLOCK].map(|()| vec![(0.0, 0.0); each.len()]);
+        Self { each, values }
+    }
+
+    /// Turns the phasors over `count` ticks, from 1 if they start `anew`.
+    #[inline(always)]
+    fn turn(&mut self, count: usize, anew: bool) {
+        for (tick, values) in self.values.iter_mut().take(count).enumerate() {
+            for (value, phasor) in values.iter_mut().zip(&mut self.each) {
+                *value = phasor.next(anew && tick == 0);
+            }
+        }
+    }
+}
+
 impl<V: Signal> Chatter<V> {
     /// A meter of a force at `rate` samples per second; none below 100, where the samples do not hold the band.
     pub(crate) fn new(rate: f64) -> Option<Self> {
@@ -67,19 +100,23 @@ impl<V: Signal> Chatter<V> {
         let first = (BAND.0 * length / rate - within).ceil() as u64;
         let last = ((BAND.1 * length / rate + within).floor() as u64).min(length as u64 / 2);
         let line = |index: u64| {
-            let angle = TAU * index as f64 / length;
             let weight = if 2.0 * index as f64 == length { 1.0 } else { 2.0 };
-            Line { phasor: Phasor::new(angle), sums: [(V::zero(), V::zero()); 2], weight }
+            Line { sums: [(V::zero(), V::zero()); 2], weight }
         };
-        let lines = (first..=last).map(line).collect();
+        let phasor = |index: u64| Phasor::new(TAU * index as f64 / length);
         let windows = [Phasor::new(TAU / length); 2];
-        let length = length as u64;
+        let length = length as i64;
+        let hop = length - length / 2;
         Some(Self {
             length,
-            hop: length.div_ceil(2),
-            tick: 0,
+            hop,
+            places: [0, -hop],
+            turned: 0,
             windows,
-            lines,
+            phasors: Phasors::new((first..=last).map(phasor).collect()),
+            lines: (first..=last).map(line).collect(),
+            waiting: [[V::zero(); 2]; BLOCK],
+            count: 0,
             power: V::Scalar::of(0.0),
             segments: 0,
         })
@@ -87,38 +124,52 @@ impl<V: Signal> Chatter<V> {
 
     #[inline(always)]
     pub(crate) fn add(&mut self, force: V) {
-        let parts = [0, 1].map(|which| self.windowed(which, force));
+        self.waiting[self.count] = [self.windowed(0, force), self.windowed(1, force)];
+        self.count += 1;
+        let closing = self.places.map(|place| place == self.length - 1);
         // Every line comes round within a segment; restarting there keeps rounding from accumulating.
-        let anew = self.tick.is_multiple_of(self.length);
-        // Every weight is above 0. Where a loop might end early, compilers keep to the lanes of one line; else they would
-        // gather those of several lines one by one, which takes three times as long.
-        for line in self.lines.iter_mut().take_while(|line| line.weight > 0.0) {
-            let (cos, sin) = line.phasor.next(anew);
-            for (sum, part) in line.sums.iter_mut().zip(parts) {
-                sum.0 = sum.0 + part.scale(V::Scalar::of(cos));
-                sum.1 = sum.1 + part.scale(V::Scalar::of(sin));
-            }
+        let comes_round = self.turned == self.length - 1;
+        if self.count == BLOCK || comes_round || closing[0] || closing[1] {
+            self.sum();
         }
         for which in [0, 1] {
-            if self.place(which) == Some(self.length - 1) {
-                self.close(which as usize);
+            if closing[which] {
+                self.close(which);
             }
+            let last = self.places[which] == 2 * self.hop - 1;
+            self.places[which] = if last { 0 } else { self.places[which] + 1 };
         }
-        self.tick += 1;
-    }
-
-    /// The place of the tick in the segments of even or odd number, if it is in one.
-    fn place(&self, which: u64) -> Option<u64> {
-        let since = self.tick.checked_sub(which * self.hop)? % (2 * self.hop);
-        (since < self.length).then_some(since)
+        self.turned = if comes_round { 0 } else { self.turned + 1 };
     }
 
     /// The force under the Hann window of the tick's segment of even or odd number.
     #[inline(always)]
-    fn windowed(&mut self, which: u64, force: V) -> V {
-        let Some(place) = self.place(which) else { return V::zero() };
-        let (cos, _) = self.windows[which as usize].next(place == 0);
+    fn windowed(&mut self, which: usize, force: V) -> V {
+        let place = self.places[which];
+        if !(0..self.length).contains(&place) {
+            return V::zero();
+        }
+        let (cos, _) = self.windows[which].next(place == 0);
         force.scale(V::Scalar::of(0.5 - 0.5 * cos))
+    }
+
+    /// Adds the forces that wait to the sums of all lines, tick by tick.
+    #[inline(always)]
+    fn sum(&mut self) {
+        let anew = self.turned + 1 == self.count as i64;
+        self.phasors.turn(self.count, anew);
+        for (index, line) in self.lines.iter_mut().enumerate() {
+            let mut sums = line.sums;
+            for (parts, values) in self.waiting.iter().zip(&self.phasors.values).take(self.count) {
+                let (cos, sin) = values[index];
+                for (sum, part) in sums.iter_mut().zip(parts) {
+                    sum.0 = sum.0 + part.scale(V::Scalar::of(cos));
+                    sum.1 = sum.1 + part.scale(V::Scalar::of(sin));
+                }
+            }
+            line.sums = sums;
+        }
+        self.count = 0;
     }
 
     fn close(&mut self, which: usize) {

@@ -44,13 +44,17 @@ pub(crate) struct Sizes {
 impl<T: Scalar> Fate<T> {
     /// The meter of a run of `scene`.
     pub(crate) fn of(scene: &Draft) -> Self {
-        Self::of_lanes(std::slice::from_ref(scene))
+        Self::of_lanes([scene])
     }
 
-    /// The meter of a run of each of `scenes`, all with as many ticks as the first one.
-    pub(crate) fn of_lanes(scenes: &[Draft]) -> Self {
-        let criteria: Vec<Criterion> = scenes.iter().map(Criterion::of).collect();
-        let last = scenes.first().map_or(0, Draft::ticks);
+    /// The meter of a run of each of `scenes`, all with as many ticks.
+    pub(crate) fn of_lanes<'a>(scenes: impl IntoIterator<Item = &'a Draft>) -> Self {
+        let mut last = 0;
+        let criterion = |scene: &Draft| {
+            last = scene.ticks();
+            Criterion::of(scene)
+        };
+        let criteria: Vec<Criterion> = scenes.into_iter().map(criterion).collect();
         let has_place = criteria.iter().all(|criterion| criterion.place().is_some());
         let speeds = (!has_place).then(|| Stretches::new(last));
         Self { criteria, positions: Stretches::new(last), speeds }

@@ -7,7 +7,7 @@ use lyapunov::environments::{ForceLaw, Kinematics, Time};
 
 use crate::files::Scene;
 use crate::files::scene::Boxed;
-use crate::simulate::Space;
+use crate::simulate::{Scenes, Space};
 
 /// Position, velocity and acceleration of the plant at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +49,7 @@ const POINTS: [(f64, f64); 3] = [
 
 impl<V: Space<Scalar = f64>> Law<V> {
     pub(crate) fn of(scene: &Scene) -> Self {
-        Self(V::render(scene, Boxed).ok())
+        Self(V::render(Scenes::of(scene), Boxed).ok())
     }
 
     /// The force on this motion, N.

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use lyapunov::Scalar;
+use lyapunov::{Scalar, Signal};
 
 use crate::files::Scene;
 use crate::simulate::{Space, Tick};
@@ -20,9 +20,29 @@ pub(crate) struct Split<V> {
 
 /// Splits the applied force tick by tick: saturates and delays the environment's force as the loop does the whole.
 #[derive(Clone, Debug)]
-pub(crate) struct Share<V> {
-    limit: f64,
+pub(crate) struct Share<V: Signal> {
+    limit: V::Scalar,
     waiting: VecDeque<V>,
+}
+
+impl<V: Signal> Share<V> {
+    /// The shares of forces that act `ticks` late, no larger than `limit` along any axis.
+    pub(crate) fn late(ticks: usize, limit: V::Scalar) -> Self {
+        Self { limit, waiting: VecDeque::from(vec![V::zero(); ticks]) }
+    }
+
+    /// Splits the applied force, of which the environment gave `environment` as it was commanded.
+    #[inline(always)]
+    pub(crate) fn of(&mut self, environment: V, applied: V) -> Split<V> {
+        self.waiting.push_back(environment);
+        let late = self.waiting.pop_front().unwrap_or_else(V::zero);
+        let (most, least) = (self.limit, -self.limit);
+        let environment = late.map(|axis| {
+            let clipped = V::Scalar::choose(axis.below(least), least, axis);
+            V::Scalar::choose(clipped.above(most), most, clipped)
+        });
+        Split { late, environment, controller: applied - environment }
+    }
 }
 
 impl<V: Space<Scalar = f64>> Share<V> {
@@ -32,19 +52,12 @@ impl<V: Space<Scalar = f64>> Share<V> {
         // Rounded as the loop rounds it.
         let limit = |force: f64| S::Scalar::of(force).lane(0);
         let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| limit(it.force.get()));
-        Self { limit, waiting: VecDeque::from(vec![V::zero(); ticks.into()]) }
+        Self::late(ticks.into(), limit)
     }
 
     /// Splits the force applied from `tick` on.
     pub(crate) fn split<S: Space<Double = V>>(&mut self, tick: &Tick<S>) -> Split<V> {
         self.of(tick.environment.double(), tick.applied.double())
-    }
-
-    fn of(&mut self, environment: V, applied: V) -> Split<V> {
-        self.waiting.push_back(environment);
-        let late = self.waiting.pop_front().unwrap_or_else(V::zero);
-        let environment = late.map(|axis| axis.clamp(-self.limit, self.limit));
-        Split { late, environment, controller: applied - environment }
     }
 
     /// Whether a force of the environment does not act yet.

@@ -3,7 +3,7 @@
 use lyapunov::Plant;
 use lyapunov::effects::{Random, Source};
 
-use super::building::{Space, in_space};
+use super::building::{Scenes, Space, in_space};
 use crate::files::Scene;
 use crate::files::scene::{
     Conflict, Draft, Effects, Finite, Initial, Integrator, NonNegative, Operator, Positive, Scalar,
@@ -207,7 +207,7 @@ fn released(draft: &Draft, interval: f64) -> Result<Initial, Conflict> {
 
 /// The state of the plant of `alone` after a period without an effort at its port.
 fn at_the_end<V: Space>(alone: &Scene) -> Result<Initial, Conflict> {
-    let plant = V::plant(alone, &Default::default());
+    let plant = V::plant(Scenes::of(alone), &Default::default());
     let mut plant = plant.map_err(|error| alone.out_of_range(&error, "f64"))?;
     let sample = plant.advance(V::zero());
     let along = |signal: V| -> Result<Vec<Finite>, Conflict> {

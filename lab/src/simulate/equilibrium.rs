@@ -48,7 +48,7 @@ fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>> {
     if pull <= 0.0 {
         return None;
     }
-    let mut free = SVector::<f64, N>::at(&scene.operator.rest);
+    let mut free = scene.operator.rest.vector::<f64, N>();
     free[0] = rest + last_push(scene) / pull;
     let (solid, push) = (SVector::solid(scene)?, scene.environment.surface_stiffness()?);
     let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());

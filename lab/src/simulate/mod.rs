@@ -1,11 +1,13 @@
 //! Simulation: loops built from files, stabilizers by name, and their runs tick by tick.
 
+pub(crate) mod aligned;
 pub(crate) mod basis;
 pub(crate) mod building;
 pub(crate) mod criterion;
 pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
 pub mod family;
+pub(crate) mod instructions;
 pub(crate) mod load;
 pub(crate) mod models;
 pub(crate) mod own;
@@ -16,8 +18,10 @@ pub(crate) mod stabilizing;
 pub(crate) mod teleoperation;
 pub(crate) mod tick;
 
-pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Space, in_space};
+pub(crate) use aligned::{Aligned, F64x8};
+pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Scenes, Space, in_space};
 pub(crate) use criterion::Criterion;
+pub use instructions::Instructions;
 pub use load::Subject;
 pub(crate) use place::Place;
 pub(crate) use rollout::Rollout;

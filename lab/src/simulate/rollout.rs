@@ -2,7 +2,7 @@
 
 use lyapunov::{OnePort, ParameterError, Plant, PortSample, Signal, Stabilizer};
 
-use super::building::{AnyStabilizer, Assembly, Fitted, Seen, Space};
+use super::building::{AnyStabilizer, Assembly, Fitted, Scenes, Seen, Space};
 use super::family::StabilizerName;
 use super::row::Row;
 use super::stabilizing::Stabilizing;
@@ -64,14 +64,24 @@ impl<V: Space> Rollout<V> {
     /// # Errors
     /// Those of [`Rollout::of`].
     pub fn assemble(scene: &Scene, fitted: Fitted<V>) -> Result<Self, ParameterError> {
+        Self::on(Scenes::of(scene), fitted)
+    }
+
+    /// The loop of the scenes with what is already boxed.
+    ///
+    /// # Errors
+    /// Those of [`Rollout::of`].
+    pub(crate) fn on(scenes: Scenes<'_>, fitted: Fitted<V>) -> Result<Self, ParameterError> {
         let seen = Seen::default();
-        let assembly = Assembly::watched(scene, &seen, fitted)?;
+        let assembly = Assembly::watched(scenes, &seen, fitted)?;
+        let scene = scenes.common();
         let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
         let stabilizing = Stabilizing::foreign::<Fitted<V>>();
         Ok(Self { stabilizing, rate, number: 0, last, assembly, seen, truth })
     }
 
     /// The next tick, in range or not, even after the end of the scene.
+    #[inline(always)]
     pub(crate) fn tick(&mut self) -> Tick<V> {
         let truth = self.truth;
         let applied = self.assembly.port.respond(&truth);

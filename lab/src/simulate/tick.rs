@@ -37,13 +37,26 @@ pub struct OperatorMotion<V> {
 
 impl<V: Signal> Tick<V> {
     /// The controller's effort as a damper, `α v`, N.
+    #[inline(always)]
     pub fn control(&self) -> V {
         self.measured.velocity.scale(self.correction.alpha)
     }
 
     /// Whether the sample was accepted and every value of the tick is finite, in the first lane.
     pub(crate) fn in_range(&self) -> bool {
-        let Correction { observed_energy: sum, alpha, shortfall, accepted, .. } = self.correction;
+        Mask::all(self.correction.accepted) && self.finite().lane(0)
+    }
+
+    /// The lanes whose sample was accepted and in which every value of the tick is finite.
+    #[inline(always)]
+    pub(crate) fn sound(&self) -> <V::Scalar as Scalar>::Mask {
+        self.correction.accepted & self.finite()
+    }
+
+    /// The lanes in which every value of the tick is finite.
+    #[inline(always)]
+    fn finite(&self) -> <V::Scalar as Scalar>::Mask {
+        let Correction { observed_energy: sum, alpha, shortfall, .. } = self.correction;
         let signals = [
             self.truth.position,
             self.measured.position,
@@ -53,10 +66,13 @@ impl<V: Signal> Tick<V> {
             self.command,
             self.applied,
         ];
-        let operator = self.operator.iter().flat_map(|it| [it.position, it.velocity]);
-        Mask::all(accepted)
-            && self.time.is_finite()
-            && [sum, alpha, shortfall].iter().all(|number| number.lane(0).is_finite())
-            && signals.into_iter().chain(operator).all(|signal| signal.finite().lane(0))
+        let mut finite = sum.finite() & alpha.finite() & shortfall.finite();
+        for signal in signals {
+            finite = finite & signal.finite();
+        }
+        if let Some(operator) = self.operator {
+            finite = finite & operator.position.finite() & operator.velocity.finite();
+        }
+        finite & Mask::of(self.time.is_finite())
     }
 }

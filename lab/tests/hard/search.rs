@@ -5,10 +5,9 @@
 use std::cell::Cell;
 use std::fmt::Write;
 
-use lyapunov::lanes::AutoF64x8;
-use lyapunov_lab::Space;
 use lyapunov_lab::hard::{Tally, watch};
 use lyapunov_lab::scene::Scene;
+use lyapunov_lab::{F64x8, Space};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
@@ -146,7 +145,7 @@ fn uncapped(scene: &Scene) -> bool {
 fn check(text: &str) -> Result<(), String> {
     let scene = Scene::parse(text, "random").map_err(|error| format!("{error}\n{text}"))?;
     let double = first::<f64>(&scene).ok_or("no f64")?;
-    let lanes = first::<AutoF64x8>(&scene).ok_or("no lanes")?;
+    let lanes = first::<F64x8>(&scene).ok_or("no lanes")?;
     let found = |what: String| Err(format!("{what}\n{text}"));
     if double != lanes {
         return found(format!("lanes differ: {double:?} and {lanes:?}"));

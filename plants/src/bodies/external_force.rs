@@ -46,7 +46,7 @@ impl<V: Signal, B: Plant<V>, C: Trajectory<V>> Plant<V> for ExternalForce<B, C> 
         self.body.start()
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let push: V = self.push();
         let mut sample = self.body.advance(effort - push);
@@ -54,7 +54,7 @@ impl<V: Signal, B: Plant<V>, C: Trajectory<V>> Plant<V> for ExternalForce<B, C> 
         sample
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         let push: V = self.push();
         self.body.advance_into(effort - push, sample);

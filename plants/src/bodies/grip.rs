@@ -66,13 +66,13 @@ where
         self.body.start()
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         self.take_hold();
         self.body.advance(effort)
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         self.take_hold();
         self.body.advance_into(effort, sample);

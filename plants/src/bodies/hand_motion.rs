@@ -39,13 +39,13 @@ impl<V: Signal, B: OperatedBody<V>, C: Trajectory<V>> Plant<V> for HandMotion<B,
         self.body.start()
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         self.lead();
         self.body.advance(effort)
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         self.lead();
         self.body.advance_into(effort, sample);

@@ -49,7 +49,7 @@ where
         PortSample { period: self.period, ..self.body.start() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let interval = self.period + self.deviation * (self.normal)();
         // If the interval is so long that the motion leaves the scalar's range, the body keeps the one before.

@@ -150,7 +150,7 @@ impl<V: Signal> Plant<V> for TwoMassBody<V> {
         PortSample::starting(self.period, self.position, self.velocity)
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let before = self.position;
         let deflection = before - self.rest;

@@ -45,7 +45,7 @@ impl<P, V: Signal> Dropout<P, V> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let answer = self.port.respond(sample);
         let lost = self.random.chance(self.probability);
@@ -57,7 +57,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
         self.arrived
     }
 
-    #[inline]
+    #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
     }

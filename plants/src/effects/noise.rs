@@ -44,7 +44,7 @@ impl<P, V: Signal> Noise<P, V> {
 }
 
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Noise<P, V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let noise = self.random.normal::<V>().scale(self.deviation);
         let noisy = self.retold.sample(sample, sample.position + noise);
@@ -58,7 +58,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Noise<P, V> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
     }

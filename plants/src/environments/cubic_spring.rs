@@ -45,7 +45,7 @@ impl<V: Signal> CubicSpring<V> {
 }
 
 impl<V: Signal> ForceLaw<V> for CubicSpring<V> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<V>) -> V {
         let away = motion.position - self.position;
         away.scale(self.stiffness + self.cubic * away.inner(away))
@@ -60,7 +60,7 @@ impl<V: Signal> ForceLaw<V> for CubicSpring<V> {
 }
 
 impl<V: Signal> OnePort<V> for CubicSpring<V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         self.force(&Kinematics::of(sample))
     }

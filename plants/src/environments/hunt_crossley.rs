@@ -64,7 +64,7 @@ impl<T: Scalar> HuntCrossley<T> {
 }
 
 impl<T: Scalar> ForceLaw<T> for HuntCrossley<T> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<T>) -> T {
         let depth = motion.position - self.position;
         one_sided(depth, self.spring(depth) * (T::one() + self.damping * motion.velocity))
@@ -83,14 +83,14 @@ impl<T: Scalar> ForceLaw<T> for HuntCrossley<T> {
 }
 
 impl<T: Scalar> OnePort<T> for HuntCrossley<T> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<T>) -> T {
         self.force(&Kinematics::of(sample))
     }
 }
 
 impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<HuntCrossley<T>> {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, sample: &PortSample<T>) -> T {
         let Self(contact) = self;
         let depth = sample.position - contact.position;

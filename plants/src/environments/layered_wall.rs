@@ -60,7 +60,7 @@ impl<T: Scalar> LayeredWall<T> {
 }
 
 impl<T: Scalar> ForceLaw<T> for LayeredWall<T> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<T>) -> T {
         let depth = motion.position - self.position;
         let [first, second] = self.stiffness;
@@ -84,7 +84,7 @@ impl<T: Scalar> ForceLaw<T> for LayeredWall<T> {
 }
 
 impl<T: Scalar> OnePort<T> for LayeredWall<T> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<T>) -> T {
         self.force(&Kinematics::of(sample))
     }

@@ -43,7 +43,7 @@ impl<V: Signal> MassSpringDamper<V> {
 }
 
 impl<V: Signal> ForceLaw<V> for MassSpringDamper<V> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<V>) -> V {
         let Impedance { mass, damping, stiffness } = self.impedance;
         motion.acceleration.scale(mass)
@@ -60,7 +60,7 @@ impl<V: Signal> ForceLaw<V> for MassSpringDamper<V> {
 }
 
 impl<V: Signal> OnePort<V> for MassSpringDamper<V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let gained = sample.velocity - self.velocity.unwrap_or(sample.velocity);
         self.velocity = Some(sample.velocity);

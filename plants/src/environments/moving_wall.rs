@@ -65,7 +65,7 @@ impl<T: Scalar> MovingWall<T> {
 }
 
 impl<T: Scalar> ForceLaw<T> for MovingWall<T> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<T>) -> T {
         let (wall, relative) = self.seen_from_surface(motion);
         wall.force(&relative)
@@ -84,7 +84,7 @@ impl<T: Scalar> ForceLaw<T> for MovingWall<T> {
 }
 
 impl<T: Scalar> OnePort<T> for MovingWall<T> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<T>) -> T {
         let time = self.motion.tick();
         self.force(&Kinematics { time, ..Kinematics::of(sample) })
@@ -92,7 +92,7 @@ impl<T: Scalar> OnePort<T> for MovingWall<T> {
 }
 
 impl<T: Scalar> LyapunovCandidate<T> for DissipationOf<MovingWall<T>> {
-    #[inline]
+    #[inline(always)]
     fn decrease(&mut self, sample: &PortSample<T>) -> T {
         let Self(moving) = self;
         let time = moving.motion.tick();

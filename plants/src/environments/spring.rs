@@ -44,7 +44,7 @@ impl<V: Signal> Spring<V> {
 }
 
 impl<V: Signal> ForceLaw<V> for Spring<V> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<V>) -> V {
         (motion.position - self.position).scale(self.stiffness)
     }
@@ -56,7 +56,7 @@ impl<V: Signal> ForceLaw<V> for Spring<V> {
 }
 
 impl<V: Signal> OnePort<V> for Spring<V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         self.force(&Kinematics::of(sample))
     }

@@ -57,7 +57,7 @@ impl<V: Signal> VaryingSpring<V> {
 }
 
 impl<V: Signal> ForceLaw<V> for VaryingSpring<V> {
-    #[inline]
+    #[inline(always)]
     fn force(&self, motion: &Kinematics<V>) -> V {
         self.at(motion.time).force(motion)
     }
@@ -68,7 +68,7 @@ impl<V: Signal> ForceLaw<V> for VaryingSpring<V> {
 }
 
 impl<V: Signal> OnePort<V> for VaryingSpring<V> {
-    #[inline]
+    #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let time = self.change.tick();
         self.force(&Kinematics { time, ..Kinematics::of(sample) })

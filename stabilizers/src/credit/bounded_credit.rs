@@ -49,7 +49,7 @@ impl<T: Scalar, S: LimitCredit<T>> LimitCredit<T> for BoundedCredit<S, T> {
 impl<V: Signal, S: Stabilizer<V> + LimitCredit<V::Scalar>> Stabilizer<V>
     for BoundedCredit<S, V::Scalar>
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         self.stabilizer.limit_credit(self.most);
         self.stabilizer.stabilize(sample, effort)

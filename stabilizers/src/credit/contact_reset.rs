@@ -55,7 +55,7 @@ where
     S: Stabilizer<V> + LimitCredit<V::Scalar>,
     G: Gate<V>,
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let inside = self.gate.open(sample);
         let begins = inside & !self.inside;

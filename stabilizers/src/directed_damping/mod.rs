@@ -67,7 +67,7 @@ where
     S: Stabilizer<V>,
     M: Metric<V>,
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, most) = (V::Scalar::of(0.0), self.limit.most());
         let inner = self.stabilizer.stabilize(sample, effort);

@@ -150,7 +150,7 @@ fn rate<T: Scalar>(damping: T, period: T) -> Result<T, ParameterError> {
 impl<V: Signal, B> StabilizerExt for EnergyBounding<V, B> {}
 
 impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let zero = V::Scalar::of(0.0);
         let moved = sample.displacement;

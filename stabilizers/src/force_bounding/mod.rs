@@ -153,7 +153,7 @@ where
     R: Reset,
     A: Accumulator<V::Scalar>,
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
         let committed = self.pipe.committed();

@@ -94,7 +94,7 @@ where
     C: LyapunovCandidate<V>,
     A: Accumulator<V::Scalar>,
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let zero = V::Scalar::of(0.0);
         let sum = self.observer.observe(sample, effort);

@@ -42,7 +42,7 @@ impl<S, T: Scalar> SoftStart<S, T> {
 }
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for SoftStart<S, V::Scalar> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
         let correction = self.stabilizer.stabilize(sample, effort);

@@ -46,7 +46,7 @@ impl<S, T: Scalar> Spread<S, T> {
 }
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let correction = self.stabilizer.stabilize(sample, effort);
         let debt = (-correction.observed_energy).larger(V::Scalar::of(0.0));

@@ -43,7 +43,7 @@ impl<S, T: Scalar> VelocityThreshold<S, T> {
 }
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for VelocityThreshold<S, V::Scalar> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let correction = self.stabilizer.stabilize(sample, effort);
         let slow = sample.velocity.inner(sample.velocity).below(self.square);

@@ -106,7 +106,7 @@ where
     C: LyapunovCandidate<V>,
     A: Accumulator<V::Scalar>,
 {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
         let sum = self.observer.observe(sample, effort).smaller(self.room);

@@ -44,6 +44,7 @@ mod explain;
 mod fault;
 mod integrator;
 mod keys;
+mod lanes;
 mod load;
 mod motion;
 mod number;
@@ -74,6 +75,7 @@ pub use effects::{
 pub use environments::*;
 pub use integrator::Integrator;
 pub(crate) use keys::{BOOK, is_number, is_whole, unit};
+pub use lanes::Lanes;
 pub(crate) use load::{MODEL, TELEOPERATOR, text_of};
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};

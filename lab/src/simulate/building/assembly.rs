@@ -10,9 +10,8 @@ use lyapunov::{
 use super::plant::stepped;
 use super::seen::{Operator, Seen};
 use super::wrapper::Passing;
-use super::{AnyPlant, AnyStabilizer, AnyWrapper, Fitted, Port};
-use crate::files::scene::{Filter, Pace, Policy, Positive, Render, Scene, Velocity, of};
-use crate::simulate::building::Space;
+use super::{AnyPlant, AnyStabilizer, AnyWrapper, Fitted, Port, Scenes, Space};
+use crate::files::scene::{Filter, Pace, Policy, Render, Scene, Velocity};
 
 /// Room for a scene's delay, ticks.
 const DELAY: usize = 1024;
@@ -35,16 +34,16 @@ impl<V: Space> Assembly<V> {
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::put_together(scene, None, Fitted::of(scene)?)
+        Self::put_together(Scenes::of(scene), None, Fitted::of(scene)?)
     }
 
     /// The same loop, with `seen` recording what the stabilizer and the port do.
     pub(crate) fn watched(
-        scene: &Scene,
+        scenes: Scenes<'_>,
         seen: &Seen<V>,
         fitted: Fitted<V>,
     ) -> Result<Self, ParameterError> {
-        Self::put_together(scene, Some(seen), fitted)
+        Self::put_together(scenes, Some(seen), fitted)
     }
 
     /// The loop of `scene` with `stabilizer` instead of the scene's own.
@@ -55,7 +54,7 @@ impl<V: Space> Assembly<V> {
         scene: &Scene,
         stabilizer: AnyStabilizer<V>,
     ) -> Result<Self, ParameterError> {
-        Self::put_together(scene, None, Fitted::Behind(stabilizer))
+        Self::put_together(Scenes::of(scene), None, Fitted::Behind(stabilizer))
     }
 
     /// One tick; returns the effort that acts until the next.
@@ -67,13 +66,13 @@ impl<V: Space> Assembly<V> {
     }
 
     fn put_together(
-        scene: &Scene,
+        scenes: Scenes<'_>,
         seen: Option<&Seen<V>>,
         fitted: Fitted<V>,
     ) -> Result<Self, ParameterError> {
-        let port = answering(scene, seen, fitted)?;
+        let port = answering(scenes, seen, fitted)?;
         let unseen = Operator::default();
-        let plant = V::plant(scene, seen.map_or(&unseen, |seen| &seen.operator))?;
+        let plant = V::plant(scenes, seen.map_or(&unseen, |seen| &seen.operator))?;
         Ok(Self { plant, port })
     }
 
@@ -85,40 +84,43 @@ impl<V: Space> Assembly<V> {
             + Copy
             + 'static,
     {
-        let port = answering(scene, None, Fitted::of(scene)?)?;
-        let plant = stepped(scene, &Operator::default(), integrator, 1)?;
+        let scenes = Scenes::of(scene);
+        let port = answering(scenes, None, Fitted::of(scene)?)?;
+        let plant = stepped(scenes, &Operator::default(), integrator, 1)?;
         Ok(Self { plant, port })
     }
 }
 
 /// The port that answers the motion, stabilizer and effects included.
 fn answering<V: Space>(
-    scene: &Scene,
+    scenes: Scenes<'_>,
     seen: Option<&Seen<V>>,
     fitted: Fitted<V>,
 ) -> Result<Port<V>, ParameterError> {
     let around = fitted.around(Pace::Environment);
-    let port = V::render(scene, AtServoRate { scene, around, seen })?;
+    let port = V::render(scenes, AtServoRate { scenes, around, seen })?;
     let (port, stabilizer) = match fitted {
         Fitted::Behind(stabilizer) => (port, stabilizer),
         Fitted::Around(wrapper) => {
             let port = match wrapper.pace() {
                 Pace::Environment => port,
-                Pace::Servo => wrapper.around(port, V::Scalar::of(scene.period()), seen)?,
+                Pace::Servo => {
+                    wrapper.around(port, V::Scalar::of(scenes.common().period()), seen)?
+                }
             };
             (port, AnyStabilizer::called(Passing))
         }
     };
     let port = match seen {
-        None => stabilizer.on(port, scene)?,
-        Some(seen) => measured(scene, port.stabilized(seen.stabilizer(stabilizer)))?,
+        None => stabilizer.on(port, scenes)?,
+        Some(seen) => measured(scenes, port.stabilized(seen.stabilizer(stabilizer)))?,
     };
-    commanded(scene, seen, port)
+    commanded(scenes, seen, port)
 }
 
 /// Rendering of the environment at the servo's rate, in one box with its hold, or with a port around it.
 struct AtServoRate<'a, V: Signal> {
-    scene: &'a Scene,
+    scenes: Scenes<'a>,
     around: Option<&'a AnyWrapper<V>>,
     seen: Option<&'a Seen<V>>,
 }
@@ -131,12 +133,14 @@ impl<V: Space> Render<V> for AtServoRate<'_, V> {
         environment: impl ForceLaw<V> + 'static,
         _credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Port<V>, ParameterError> {
-        let Self { scene, around, seen } = self;
+        let Self { scenes, around, seen } = self;
         match around {
-            None => received(scene, environment),
+            None => received(scenes, environment),
             Some(wrapper) => {
-                let period = V::Scalar::of(scene.environment_ratio() as f64 * scene.period());
-                received(scene, wrapper.around(Port::new(environment), period, seen)?)
+                let period = V::Scalar::of(
+                    scenes.common().environment_ratio() as f64 * scenes.common().period(),
+                );
+                received(scenes, wrapper.around(scenes.port(environment), period, seen)?)
             }
         }
     }
@@ -144,29 +148,32 @@ impl<V: Space> Render<V> for AtServoRate<'_, V> {
 
 /// The environment's port as far as its answers arrive.
 fn received<V: Space>(
-    scene: &Scene,
+    scenes: Scenes<'_>,
     port: impl OnePort<V> + 'static,
 ) -> Result<Port<V>, ParameterError> {
-    match scene.effects.dropout {
-        None => held(scene, port),
+    match scenes.common().effects.dropout {
+        None => held(scenes, port),
         Some(dropout) => {
             let fallback = match dropout.policy {
                 Policy::Hold => Fallback::Hold,
                 Policy::Zero => Fallback::Zero,
             };
-            let (probability, seed) = (of(dropout.probability), |_| dropout.seed.get());
-            held(scene, Port::new(port.dropped(probability, fallback, seed)?))
+            let probability =
+                scenes.each(|it| it.effects.dropout.map_or(0.0, |it| it.probability.get()));
+            let dropout = |lane: usize| scenes.lane(lane).effects.dropout;
+            let seed = |lane| dropout(lane).map_or(0, |it| it.seed.get());
+            held(scenes, scenes.port(port.dropped(probability, fallback, seed)?))
         }
     }
 }
 
 fn held<V: Space>(
-    scene: &Scene,
+    scenes: Scenes<'_>,
     port: impl OnePort<V> + 'static,
 ) -> Result<Port<V>, ParameterError> {
     // A scene has fewer ticks than this, so longer holds act alike.
-    let ticks = u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX);
-    Ok(if ticks > 1 { Port::new(port.held(ticks)?) } else { Port::new(port) })
+    let ticks = u32::try_from(scenes.common().environment_ratio()).unwrap_or(u32::MAX);
+    Ok(if ticks > 1 { scenes.port(port.held(ticks)?) } else { scenes.port(port) })
 }
 
 /// The port whose efforts reach the plant clipped and delayed.
@@ -174,24 +181,26 @@ fn held<V: Space>(
 /// Neighbours share a box unless a recorder stands between them: every box costs a call through a table and a sample
 /// that passes through memory.
 fn commanded<V: Space>(
-    scene: &Scene,
+    scenes: Scenes<'_>,
     seen: Option<&Seen<V>>,
     mut port: Port<V>,
 ) -> Result<Port<V>, ParameterError> {
-    let delay = scene.effects.delay.map(|delay| usize::from(delay.ticks.get()));
-    if let Some(saturation) = scene.effects.saturation {
-        let clipped = port.saturated(of(saturation.force))?;
+    let common = scenes.common();
+    let delay = common.effects.delay.map(|delay| usize::from(delay.ticks.get()));
+    if common.effects.saturation.is_some() {
+        let force = |it: &Scene| it.effects.saturation.map_or(0.0, |it| it.force.get());
+        let clipped = port.saturated(scenes.each(force))?;
         port = match (seen, delay) {
-            (Some(seen), _) => Port::new(seen.command(clipped)),
-            (None, Some(ticks)) => return Ok(Port::new(clipped.delayed::<DELAY>(ticks)?)),
-            (None, None) => Port::new(clipped),
+            (Some(seen), _) => scenes.port(seen.command(clipped)),
+            (None, Some(ticks)) => return Ok(scenes.port(clipped.delayed::<DELAY>(ticks)?)),
+            (None, None) => scenes.port(clipped),
         };
     } else if let Some(seen) = seen {
-        port = Port::new(seen.command(port));
+        port = scenes.port(seen.command(port));
     }
     Ok(match delay {
         None => port,
-        Some(ticks) => Port::new(port.delayed::<DELAY>(ticks)?),
+        Some(ticks) => scenes.port(port.delayed::<DELAY>(ticks)?),
     })
 }
 
@@ -201,44 +210,56 @@ fn commanded<V: Space>(
 /// contract puts them farther in. Most scenes have a plain difference with or without an encoder: it shares a box with
 /// the stabilizer. Every further combination would be compiled for every stabilizer.
 pub(super) fn measured<V: Space>(
-    scene: &Scene,
+    scenes: Scenes<'_>,
     port: impl OnePort<V> + 'static,
 ) -> Result<Port<V>, ParameterError> {
-    let effects = &scene.effects;
-    let resolution = effects.encoder.map(|encoder| encoder.resolution);
-    let port = match (scene.velocity, effects.filter) {
-        (Velocity::Exact, _) => counted(Port::new(port), resolution)?,
-        (_, None) => counted(port.differenced(), resolution)?,
-        (_, Some(filter)) => filtered(filter, Port::new(port), resolution)?,
+    let effects = &scenes.common().effects;
+    let port = match (scenes.common().velocity, effects.filter) {
+        (Velocity::Exact, _) => counted(scenes, scenes.port(port))?,
+        (_, None) => counted(scenes, port.differenced())?,
+        (_, Some(filter)) => filtered(scenes, filter, scenes.port(port))?,
     };
-    Ok(match effects.noise {
-        None => port,
-        Some(noise) => Port::new(port.noisy(of(noise.deviation), |_| noise.seed.get())?),
-    })
+    if effects.noise.is_none() {
+        return Ok(port);
+    }
+    let noise = |lane: usize| scenes.lane(lane).effects.noise;
+    let deviation = scenes.each(|it| it.effects.noise.map_or(0.0, |it| it.deviation.get()));
+    Ok(scenes.port(port.noisy(deviation, |lane| noise(lane).map_or(0, |it| it.seed.get()))?))
 }
 
 fn filtered<V: Space>(
+    scenes: Scenes<'_>,
     filter: Filter,
     port: Port<V>,
-    resolution: Option<Positive>,
 ) -> Result<Port<V>, ParameterError> {
     match filter {
-        Filter::Cutoff(cutoff) => counted(port.low_passed(of(cutoff))?, resolution),
+        Filter::Cutoff(_) => {
+            let cutoff = scenes.each(|it| match it.effects.filter {
+                Some(Filter::Cutoff(cutoff)) => cutoff.get(),
+                _ => 0.0,
+            });
+            counted(scenes, port.low_passed(cutoff)?)
+        }
         Filter::Window(ticks) => {
             // A straight motion and its encoder counts differ by less than a step.
-            let band = resolution.map_or(0.0, Positive::get);
-            counted(port.windowed::<WINDOW>(ticks.get().into(), of(band))?, resolution)
+            let band = scenes.each(resolution);
+            counted(scenes, port.windowed::<WINDOW>(ticks.get().into(), band)?)
         }
     }
 }
 
+/// The step of the encoder; 0 without one.
+fn resolution(scene: &Scene) -> f64 {
+    scene.effects.encoder.map_or(0.0, |encoder| encoder.resolution.get())
+}
+
 /// The port behind an encoder, if there is one; both in one box.
 fn counted<V: Space>(
+    scenes: Scenes<'_>,
     port: impl OnePort<V> + 'static,
-    resolution: Option<Positive>,
 ) -> Result<Port<V>, ParameterError> {
-    Ok(match resolution {
-        None => Port::new(port),
-        Some(resolution) => Port::new(port.encoded(of(resolution))?),
+    Ok(match scenes.common().effects.encoder {
+        None => scenes.port(port),
+        Some(_) => scenes.port(port.encoded(scenes.each(resolution))?),
     })
 }

@@ -7,9 +7,10 @@ use lyapunov::{
     stabilizers::NoStabilizer,
 };
 
-use super::{AnyStabilizer, AnyWrapper, Port, Space};
+use super::{AnyStabilizer, AnyWrapper, Port, Scenes, Space};
 use crate::files::scene::own::{Loop, OwnTable};
-use crate::files::scene::{self, Basis, Install, Pace, Scene, elsewhere};
+use crate::files::scene::{self, Basis, Install, Lanes, Pace, Scene, elsewhere};
+use crate::simulate::instructions::Instructions;
 
 /// What stabilizes a loop: a stabilizer behind the hold, which sees the environment's efforts only, or a port around
 /// the environment, which asks it.
@@ -35,15 +36,27 @@ impl<V: Space> Fitted<V> {
     /// # Errors
     /// As [`Fitted::of`]; a table that lacks a number which the loop does not give.
     pub fn named(scene: &Scene, table: Option<scene::Stabilizer>) -> Result<Self, ParameterError> {
-        match table {
-            None => Ok(Self::Behind(AnyStabilizer::new(NoStabilizer))),
-            Some(scene::Stabilizer::Popc(popc)) => {
-                AnyStabilizer::popc(scene, popc).map(Self::Behind)
+        Self::on(Scenes::of(scene), &[table])
+    }
+
+    /// What the tables, one for each scene and alike in all but numbers, ask for.
+    ///
+    /// # Errors
+    /// As [`Fitted::named`].
+    pub(crate) fn on(
+        scenes: Scenes<'_>,
+        tables: &[Option<scene::Stabilizer>],
+    ) -> Result<Self, ParameterError> {
+        let tables: Option<Vec<scene::Stabilizer>> = tables.iter().copied().collect();
+        let Some(tables) = tables else {
+            let nothing = AnyStabilizer::fused(NoStabilizer, scenes.instructions());
+            return Ok(Self::Behind(nothing));
+        };
+        match Lanes::new(&tables).common() {
+            scene::Stabilizer::Popc(_) | scene::Stabilizer::Lolc(_) => {
+                AnyStabilizer::observing(scenes, &tables).map(Self::Behind)
             }
-            Some(scene::Stabilizer::Lolc(lolc)) => {
-                AnyStabilizer::lolc(scene, lolc).map(Self::Behind)
-            }
-            Some(table) => V::fitted(&table, scene),
+            _ => V::fitted(&tables, scenes),
         }
     }
 
@@ -55,7 +68,7 @@ impl<V: Space> Fitted<V> {
         lacking(basis, table)?;
         match table {
             scene::Stabilizer::Own(own) => Self::own(basis, own),
-            table => table.in_space(basis, Boxing),
+            table => table.in_space(basis, Boxing(Instructions::Base)),
         }
     }
 
@@ -109,18 +122,19 @@ impl<V: Space> Fitted<V> {
 }
 
 impl<T: Scalar + Space> Fitted<T> {
-    /// What the table of a member asks for in one dimension, on a loop with this basis.
+    /// What the tables of a member ask for in one dimension, on loops with these bases, one for each table.
     ///
     /// # Errors
     /// As [`Fitted::named`].
     pub(crate) fn on_a_line(
-        basis: &Basis,
-        table: &scene::Stabilizer,
+        bases: &[Basis],
+        tables: &[scene::Stabilizer],
+        instructions: Instructions,
     ) -> Result<Self, ParameterError> {
-        lacking(basis, table)?;
-        match table {
-            scene::Stabilizer::Own(own) => Self::own(basis, own),
-            table => table.on_a_line(basis, Boxing),
+        bases.iter().zip(tables).try_for_each(|(basis, table)| lacking(basis, table))?;
+        match Lanes::new(tables).common() {
+            scene::Stabilizer::Own(own) => Self::own(Lanes::new(bases).common(), own),
+            _ => scene::Stabilizer::on_a_line(tables, bases, Boxing(instructions)),
         }
     }
 }
@@ -131,15 +145,15 @@ fn lacking(basis: &Basis, table: &scene::Stabilizer) -> Result<(), ParameterErro
     lacks.map_or(Ok(()), |key| Requirement::Positive.check(key, 0.0).map(drop))
 }
 
-/// Boxing of a member of the family.
-struct Boxing;
+/// Boxing of a member of the family, with its steps on some instructions.
+struct Boxing(Instructions);
 
 impl<V: Space> Install<V> for Boxing {
     type Made = Fitted<V>;
     type Port = Port<V>;
 
     fn behind(self, stabilizer: impl Stabilizer<V> + 'static) -> Fitted<V> {
-        Fitted::Behind(AnyStabilizer::called(stabilizer))
+        Fitted::Behind(AnyStabilizer::called_on(stabilizer, self.0))
     }
 
     fn around<P: OnePort<V> + 'static>(
@@ -147,6 +161,6 @@ impl<V: Space> Install<V> for Boxing {
         pace: Pace,
         wrap: impl Fn(Port<V>) -> Result<P, ParameterError> + 'static,
     ) -> Fitted<V> {
-        Fitted::Around(AnyWrapper::new(pace, wrap))
+        Fitted::Around(AnyWrapper::new(pace, wrap, self.0))
     }
 }

@@ -44,6 +44,7 @@ impl<V: Signal> Default for Seen<V> {
 
 impl<V: Signal> Seen<V> {
     /// The tick whose sample the port just answered, before the plant moves on.
+    #[inline(always)]
     pub(crate) fn tick(&self, time: f64, truth: PortSample<V>, applied: V) -> Tick<V> {
         let Sight { measured, environment, correction } = self.stabilizer.get();
         let environment = self.environment.get().unwrap_or(environment);

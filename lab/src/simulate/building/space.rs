@@ -1,17 +1,21 @@
 //! Signal at the port of a scene: one axis, or several.
 
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
     ParameterError, Scalar, Signal,
     accumulators::{Accumulator, Compensated, DoubleDouble, Plain, Wide},
     environments::Solid,
 };
 use nalgebra::SVector;
+use pulp::NullaryFnOnce;
 
-use super::Fitted;
 use super::plant::{self, AnyPlant};
 use super::seen::Operator;
-use crate::files::scene::{Basis, Coordinates, Draft, Rates, Render, Scene, Stabilizer};
+use super::{Fitted, Scenes};
+use crate::files::scene::{
+    Basis, Coordinates, Draft, Environment, Lanes, Rates, Render, Scene, Stabilizer,
+};
+use crate::simulate::aligned::F64x8;
+use crate::simulate::instructions::Instructions;
 
 /// Signal that scenes are simulated with: one axis (`f32`, `f64`, eight lanes of `f64`, a double-double), or an
 /// `SVector` of two or three.
@@ -25,8 +29,8 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// The number of axes.
     const DIMENSIONS: usize;
 
-    /// The point, velocity or direction `coordinates`.
-    fn at(coordinates: &Coordinates) -> Self;
+    /// A point, velocity or direction of each scene.
+    fn at(scenes: Scenes<'_>, coordinates: impl Fn(&Scene) -> &Coordinates) -> Self;
 
     /// The value along axis `index`, in the first lane; NaN past the last axis.
     fn axis(self, index: usize) -> f64;
@@ -43,35 +47,41 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// solid.
     fn solid(scene: &Draft) -> Option<Box<dyn Solid<Self>>>;
 
-    /// Makes something `of` the environment of `scene`.
+    /// Makes something `of` the environment of the scenes.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar, an environment of another space, and any error of the making.
-    fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError>;
+    fn render<R: Render<Self>>(scenes: Scenes<'_>, of: R) -> Result<R::Made, ParameterError>;
 
-    /// The member of the family that `table` asks for, on the loop of `scene`.
+    /// The member of the family that the tables, one for each scene, ask for.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar, a stabilizer of another space, and a loop without what it is set by.
-    fn fitted(table: &Stabilizer, scene: &Scene) -> Result<Fitted<Self>, ParameterError>;
+    fn fitted(tables: &[Stabilizer], scenes: Scenes<'_>) -> Result<Fitted<Self>, ParameterError>;
 
-    /// The plant of `scene`; where a link sets the operator apart from the device, `operator` records its motion.
+    /// The plant of the scenes; where a link sets the operator apart from the device, `operator` records its motion.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar, alone or with others.
-    fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError>;
+    fn plant(
+        scenes: Scenes<'_>,
+        operator: &Operator<Self>,
+    ) -> Result<AnyPlant<Self>, ParameterError>;
+
+    /// Runs a part's share of a tick, lanes on `instructions`.
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
 }
 
 macro_rules! line {
-    ($($scalar:ty, wide $wide:ty);* $(;)?) => {$(
+    ($($scalar:ty, wide $wide:ty, by $run:path);* $(;)?) => {$(
         impl Space for $scalar {
             type Wide = $wide;
             type Double = f64;
 
             const DIMENSIONS: usize = 1;
 
-            fn at(coordinates: &Coordinates) -> Self {
-                Self::of(coordinates.get())
+            fn at(scenes: Scenes<'_>, coordinates: impl Fn(&Scene) -> &Coordinates) -> Self {
+                scenes.each(|it| coordinates(it).get())
             }
 
             fn axis(self, index: usize) -> f64 {
@@ -86,34 +96,51 @@ macro_rules! line {
                 scene.environment.solid_on_a_line()
             }
 
-            fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
-                scene.environment.on_a_line(Rates::of(scene), of)
+            fn render<R: Render<Self>>(
+                scenes: Scenes<'_>,
+                of: R,
+            ) -> Result<R::Made, ParameterError> {
+                let environments: Vec<_> =
+                    scenes.values().iter().map(|it| &it.environment).collect();
+                Environment::on_a_line(&environments, Rates::of(scenes.common()), of)
             }
 
             fn fitted(
-                table: &Stabilizer,
-                scene: &Scene,
+                tables: &[Stabilizer],
+                scenes: Scenes<'_>,
             ) -> Result<Fitted<Self>, ParameterError> {
-                Fitted::on_a_line(&Basis::of(scene), table)
+                let bases: Vec<Basis> = scenes.values().iter().map(Basis::of).collect();
+                Fitted::on_a_line(&bases, tables, scenes.instructions())
             }
 
             fn plant(
-                scene: &Scene,
+                scenes: Scenes<'_>,
                 operator: &Operator<Self>,
             ) -> Result<AnyPlant<Self>, ParameterError> {
-                plant::on_a_line(scene, operator)
+                plant::on_a_line(scenes, operator)
+            }
+
+            #[inline(always)]
+            fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+                $run(instructions, job)
             }
         }
     )*};
 }
 
 line! {
-    f32, wide Wide<f32>;
-    f64, wide Wide<f64>;
+    f32, wide Wide<f32>, by at_once;
+    f64, wide Wide<f64>, by at_once;
     // No lanes are wider; two numbers have as many digits.
-    AutoF64x8, wide Compensated<AutoF64x8>;
+    F64x8, wide Compensated<F64x8>, by Instructions::run;
     // For references: nothing is wider, and nothing needs to be.
-    DoubleDouble, wide Plain<DoubleDouble>;
+    DoubleDouble, wide Plain<DoubleDouble>, by at_once;
+}
+
+/// Runs the job of one scalar, which gains nothing from vectors.
+#[inline(always)]
+fn at_once<J: NullaryFnOnce>(_instructions: Instructions, job: J) -> J::Output {
+    job.call()
 }
 
 impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
@@ -122,8 +149,8 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
 
     const DIMENSIONS: usize = N;
 
-    fn at(coordinates: &Coordinates) -> Self {
-        coordinates.vector()
+    fn at(scenes: Scenes<'_>, coordinates: impl Fn(&Scene) -> &Coordinates) -> Self {
+        coordinates(scenes.common()).vector()
     }
 
     fn axis(self, index: usize) -> f64 {
@@ -138,16 +165,24 @@ impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
         scene.environment.solid_in_space()
     }
 
-    fn render<R: Render<Self>>(scene: &Scene, of: R) -> Result<R::Made, ParameterError> {
-        scene.environment.in_space(of)
+    fn render<R: Render<Self>>(scenes: Scenes<'_>, of: R) -> Result<R::Made, ParameterError> {
+        scenes.common().environment.in_space(of)
     }
 
-    fn fitted(table: &Stabilizer, scene: &Scene) -> Result<Fitted<Self>, ParameterError> {
-        Fitted::in_space(&Basis::of(scene), table)
+    fn fitted(tables: &[Stabilizer], scenes: Scenes<'_>) -> Result<Fitted<Self>, ParameterError> {
+        Fitted::in_space(&Basis::of(scenes.common()), Lanes::new(tables).common())
     }
 
-    fn plant(scene: &Scene, operator: &Operator<Self>) -> Result<AnyPlant<Self>, ParameterError> {
-        plant::in_space(scene, operator)
+    fn plant(
+        scenes: Scenes<'_>,
+        operator: &Operator<Self>,
+    ) -> Result<AnyPlant<Self>, ParameterError> {
+        plant::in_space(scenes, operator)
+    }
+
+    #[inline(always)]
+    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+        at_once(instructions, job)
     }
 }
 

@@ -3,16 +3,17 @@
 use std::fmt;
 
 use lyapunov::{
-    Correction, Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy,
-    PortSample, Signal, Stabilizer,
+    Correction, DampingLimit, Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError,
+    PortEnergy, PortSample, Signal, Stabilizer,
     accumulators::{Accumulator, Compensated},
     environments::ForceLaw,
 };
 
-use super::Port;
 use super::assembly::measured;
-use crate::files::scene::{self, Candidate, Cap, Ledger, Popc, Render, Scene, Work, of};
-use crate::simulate::building::Space;
+use super::on::On;
+use super::{Port, Scenes, Space};
+use crate::files::scene::{self, Candidate, Damping, Lanes, Ledger, Render, Work};
+use crate::simulate::instructions::Instructions;
 
 /// Any stabilizer of efforts, boxed: one that a scene file names, or your own.
 pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
@@ -25,8 +26,8 @@ impl<V: Signal> AnyStabilizer<V> {
 
     /// `port` watched and corrected by this stabilizer, its motion measured as `scene` says: one part, compiled for its
     /// type, instead of a box in a box.
-    pub(super) fn on(self, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
-        self.0.on(port, scene)
+    pub(super) fn on(self, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError> {
+        self.0.on(port, scenes)
     }
 
     /// Runs the stabilizer over `samples` in order, without a call through a table for each.
@@ -42,80 +43,94 @@ impl<V: Signal> AnyStabilizer<V> {
 impl<V: Space> AnyStabilizer<V> {
     /// Boxes `stabilizer`.
     pub fn new(stabilizer: impl Stabilizer<V> + 'static) -> Self {
-        Self(Box::new(Fused(stabilizer)))
+        Self::fused(stabilizer, Instructions::Base)
     }
 
     /// Boxes `stabilizer` for a loop that calls it through a table: no loop is compiled for its type.
     pub(crate) fn called(stabilizer: impl Stabilizer<V> + 'static) -> Self {
-        Self(Box::new(Called(stabilizer)))
+        Self::called_on(stabilizer, Instructions::Base)
     }
 
-    /// POPC on the loop of `scene`.
-    ///
-    /// # Errors
-    /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
-    pub(super) fn popc(scene: &Scene, popc: Popc) -> Result<Self, ParameterError> {
-        let Popc { work, ledger, damping_cap } = popc;
-        Self::watching(scene, PortEnergy, Booking { work, ledger, cap: cap(scene, damping_cap) })
+    /// The same, with its steps on `instructions`.
+    pub(super) fn called_on(
+        stabilizer: impl Stabilizer<V> + 'static,
+        instructions: Instructions,
+    ) -> Self {
+        Self(Box::new(Called(On::new(stabilizer, instructions))))
     }
 
-    /// LOLC on the loop of `scene`.
+    /// Boxes `stabilizer` with a loop compiled for its type, and its steps on `instructions`.
+    pub(super) fn fused(
+        stabilizer: impl Stabilizer<V> + 'static,
+        instructions: Instructions,
+    ) -> Self {
+        Self(Box::new(Fused(On::new(stabilizer, instructions))))
+    }
+
+    /// POPC or LOLC of the tables, one for each scene and alike in all but numbers.
     ///
     /// # Errors
-    /// As [`AnyStabilizer::popc`].
-    pub(super) fn lolc(scene: &Scene, lolc: scene::Lolc) -> Result<Self, ParameterError> {
-        let scene::Lolc { work, ledger, damping_cap, .. } = lolc;
-        let booking = Booking { work, ledger, cap: cap(scene, damping_cap) };
-        match lolc.candidate {
-            Candidate::Spring => Self::watching(scene, PortEnergy, booking),
+    /// A parameter that is right by itself but out of the range of the scalar, alone or with others; another table.
+    pub(super) fn observing(
+        scenes: Scenes<'_>,
+        tables: &[scene::Stabilizer],
+    ) -> Result<Self, ParameterError> {
+        let (work, ledger, candidate) = match Lanes::new(tables).common() {
+            scene::Stabilizer::Popc(popc) => (popc.work, popc.ledger, Candidate::Spring),
+            scene::Stabilizer::Lolc(lolc) => (lolc.work, lolc.ledger, lolc.candidate),
+            _ => return Err(scene::elsewhere()),
+        };
+        let limit = Damping::limit_of_lanes(|lane| {
+            let (scene, table) = (scenes.lane(lane), Lanes::new(tables).lane(lane));
+            // The cap that is written, else the default of the scene.
+            scene.damping(table.written("damping_cap").unwrap_or_else(|| scene.default_cap()))
+        })?;
+        let booking = Booking { work, ledger, limit, instructions: scenes.instructions() };
+        Ok(match candidate {
+            Candidate::Spring => Self::watching(PortEnergy, booking),
             Candidate::DeviceDamping => {
-                let damper = Dissipation::of(of(scene.device.damping))?;
-                Self::watching(scene, (PortEnergy, damper), booking)
+                let damper = Dissipation::of(scenes.each(|it| it.device.damping))?;
+                Self::watching((PortEnergy, damper), booking)
             }
-            Candidate::MassSpringDamper => V::render(scene, Crediting { scene, booking }),
-        }
+            Candidate::MassSpringDamper => V::render(scenes, booking)?,
+        })
     }
 
     fn watching(
-        scene: &Scene,
         candidate: impl LyapunovCandidate<V> + 'static,
-        Booking { work, ledger, cap }: Booking,
-    ) -> Result<Self, ParameterError> {
-        let limit = scene.damping(cap).limit()?;
+        Booking { work, ledger, limit, instructions: on }: Booking<V::Scalar>,
+    ) -> Self {
         // Only the default ledger of held work is compiled for each candidate; the others pay for a box with a call.
         let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
-        Ok(match (work, ledger) {
-            (Work::Held, Ledger::Plain) => Self::new(Lolc::new(candidate, limit)),
-            (Work::Sampled, Ledger::Plain) => Self::new(boxed(candidate).sampled()),
+        match (work, ledger) {
+            (Work::Held, Ledger::Plain) => Self::fused(Lolc::new(candidate, limit), on),
+            (Work::Sampled, Ledger::Plain) => Self::fused(boxed(candidate).sampled(), on),
             (_, Ledger::Compensated) => {
-                Self::booked(boxed(candidate).summed_in::<Compensated<V::Scalar>>(), work)
+                Self::booked(boxed(candidate).summed_in::<Compensated<V::Scalar>>(), work, on)
             }
-            (_, Ledger::Wide) => Self::booked(boxed(candidate).summed_in::<V::Wide>(), work),
-        })
+            (_, Ledger::Wide) => Self::booked(boxed(candidate).summed_in::<V::Wide>(), work, on),
+        }
     }
 
     fn booked<A: Accumulator<V::Scalar> + 'static>(
         lolc: Lolc<V::Scalar, AnyCandidate<V>, Held, A>,
         work: Work,
+        on: Instructions,
     ) -> Self {
         match work {
-            Work::Held => Self::new(lolc),
-            Work::Sampled => Self::new(lolc.sampled()),
+            Work::Held => Self::fused(lolc, on),
+            Work::Sampled => Self::fused(lolc.sampled(), on),
         }
     }
 }
 
-/// Work, ledger and damping cap of a scene's stabilizer.
+/// Work, ledger and damping limit of an observer/controller, and the instructions of its steps.
 #[derive(Clone, Copy)]
-struct Booking {
+struct Booking<T> {
     work: Work,
     ledger: Ledger,
-    cap: f64,
-}
-
-/// The cap that is written, else the default of `scene`.
-fn cap(scene: &Scene, written: Option<Cap>) -> f64 {
-    written.map_or_else(|| scene.default_cap(), Cap::get)
+    limit: DampingLimit<T>,
+    instructions: Instructions,
 }
 
 /// Any candidate, boxed.
@@ -140,12 +155,7 @@ impl<V: Signal> Stabilizer<V> for AnyStabilizer<V> {
 }
 
 /// LOLC with the credit of the scene's own environment.
-struct Crediting<'a> {
-    scene: &'a Scene,
-    booking: Booking,
-}
-
-impl<V: Space> Render<V> for Crediting<'_> {
+impl<V: Space> Render<V> for Booking<V::Scalar> {
     type Made = AnyStabilizer<V>;
 
     fn render(
@@ -153,29 +163,29 @@ impl<V: Space> Render<V> for Crediting<'_> {
         _environment: impl ForceLaw<V> + 'static,
         credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Self::Made, ParameterError> {
-        AnyStabilizer::watching(self.scene, (PortEnergy, credit), self.booking)
+        Ok(AnyStabilizer::watching((PortEnergy, credit), self))
     }
 }
 
 /// Stabilizer that can wrap a port or run over samples.
 trait Replay<V: Signal>: Stabilizer<V> {
-    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError>;
+    fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]);
 }
 
 /// Stabilizer that a loop calls through a table.
-struct Called<S>(S);
+struct Called<S>(On<S>);
 
-impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
+impl<V: Space, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         self.0.stabilize(sample, effort)
     }
 }
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
-    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
-        measured(scene, port.stabilized(AnyStabilizer(self)))
+    fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError> {
+        measured(scenes, port.stabilized(AnyStabilizer(self)))
     }
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
@@ -184,17 +194,17 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
 }
 
 /// Stabilizer with a loop compiled for its type.
-struct Fused<S>(S);
+struct Fused<S>(On<S>);
 
-impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
+impl<V: Space, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         self.0.stabilize(sample, effort)
     }
 }
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
-    fn on(self: Box<Self>, port: Port<V>, scene: &Scene) -> Result<Port<V>, ParameterError> {
-        measured(scene, port.stabilized(self.0))
+    fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError> {
+        measured(scenes, port.stabilized(self.0.into_part()))
     }
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {

@@ -4,8 +4,10 @@ use std::fmt;
 
 use lyapunov::{Correction, OnePort, ParameterError, PortSample, Signal, Stabilizer};
 
+use super::on::On;
 use super::{Port, Seen, Space};
 use crate::files::scene::Pace;
+use crate::simulate::instructions::Instructions;
 
 /// Any port around an environment, still without it.
 pub struct AnyWrapper<V: Signal> {
@@ -17,16 +19,20 @@ pub struct AnyWrapper<V: Signal> {
 /// The port around an environment.
 type Wrap<V> = dyn Fn(Port<V>) -> Result<Port<V>, ParameterError>;
 
-impl<V: Signal> AnyWrapper<V> {
-    /// Boxes `wrap`.
+impl<V: Space> AnyWrapper<V> {
+    /// Boxes `wrap`, whose ports run on `instructions`.
     pub(super) fn new<P: OnePort<V> + 'static>(
         pace: Pace,
         wrap: impl Fn(Port<V>) -> Result<P, ParameterError> + 'static,
+        instructions: Instructions,
     ) -> Self {
         let bytes = size_of::<P>() - size_of::<Port<V>>();
-        Self { pace, bytes, wrap: Box::new(move |port| Ok(Port::new(wrap(port)?))) }
+        let boxed = move |port| Ok(Port::new(On::new(wrap(port)?, instructions)));
+        Self { pace, bytes, wrap: Box::new(boxed) }
     }
+}
 
+impl<V: Signal> AnyWrapper<V> {
     /// The rate that it runs at.
     pub(super) fn pace(&self) -> Pace {
         self.pace

@@ -4,12 +4,12 @@ use std::any::{Any, TypeId};
 use std::marker::PhantomData;
 
 use lyapunov::accumulators::DoubleDouble;
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::{Lolc, ParameterError};
 use nalgebra::SVector;
 
 use super::{OwnCandidate, OwnStabilizer};
 use crate::files::scene::own::Loop;
+use crate::simulate::aligned::F64x8;
 use crate::simulate::building::{AnyStabilizer, Space};
 
 /// A way to box a stabilizer for any signal.
@@ -54,7 +54,7 @@ pub(super) fn make<M: Maker>(space: TypeId, on: &Loop<'_>) -> Option<Box<dyn Any
         SVector<f64, 3>,
         SVector<f32, 2>,
         SVector<f32, 3>,
-        AutoF64x8,
+        F64x8,
         DoubleDouble,
     );
     None

@@ -10,12 +10,12 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use lyapunov::ParameterError;
-use lyapunov::lanes::AutoF64x8;
 use serde::Serialize;
 
 use crate::files::Scene;
 use crate::files::scene::{Conflict, Diagnostic};
 use crate::measure::timing::Rounds;
+use crate::simulate::F64x8;
 use calls::Calls;
 
 /// The costs of all effects, in nanoseconds per step on this machine; docs/effects/costs.md explains how to read
@@ -92,7 +92,7 @@ impl Costs {
         watch: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Self, CostsError> {
         let one = timing::times::<f64>(&calls.all, watch)?;
-        let eight = timing::times::<AutoF64x8>(&calls.all, watch)?;
+        let eight = timing::times::<F64x8>(&calls.all, watch)?;
         let scalars =
             vec![Column::of("f64", 1, calls, &one), Column::of("f64x8", 8, calls, &eight)];
         Ok(Self {

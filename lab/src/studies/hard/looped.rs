@@ -1,6 +1,5 @@
 //! Hard cases that are scenes.
 
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::{ParameterError, Scalar};
 
 use super::member;
@@ -10,7 +9,7 @@ use super::trial::{HardError, MakeStabilizer, Runs, Trial};
 use super::watched::{Meters, Terms};
 use crate::files::scene::{Candidate, Finite, Lolc, Pledge, Scene, Stabilizer};
 use crate::simulate::family::StabilizerName;
-use crate::simulate::{AnyStabilizer, Fitted, Rollout, Space, Tick};
+use crate::simulate::{AnyStabilizer, F64x8, Fitted, Rollout, Space, Tick};
 
 /// The loop of a scene.
 pub(super) struct Looped {
@@ -119,7 +118,7 @@ impl Trial for Looped {
             runs.single.append(&mut self.named::<f32>(share)?);
         }
         // All eight lanes run the same start.
-        runs.double_lanes = self.named::<AutoF64x8>(SHARES[0])?;
+        runs.double_lanes = self.named::<F64x8>(SHARES[0])?;
         Ok(runs)
     }
 

@@ -5,7 +5,7 @@ use lyapunov::{Dissipation, Lolc, Popc, PortEnergy, Scalar, stabilizers::NoStabi
 use super::trial::HardError;
 use crate::files::scene::{Basis, Pledge, Scene};
 use crate::simulate::family::{BasicName, StabilizerName};
-use crate::simulate::{AnyStabilizer, Fitted, Space};
+use crate::simulate::{AnyStabilizer, Fitted, Instructions, Space};
 
 /// The stabilizer called `member`, set by `basis`, without a scene: LOLC credits the device's damping, whatever its
 /// candidate.
@@ -28,7 +28,8 @@ pub(super) fn set_by<T: Scalar + Space>(
         }
         StabilizerName::Member(_) | StabilizerName::Own(_) => {
             let table = member.bare_table().filter(|table| table.kind().lacks(basis).is_none());
-            match Fitted::on_a_line(basis, &table.ok_or(HardError::NoPart)?)? {
+            let table = table.ok_or(HardError::NoPart)?;
+            match Fitted::on_a_line(std::slice::from_ref(basis), &[table], Instructions::Base)? {
                 Fitted::Behind(stabilizer) => Ok(stabilizer),
                 // The samples of these cases come without an environment that could be asked.
                 Fitted::Around(_) => Err(HardError::NoPart),

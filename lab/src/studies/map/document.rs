@@ -1,5 +1,6 @@
 //! The document `map.json`.
 
+use lyapunov::Scalar;
 use serde::Serialize;
 
 use super::axis::{Axis, Spacing};
@@ -7,6 +8,7 @@ use super::bounds::Bounds;
 use super::run::{Method, Run, Workload};
 use super::survey::Survey;
 use crate::measure::{Oddity, Verdict};
+use crate::simulate::F64x8;
 use crate::simulate::family::{Judgement, StabilizerName};
 
 /// Method and cost of a map's computation.
@@ -34,7 +36,8 @@ impl Computation {
     /// Computation of `run`, which took `effort`.
     pub fn of(run: &Run<'_>, effort: Workload) -> Self {
         let (lanes, method, instructions) = match run.method() {
-            Method::Lanes(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
+            Method::Kernel(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
+            Method::Lanes(instructions) => (F64x8::LANES, "lanes", Some(instructions.name())),
             Method::Single => (1, "single", None),
         };
         let Workload { cells, rollout_steps, kernel_seconds, measures_seconds } = effort;

@@ -1,12 +1,15 @@
 //! Maps of the verdicts over any two numbers of a scene, and sweeps over one, under several stabilizers.
 
+mod alike;
 mod axis;
 mod bounds;
 mod checkpoint;
 mod document;
 mod grid;
 mod kernel;
+mod loops;
 mod merge;
+mod meters;
 mod outcome;
 mod picture;
 mod refine;
@@ -14,20 +17,20 @@ mod rendered;
 mod report;
 mod run;
 mod shard;
-mod single;
 mod survey;
 mod sweep;
 mod table;
 mod varied;
 mod vary;
 
+pub use crate::simulate::Instructions;
 pub use crate::simulate::family::BasicName;
 pub use axis::{Axis, AxisError, Spacing};
 pub use bounds::{Bounds, OverExact};
 pub use checkpoint::{Checkpoint, CheckpointError, table_name};
 pub use document::{Computation, document};
 pub use grid::{Grid, GridError};
-pub use kernel::{Instructions, Kernel, Lanes};
+pub use kernel::{Kernel, Lanes};
 pub use merge::{MergeError, merge};
 pub use outcome::{Measure, Measures, Outcome};
 pub use picture::{NamedFigure, figure_names, figures};

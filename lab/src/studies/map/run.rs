@@ -6,12 +6,14 @@ use std::time::{Duration, Instant};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use super::alike::has_lanes;
 use super::grid::{Grid, GridError, Tile};
-use super::kernel::{Instructions, Kernel, Lanes};
+use super::kernel::{Kernel, Lanes};
+use super::loops::Cells;
 use super::outcome::{Measures, Outcome};
-use super::single;
-use crate::measure::Verdict;
+use crate::measure::{Verdict, Yardstick};
 use crate::show::OutputError;
+use crate::simulate::Instructions;
 use crate::simulate::family::{BasicName, StabilizerName};
 
 /// Time that a band of cells may take: no more than this is lost when a machine stops.
@@ -27,9 +29,11 @@ const MOST: usize = 1 << 16;
 /// Method by which the cells are computed.
 #[derive(Debug)]
 pub enum Method {
-    /// Many at once, on lanes.
-    Lanes(Box<Kernel>),
-    /// One by one: the scene has parts, or the axes are numbers, that the kernel does not have.
+    /// Many at once, on lanes of one loop compiled for the plain scene, and its other stabilizers on lanes of boxes.
+    Kernel(Box<Kernel>),
+    /// Many at once, on lanes of boxes on these instructions.
+    Lanes(Instructions),
+    /// One by one.
     Single,
 }
 
@@ -98,10 +102,15 @@ impl Placed<'_> {
     }
 }
 
-/// The method for the cells of `tile`: lanes where the kernel has all parts of the scene.
+/// The method for the cells of `tile`.
 fn method_on(grid: &Grid, tile: &Tile) -> Result<Method, RunError> {
-    let kernel = Kernel::of(&grid.within(tile), Instructions::all()[0], Lanes::Many)?;
-    Ok(kernel.map_or(Method::Single, |kernel| Method::Lanes(Box::new(kernel))))
+    let best = Instructions::all()[0];
+    let kernel = Kernel::of(&grid.within(tile), best, Lanes::Many)?;
+    Ok(match kernel {
+        Some(kernel) => Method::Kernel(Box::new(kernel)),
+        None if has_lanes(&grid.scene, &None) => Method::Lanes(best),
+        None => Method::Single,
+    })
 }
 
 /// Receiver of a band: its first cell, and the outcome of each of its cells under each stabilizer.
@@ -132,6 +141,20 @@ impl<'a> Run<'a> {
     pub fn one_by_one(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
         grid.check().map_err(GridError::from)?;
         Self::by(grid, Method::Single, threads)
+    }
+
+    /// The same with lanes of boxes on `instructions`, whatever parts the scene has; cells that nothing is like run one by
+    /// one.
+    ///
+    /// # Errors
+    /// The errors of [`Run::of`].
+    pub fn on_boxes(
+        grid: &'a Grid,
+        instructions: Instructions,
+        threads: Option<usize>,
+    ) -> Result<Self, RunError> {
+        grid.check().map_err(GridError::from)?;
+        Self::by(grid, Method::Lanes(instructions), threads)
     }
 
     fn by(grid: &'a Grid, method: Method, threads: Option<usize>) -> Result<Self, RunError> {
@@ -177,18 +200,16 @@ impl<'a> Run<'a> {
             let began = Instant::now();
             if !tile.cells.contains(&first) {
                 tile = self.grid.tile(first);
-                own = match self.method {
-                    Method::Lanes(_) => Some(method_on(self.grid, &tile)?),
-                    Method::Single => None,
-                };
+                own = self.method_on(&tile)?;
             }
             let last = cells.end.min(tile.cells.end).min(first + size as u64);
             let band: Vec<u64> = (first..last).collect();
             let outcomes = match own.as_ref().unwrap_or(&self.method) {
-                Method::Lanes(kernel) => {
+                Method::Kernel(kernel) => {
                     let kernel = Placed { kernel, first: tile.cells.start };
-                    self.by_lanes(kernel, &band, go_on, &mut effort)?
+                    self.by_lanes(Some(kernel), &band, go_on, &mut effort)?
                 }
+                Method::Lanes(_) => self.by_lanes(None, &band, go_on, &mut effort)?,
                 Method::Single => self.by_itself(&band, go_on, &mut effort)?,
             };
             let done = &band[..outcomes.len()];
@@ -206,7 +227,15 @@ impl<'a> Run<'a> {
         Ok(effort)
     }
 
-    /// The verdicts on `cells`, in any order, under `member`; polls `go_on` now and then.
+    /// The method for the cells of `tile`, where it is not that of all.
+    fn method_on(&self, tile: &Tile) -> Result<Option<Method>, RunError> {
+        match self.method {
+            Method::Kernel(_) => method_on(self.grid, tile).map(Some),
+            Method::Lanes(_) | Method::Single => Ok(None),
+        }
+    }
+
+    /// The verdicts on `cells`, in their order, under `member`; polls `go_on` now and then.
     ///
     /// # Errors
     /// [`RunError::Stopped`] if `go_on` returns false, and a cell whose values make no scene.
@@ -216,18 +245,44 @@ impl<'a> Run<'a> {
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Vec<Verdict>, RunError> {
-        if let (Method::Lanes(kernel), Some(name)) = (&self.method, member.basic_name()) {
-            let verdicts = self.shared(cells, |cells| kernel.verdicts(name, cells, go_on))?;
-            return Ok(verdicts.into_iter().map(|(verdict, _)| verdict).collect());
+        let (mut all, mut left) = (Vec::with_capacity(cells.len()), cells);
+        while let Some(&first) = left.first() {
+            let tile = self.grid.tile(first);
+            let here = left.partition_point(|cell| tile.cells.contains(cell));
+            let (band, rest) = left.split_at(here);
+            left = rest;
+            let effort = &mut Workload::default();
+            let outcomes = match (self.method_on(&tile)?, member.basic_name()) {
+                (Some(Method::Kernel(kernel)), Some(name)) => {
+                    let placed = Placed { kernel: &kernel, first: tile.cells.start };
+                    all.extend(self.judged(placed, name, band, go_on)?.into_iter().map(|it| it.0));
+                    continue;
+                }
+                _ => self.of_boxes(member, band, go_on, effort)?,
+            };
+            all.extend(outcomes.into_iter().map(|outcome| outcome.verdict));
         }
-        let outcomes = self.alone(member, cells, go_on, &mut Workload::default())?;
-        Ok(outcomes.into_iter().map(|outcome| outcome.verdict).collect())
+        Ok(all)
+    }
+
+    /// Verdicts of the kernel of a tile.
+    fn judged(
+        &self,
+        placed: Placed<'_>,
+        basic_name: BasicName,
+        band: &[u64],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<(Verdict, Yardstick)>, RunError> {
+        self.shared(band, |cells| {
+            let verdicts = placed.kernel.verdicts(basic_name, &placed.cells(cells), go_on);
+            verdicts.map_err(|error| self.blamed(cells, error))
+        })
     }
 
     /// Size of the first band, so small that it is short whatever a cell takes.
     fn first_band(&self) -> usize {
         let rows = self.grid.rows(0).max(self.grid.rows(self.grid.cells() - 1));
-        let fast = matches!(self.method, Method::Lanes(_))
+        let fast = matches!(self.method, Method::Kernel(_))
             && self.grid.stabilizers.iter().all(|member| member.basic_name().is_some());
         let steps: u64 = if fast { 20_000_000 } else { 1_000_000 };
         ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
@@ -235,7 +290,7 @@ impl<'a> Run<'a> {
 
     fn by_lanes(
         &self,
-        kernel: Placed<'_>,
+        kernel: Option<Placed<'_>>,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
         effort: &mut Workload,
@@ -244,9 +299,11 @@ impl<'a> Run<'a> {
         let mut outcomes: Vec<Vec<Outcome>> =
             band.iter().map(|_| Vec::with_capacity(members.len())).collect();
         for member in members.iter() {
-            let found = match member.basic_name() {
-                Some(basic_name) => self.on_lanes(kernel, basic_name, band, go_on, effort)?,
-                None => self.alone(*member, band, go_on, effort)?,
+            let found = match (kernel, member.basic_name()) {
+                (Some(kernel), Some(basic_name)) => {
+                    self.on_lanes(kernel, basic_name, band, go_on, effort)?
+                }
+                _ => self.of_boxes(*member, band, go_on, effort)?,
             };
             for (outcomes, outcome) in outcomes.iter_mut().zip(found) {
                 outcomes.push(outcome);
@@ -257,23 +314,22 @@ impl<'a> Run<'a> {
 
     fn on_lanes(
         &self,
-        kernel: Placed<'_>,
+        placed: Placed<'_>,
         basic_name: BasicName,
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
         effort: &mut Workload,
     ) -> Result<Vec<Outcome>, RunError> {
         let began = Instant::now();
-        let verdicts = self.shared(band, |cells| {
-            kernel.kernel.verdicts(basic_name, &kernel.cells(cells), go_on)
-        })?;
+        let verdicts = self.judged(placed, basic_name, band, go_on)?;
         effort.kernel_seconds += began.elapsed().as_secs_f64();
         let began = Instant::now();
         let measured: Vec<usize> =
             (0..band.len()).filter(|at| verdicts[*at].0 != Verdict::Grows).collect();
         let cells: Vec<u64> = measured.iter().map(|at| band[*at]).collect();
         let measures = self.shared(&cells, |cells| {
-            kernel.kernel.measures(basic_name, &kernel.cells(cells), go_on)
+            let measures = placed.kernel.measures(basic_name, &placed.cells(cells), go_on);
+            measures.map_err(|error| self.blamed(cells, error))
         })?;
         let unmeasured =
             |(verdict, verdict_by)| Outcome { verdict, verdict_by, measures: Measures::default() };
@@ -285,8 +341,8 @@ impl<'a> Run<'a> {
         Ok(outcomes)
     }
 
-    /// Outcomes of a stabilizer that the kernel does not have, next to others that it has.
-    fn alone(
+    /// Outcomes of loops of boxes under `member`.
+    fn of_boxes(
         &self,
         member: StabilizerName,
         band: &[u64],
@@ -294,41 +350,41 @@ impl<'a> Run<'a> {
         effort: &mut Workload,
     ) -> Result<Vec<Outcome>, RunError> {
         let began = Instant::now();
-        let one = |cell: &u64| match self.outcome(*cell, member, go_on) {
-            Ok(outcome) => outcome.ok_or(RunError::Stopped),
-            Err(error) => Err(RunError::Cell(error)),
-        };
-        let outcomes = self.pool.install(|| band.par_iter().map(one).collect());
+        let outcomes = self.shared(band, |cells| self.outcomes(cells, member, go_on));
         effort.kernel_seconds += began.elapsed().as_secs_f64();
         outcomes
     }
 
-    fn outcome(
+    fn outcomes(
         &self,
-        cell: u64,
+        cells: &[u64],
         member: StabilizerName,
         go_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Option<Outcome>, GridError> {
-        let scene = self.grid.scene_for(cell, member)?;
-        single::outcome(&scene, member, go_on)
-            .map_err(|error| self.grid.at(cell, error.to_string()))
+    ) -> Result<Option<Vec<Outcome>>, RunError> {
+        let scenes = cells.iter().map(|cell| self.grid.scene_for(*cell, member));
+        let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+        let instructions = match &self.method {
+            Method::Kernel(kernel) => Some(kernel.instructions()),
+            Method::Lanes(instructions) => Some(*instructions),
+            Method::Single => None,
+        };
+        Cells { scenes: &scenes, member, instructions }
+            .outcomes(go_on)
+            .map_err(|(place, error)| RunError::Cell(self.grid.at(cells[place], error.to_string())))
     }
 
     /// Results of `of` for all cells, on all threads: in shares that become smaller, so that threads finish together.
     fn shared<R: Send>(
         &self,
         cells: &[u64],
-        of: impl Fn(&[u64]) -> Result<Option<Vec<R>>, lyapunov::ParameterError> + Sync,
+        of: impl Fn(&[u64]) -> Result<Option<Vec<R>>, RunError> + Sync,
     ) -> Result<Vec<R>, RunError> {
         let mut left = cells;
         let shares = std::iter::from_fn(|| {
             let share = (left.len() / (4 * self.threads())).clamp(LEAST, SHARE).min(left.len());
             left.split_off(..share).filter(|share| !share.is_empty())
         });
-        let one = |cells: &[u64]| match of(cells) {
-            Ok(done) => done.ok_or(RunError::Stopped),
-            Err(error) => Err(self.blamed(cells, error)),
-        };
+        let one = |cells: &[u64]| of(cells)?.ok_or(RunError::Stopped);
         let mut shares: Vec<(usize, Result<Vec<R>, RunError>)> = self.pool.install(|| {
             // `par_bridge` hands the shares out in their order, as threads ask for them.
             shares.enumerate().par_bridge().map(|(at, cells)| (at, one(cells))).collect()
@@ -355,9 +411,11 @@ impl<'a> Run<'a> {
         effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let began = Instant::now();
-        let one = |cell: &u64| -> Result<Option<Vec<Outcome>>, GridError> {
+        let one = |cell: &u64| -> Result<Option<Vec<Outcome>>, RunError> {
             let members = self.grid.stabilizers.iter();
-            members.map(|member| self.outcome(*cell, *member, go_on)).collect()
+            let outcomes = members.map(|member| self.outcomes(&[*cell], *member, go_on));
+            let outcomes = outcomes.collect::<Result<Option<Vec<_>>, _>>()?;
+            Ok(outcomes.map(|outcomes| outcomes.into_iter().flatten().collect()))
         };
         let cells: Vec<_> = self.pool.install(|| band.par_iter().map(one).collect());
         effort.kernel_seconds += began.elapsed().as_secs_f64();

@@ -8,8 +8,9 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper,
 };
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A two-sided spring that hardens, as Duffing's: f = k d + c d^3 for d = x - position.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -66,12 +67,14 @@ impl EnvironmentKind for CubicSpring {
 
 impl OnALine for CubicSpring {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring =
-            lyapunov::environments::CubicSpring::<T>::new(of(self.stiffness), of(self.cubic))?;
-        to.render(spring.at(of(self.position)), no_credit()?)
+        let spring = lyapunov::environments::CubicSpring::<T>::new(
+            each.each(|it| it.stiffness),
+            each.each(|it| it.cubic),
+        )?;
+        to.render(spring.at(each.each(|it| it.position)), no_credit()?)
     }
 }

@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, Number, OnALine, Rates, spring_and_damper};
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, Positive, of};
+use crate::files::scene::quantity::{Finite, NonNegative, Positive};
 
 /// A one-sided wall after Hunt and Crossley: f = max(0, k p^e (1 + damping v)) for the depth p = x - position > 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -69,14 +70,17 @@ impl EnvironmentKind for HuntCrossley {
 
 impl OnALine for HuntCrossley {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let (stiffness, exponent) = (of(self.stiffness), of(self.exponent));
-        let wall =
-            lyapunov::environments::HuntCrossley::new(stiffness, exponent, of(self.damping))?;
-        let wall = wall.at(of(self.position));
+        let (stiffness, exponent) = (each.each(|it| it.stiffness), each.each(|it| it.exponent));
+        let wall = lyapunov::environments::HuntCrossley::new(
+            stiffness,
+            exponent,
+            each.each(|it| it.damping),
+        )?;
+        let wall = wall.at(each.each(|it| it.position));
         to.render(wall, wall.dissipation())
     }
 }

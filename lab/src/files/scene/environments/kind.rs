@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use super::render::Render;
 use crate::files::scene::check::Conflict;
 use crate::files::scene::quantity::{Finite, NonNegative};
-use crate::files::scene::{Coordinates, Draft};
+use crate::files::scene::{Coordinates, Draft, Lanes};
 
 /// A function that formats a number.
 pub(crate) type Number = fn(f64) -> String;
@@ -93,9 +93,14 @@ pub(crate) struct Face {
 
 /// An environment of one dimension.
 pub(super) trait OnALine: EnvironmentKind {
-    /// The result of `to` for the library's environment.
-    fn make<T: Scalar, R: Render<T>>(&self, rates: Rates, to: R)
-    -> Result<R::Made, ParameterError>;
+    /// The result of `to` for the library's environment with the numbers of each lane.
+    fn make<T: Scalar, R: Render<T>>(
+        each: Lanes<'_, &Self>,
+        rates: Rates,
+        to: R,
+    ) -> Result<R::Made, ParameterError>
+    where
+        Self: Sized;
 }
 
 /// An environment of several dimensions.

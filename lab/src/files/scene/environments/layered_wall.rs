@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, Number, OnALine, Rates, spring_and_damper};
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, of, two};
+use crate::files::scene::quantity::{Finite, NonNegative, two};
 
 /// A one-sided wall of two layers: a spring force k1 p down to `depth`, k1 depth + k2 (p - depth) below, plus b v, never
 /// below 0.
@@ -62,13 +63,15 @@ impl EnvironmentKind for LayeredWall {
 
 impl OnALine for LayeredWall {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let (depth, stiffness) = (of(self.depth), self.stiffness.map(of));
-        let wall = lyapunov::environments::LayeredWall::new(depth, stiffness, of(self.damping))?;
-        let wall = wall.at(of(self.position));
+        let (depth, stiffness) =
+            (each.each(|it| it.depth), [0, 1].map(|layer| each.each(|it| it.stiffness[layer])));
+        let wall =
+            lyapunov::environments::LayeredWall::new(depth, stiffness, each.each(|it| it.damping))?;
+        let wall = wall.at(each.each(|it| it.position));
         to.render(wall, wall.dissipation())
     }
 }

@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped};
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A two-sided mass, spring and damper: f = m a + b v + k (x - position), a the difference of v from one environment tick
 /// to the next over their interval.
@@ -37,14 +38,18 @@ pub(super) const KEYS: &[Key] = &[
 ];
 
 impl MassSpringDamper {
-    fn parts<T: Scalar>(&self) -> Impedance<T> {
-        Impedance { mass: of(self.mass), damping: of(self.damping), stiffness: of(self.stiffness) }
+    fn parts<T: Scalar>(each: Lanes<'_, &Self>) -> Impedance<T> {
+        Impedance {
+            mass: each.each(|it| it.mass),
+            damping: each.each(|it| it.damping),
+            stiffness: each.each(|it| it.stiffness),
+        }
     }
 }
 
 impl EnvironmentKind for MassSpringDamper {
     fn impedance(&self) -> Option<Impedance<f64>> {
-        Some(self.parts())
+        Some(Self::parts(Lanes::new(&[self])))
     }
 
     fn static_spring(&self) -> Option<StaticSpring> {
@@ -64,12 +69,12 @@ impl EnvironmentKind for MassSpringDamper {
 
 impl OnALine for MassSpringDamper {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let body =
-            lyapunov::environments::MassSpringDamper::<T>::new(self.parts())?.at(of(self.position));
+        let body = lyapunov::environments::MassSpringDamper::<T>::new(Self::parts(each))?
+            .at(each.each(|it| it.position));
         to.render(body, body.dissipation())
     }
 }

@@ -25,9 +25,9 @@ use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::files::scene::Draft;
 use crate::files::scene::book::{Key, count, joined};
 use crate::files::scene::quantity::of;
+use crate::files::scene::{Draft, Lanes};
 use kind::{InSpace, OnALine};
 
 pub(crate) use kind::{EnvironmentKind, Face, Rates, StaticSpring};
@@ -79,14 +79,21 @@ macro_rules! environments {
                 }
             }
 
-            /// The result of `to` for the library's environment of one dimension.
+            /// The result of `to` for the library's environment of one dimension, with the numbers of each lane.
             pub(crate) fn on_a_line<T: Scalar, R: Render<T>>(
-                &self,
+                each: &[&Self],
                 rates: Rates,
                 to: R,
             ) -> Result<R::Made, ParameterError> {
-                match self {
-                    $(Self::$line(it) => it.make(rates, to),)*
+                match Lanes::new(each).common() {
+                    $(Self::$line(_) => {
+                        let mut kinds = Vec::with_capacity(each.len());
+                        for one in each {
+                            let Self::$line(kind) = one else { return Err(elsewhere(1)) };
+                            kinds.push(kind);
+                        }
+                        $line::make(Lanes::new(&kinds), rates, to)
+                    })*
                     _ => Err(elsewhere(1)),
                 }
             }
@@ -179,7 +186,7 @@ impl Environment {
 impl Draft {
     /// The force law of the environment in `f64`; none in more than one dimension.
     pub(crate) fn law(&self) -> Option<Box<dyn ForceLaw<f64>>> {
-        self.environment.on_a_line(Rates::of(self), Boxed).ok()
+        Environment::on_a_line(&[&self.environment], Rates::of(self), Boxed).ok()
     }
 }
 

@@ -8,8 +8,9 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper, swinging,
 };
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A one-sided wall whose surface swings: position + amplitude sin(2 pi frequency t).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -73,19 +74,22 @@ impl EnvironmentKind for MovingWall {
 
 impl OnALine for MovingWall {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let wall = lyapunov::environments::Wall::new(of(self.stiffness), of(self.damping))?;
-        let (amplitude, frequency) = (of(self.amplitude), of(self.frequency));
-        let wall = wall.at(of(self.position));
+        let wall = lyapunov::environments::Wall::new(
+            each.each(|it| it.stiffness),
+            each.each(|it| it.damping),
+        )?;
+        let (amplitude, frequency) = (each.each(|it| it.amplitude), each.each(|it| it.frequency));
+        let wall = wall.at(each.each(|it| it.position));
         let moving = lyapunov::environments::MovingWall::new(
             wall,
             amplitude,
             frequency,
-            of(rates.environment),
+            T::of(rates.environment),
         )?;
-        to.render(moving, moving.dissipation(of(rates.servo))?)
+        to.render(moving, moving.dissipation(T::of(rates.servo))?)
     }
 }

@@ -8,8 +8,9 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper,
 };
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, of};
+use crate::files::scene::quantity::Finite;
 
 /// A two-sided spring: f = k (x - position).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -49,12 +50,12 @@ impl EnvironmentKind for Spring {
 
 impl OnALine for Spring {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring =
-            lyapunov::environments::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
+        let spring = lyapunov::environments::Spring::<T>::new(each.each(|it| it.stiffness))?
+            .at(each.each(|it| it.position));
         to.render(spring, no_credit()?)
     }
 }

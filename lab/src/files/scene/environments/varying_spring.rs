@@ -8,8 +8,9 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, no_credit, spring_and_damper, swinging,
 };
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A two-sided spring whose stiffness swings: k(t) = stiffness + amplitude sin(2 pi frequency t).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -73,18 +74,18 @@ impl EnvironmentKind for VaryingSpring {
 
 impl OnALine for VaryingSpring {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let spring =
-            lyapunov::environments::Spring::<T>::new(of(self.stiffness))?.at(of(self.position));
-        let (amplitude, frequency) = (of(self.amplitude), of(self.frequency));
+        let spring = lyapunov::environments::Spring::<T>::new(each.each(|it| it.stiffness))?
+            .at(each.each(|it| it.position));
+        let (amplitude, frequency) = (each.each(|it| it.amplitude), each.each(|it| it.frequency));
         let spring = lyapunov::environments::VaryingSpring::new(
             spring,
             amplitude,
             frequency,
-            of(rates.environment),
+            T::of(rates.environment),
         )?;
         to.render(spring, no_credit()?)
     }

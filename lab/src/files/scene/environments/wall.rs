@@ -8,8 +8,9 @@ use super::kind::{
     EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper,
 };
 use super::render::Render;
+use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A one-sided wall: f = max(0, k p + b v) for the depth p = x - position > 0, else 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -34,9 +35,12 @@ pub(super) const KEYS: &[Key] = &[
 
 impl Wall {
     /// The library's wall.
-    pub(crate) fn law<T: Scalar>(&self) -> Result<lyapunov::environments::Wall<T>, ParameterError> {
-        Ok(lyapunov::environments::Wall::new(of(self.stiffness), of(self.damping))?
-            .at(of(self.position)))
+    fn of_lanes<T: Scalar>(
+        each: Lanes<'_, &Self>,
+    ) -> Result<lyapunov::environments::Wall<T>, ParameterError> {
+        let (stiffness, damping) = (each.each(|it| it.stiffness), each.each(|it| it.damping));
+        let wall = lyapunov::environments::Wall::new(stiffness, damping)?;
+        Ok(wall.at(each.each(|it| it.position)))
     }
 }
 
@@ -61,11 +65,11 @@ impl EnvironmentKind for Wall {
 
 impl OnALine for Wall {
     fn make<T: Scalar, R: Render<T>>(
-        &self,
+        each: Lanes<'_, &Self>,
         _rates: Rates,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let wall = self.law()?;
+        let wall = Self::of_lanes(each)?;
         to.render(wall, wall.dissipation())
     }
 }

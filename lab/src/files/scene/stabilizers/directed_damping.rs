@@ -1,17 +1,17 @@
 //! Damping along one direction.
 
 use lyapunov::{
-    ParameterError, Popc, PortEnergy, Scalar, Signal,
+    ParameterError, Popc, PortEnergy, Signal,
     stabilizers::{AlongDirection, DirectedDamping as Law},
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge};
 use crate::files::scene::check::Conflict;
-use crate::files::scene::{Coordinates, Finite};
+use crate::files::scene::{Coordinates, Finite, Lanes};
 
 table! {
     /// The passivity observer/controller, which dissipates along one direction only.
@@ -56,9 +56,14 @@ impl StabilizerKind for DirectedDamping {
 }
 
 impl Anywhere for DirectedDamping {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let limit = on.limit(self.damping_cap(on))?;
-        let direction = AlongDirection::new(self.direction.unwrap_or(on.normal).vector::<V>())?;
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let limit = on.limit(Self::damping_cap)?;
+        let directions: Vec<Direction> =
+            on.pairs().map(|(own, on)| own.direction.unwrap_or(on.normal)).collect();
+        let direction = AlongDirection::new(Direction::of_lanes::<V>(&directions))?;
         Ok(to.behind(Law::new(Popc::new(PortEnergy, limit), direction, limit)))
     }
 }
@@ -79,10 +84,14 @@ impl Direction {
         self.axes.into_iter().take(self.count)
     }
 
-    /// The vector in the signal of a loop.
-    fn vector<V: Signal>(self) -> V {
-        let mut axes = self.axes.into_iter();
-        V::zero().map(|_| V::Scalar::of(axes.next().unwrap_or_default()))
+    /// The vectors of all lanes in the signal of a loop.
+    fn of_lanes<V: Signal>(each: &[Self]) -> V {
+        let mut axis = 0;
+        V::zero().map(|_| {
+            let along = Lanes::new(each).each(|it| it.axes.get(axis).copied().unwrap_or_default());
+            axis += 1;
+            along
+        })
     }
 }
 

@@ -1,8 +1,8 @@
 //! Energy bounding.
 
-use lyapunov::{ParameterError, Scalar, Signal, stabilizers::EnergyBounding as Law};
+use lyapunov::{ParameterError, Signal, stabilizers::EnergyBounding as Law};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Manner, Pledge, Search};
 use crate::files::scene::check::Conflict;
@@ -50,9 +50,14 @@ impl StabilizerKind for EnergyBounding {
 }
 
 impl Anywhere for EnergyBounding {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let of = V::Scalar::of;
-        let law = Law::new(of(self.c1(on)), of(self.c2(on)))?;
-        Ok(to.behind(law.on_damping(of(on.damping), of(on.limit.period))?.late(on.delay)))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let law = Law::new(on.each(Self::c1), on.each(Self::c2))?;
+        Ok(to.behind(
+            law.on_damping(on.each(|_, on| on.damping), on.each(|_, on| on.limit.period))?
+                .late(on.common().delay),
+        ))
     }
 }

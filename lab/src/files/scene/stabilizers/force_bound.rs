@@ -1,8 +1,8 @@
 //! Force bounding with a budget in place of the reset.
 
-use lyapunov::{ParameterError, Scalar, Signal, stabilizers::ForceBound as Law};
+use lyapunov::{ParameterError, Signal, stabilizers::ForceBound as Law};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Manner, Pledge};
 
@@ -33,8 +33,11 @@ impl StabilizerKind for ForceBound {
 }
 
 impl Anywhere for ForceBound {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let bound = Law::new(V::Scalar::of(self.damping(on)))?;
-        Ok(to.behind(bound.budgeted(V::Scalar::of(self.budget(on)))?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let bound = Law::new(on.each(Self::damping))?;
+        Ok(to.behind(bound.budgeted(on.each(Self::budget))?))
     }
 }

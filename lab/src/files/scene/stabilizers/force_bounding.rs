@@ -1,8 +1,8 @@
 //! Force bounding.
 
-use lyapunov::{ParameterError, Scalar, Signal, stabilizers::ForceBounding as Law};
+use lyapunov::{ParameterError, Signal, stabilizers::ForceBounding as Law};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, LedgerKind, Manner, Pledge};
 
@@ -34,12 +34,16 @@ impl StabilizerKind for ForceBounding {
 }
 
 impl Anywhere for ForceBounding {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let bounding = Law::of_damping(V::Scalar::of(self.damping(on)))?;
-        Ok(match on.delay as usize {
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let bounding = Law::of_damping(on.each(Self::damping))?;
+        let delay = on.common().delay;
+        Ok(match delay as usize {
             0 => to.behind(bounding),
-            1..=FEW => to.behind(bounding.delayed::<FEW>(on.delay)?),
-            _ => to.behind(bounding.delayed::<MOST>(on.delay)?),
+            1..=FEW => to.behind(bounding.delayed::<FEW>(delay)?),
+            _ => to.behind(bounding.delayed::<MOST>(delay)?),
         })
     }
 }

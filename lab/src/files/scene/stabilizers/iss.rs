@@ -2,7 +2,7 @@
 
 use lyapunov::{ParameterError, Scalar, Signal, stabilizers::InputToState};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pace, Pledge, Search};
 
@@ -47,12 +47,19 @@ impl StabilizerKind for Iss {
     fn assumes(&self) -> Option<&'static str> {
         Some("an environment whose force its position alone determines, without energy of its own")
     }
+
+    fn shape(&self, on: &Basis) -> u32 {
+        self.slope(on).is_nan().into()
+    }
 }
 
 impl Anywhere for Iss {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let [slope, feed] = [self.slope(on), self.feed(on)].map(V::Scalar::of);
-        Ok(if self.slope(on).is_nan() {
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let (slope, feed) = (on.each(Self::slope), on.each(Self::feed));
+        Ok(if on.own().slope(on.common()).is_nan() {
             let share = V::Scalar::of(SHARE);
             to.around(Pace::Environment, move |port| InputToState::adaptive(port, share, feed))
         } else {

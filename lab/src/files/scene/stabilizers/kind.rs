@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-use lyapunov::{OnePort, ParameterError, Scalar, Signal, Stabilizer};
+use lyapunov::{DampingLimit, OnePort, ParameterError, Scalar, Signal, Stabilizer};
 
 use super::{Basis, Pledge};
-use crate::files::scene::OutOfRange;
 use crate::files::scene::book::Key;
 use crate::files::scene::check::Conflict;
+use crate::files::scene::{Damping, Lanes, OutOfRange};
 
 /// A number of a stabilizer on a loop, by its key.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,6 +122,12 @@ pub(crate) trait StabilizerKind: Numbers {
         None
     }
 
+    /// What its numbers set besides numbers, such as a count of ticks: stabilizers on lanes are alike in it.
+    fn shape(&self, on: &Basis) -> u32 {
+        let _ = on;
+        0
+    }
+
     /// The rules between its own values, and between those and the loop's.
     fn check(&self, on: &Basis) -> Result<(), Conflict> {
         let _ = on;
@@ -137,13 +143,83 @@ pub(crate) trait StabilizerKind: Numbers {
 /// A stabilizer for any number of dimensions.
 pub(super) trait Anywhere: StabilizerKind {
     /// The result of `to` for the library's stabilizer.
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError>;
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError>
+    where
+        Self: Sized;
 }
 
 /// A stabilizer for one dimension.
 pub(super) trait OnALine: StabilizerKind {
     /// The result of `to` for the library's stabilizer.
-    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError>;
+    fn make<T: Scalar, R: Install<T>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError>
+    where
+        Self: Sized;
+}
+
+/// Tables of one kind, each on the loop of its lane.
+#[derive(Debug)]
+pub(super) struct OnLoops<'a, A> {
+    tables: &'a [&'a A],
+    bases: &'a [Basis],
+}
+
+impl<A> Clone for OnLoops<'_, A> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A> Copy for OnLoops<'_, A> {}
+
+impl<'a, A: StabilizerKind> OnLoops<'a, A> {
+    /// One table for each basis, and at least one.
+    pub(super) fn new(tables: &'a [&'a A], bases: &'a [Basis]) -> Self {
+        Self { tables, bases }
+    }
+
+    /// Each table with its loop.
+    pub(super) fn pairs(self) -> impl Iterator<Item = (&'a A, &'a Basis)> {
+        self.tables.iter().copied().zip(self.bases)
+    }
+
+    /// A loop for what all have in common.
+    pub(super) fn common(self) -> &'a Basis {
+        Lanes::new(self.bases).common()
+    }
+
+    /// A table for what all have in common.
+    pub(super) fn own(self) -> &'a A {
+        Lanes::new(self.tables).common()
+    }
+
+    /// The [shape](StabilizerKind::shape) of all.
+    pub(super) fn shape(self) -> u32 {
+        self.own().shape(self.common())
+    }
+
+    /// One number of each table on its loop, lane by lane.
+    pub(super) fn each<T: Scalar>(self, number: impl Fn(&A, &Basis) -> f64) -> T {
+        let (tables, bases) = (Lanes::new(self.tables), Lanes::new(self.bases));
+        T::from_lanes(|lane| number(tables.lane(lane), bases.lane(lane)))
+    }
+
+    /// The damping limit of `cap` m / T on each loop.
+    pub(super) fn limit<T: Scalar>(
+        self,
+        cap: impl Fn(&A, &Basis) -> f64,
+    ) -> Result<DampingLimit<T>, ParameterError> {
+        let (tables, bases) = (Lanes::new(self.tables), Lanes::new(self.bases));
+        Damping::limit_of_lanes(|lane| {
+            let on = bases.lane(lane);
+            Damping { cap: cap(tables.lane(lane), on), ..on.limit }
+        })
+    }
 }
 
 /// A use of a stabilizer, whose type only the scene knows.

@@ -1,8 +1,8 @@
 //! The least-norm filter.
 
-use lyapunov::{ParameterError, PortEnergy, Scalar, Signal, stabilizers::LeastNorm as Law};
+use lyapunov::{ParameterError, PortEnergy, Signal, stabilizers::LeastNorm as Law};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge, Search};
 
@@ -33,8 +33,11 @@ impl StabilizerKind for LeastNorm {
 }
 
 impl Anywhere for LeastNorm {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let limit = on.limit(self.damping_cap(on))?;
-        Ok(to.behind(Law::new(PortEnergy, limit, V::Scalar::of(self.decay(on)))?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let limit = on.limit(Self::damping_cap)?;
+        Ok(to.behind(Law::new(PortEnergy, limit, on.each(Self::decay))?))
     }
 }

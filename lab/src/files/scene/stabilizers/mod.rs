@@ -41,9 +41,9 @@ use schemars::JsonSchema;
 use serde::de::{self, DeserializeSeed, Deserializer, EnumAccess, VariantAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::files::scene::OutOfRange;
 use crate::files::scene::book::{Key, count, joined};
-use kind::{Anywhere, OnALine};
+use crate::files::scene::{Lanes, OutOfRange};
+use kind::{Anywhere, OnALine, OnLoops};
 
 pub(crate) use basis::Basis;
 pub use booking::{Candidate, Ledger, Work};
@@ -162,21 +162,26 @@ macro_rules! stabilizers {
                 }
             }
 
-            /// The result of `to` for the library's stabilizer of one dimension; the observers/controllers need more
-            /// than their loop's [`Basis`], and what is the program's own a maker from above: they are made elsewhere.
+            /// The result of `to` for the library's stabilizer of one dimension, with the numbers of each lane's table on
+            /// its own loop; the observers/controllers need more than their loop's [`Basis`], and what is the program's
+            /// own a maker from above: they are made elsewhere.
             pub(crate) fn on_a_line<T: Scalar, R: Install<T>>(
-                &self,
-                on: &Basis,
+                each: &[Self],
+                on: &[Basis],
                 to: R,
             ) -> Result<R::Made, ParameterError> {
-                match self {
+                match Lanes::new(each).common() {
                     $(Self::$Observer(_) => Err(elsewhere()),)*
-                    $(Self::$Table(it) => $place::make(it, on, to),)*
+                    $(Self::$Table(_) => {
+                        let tables = stabilizers!(@tables each, $Table)?;
+                        let tables: Vec<&$Table> = tables.iter().collect();
+                        <$Table as $place>::make(OnLoops::new(&tables, on), to)
+                    })*
                     Self::Own(_) => Err(elsewhere()),
                 }
             }
 
-            /// The same of several dimensions.
+            /// The same of several dimensions, for one run.
             pub(crate) fn in_space<V: Signal, R: Install<V>>(
                 &self,
                 on: &Basis,
@@ -184,7 +189,7 @@ macro_rules! stabilizers {
             ) -> Result<R::Made, ParameterError> {
                 match self {
                     $(Self::$Observer(_) => Err(elsewhere()),)*
-                    $(Self::$Table(_it) => stabilizers!(@space $place _it, on, to),)*
+                    $(Self::$Table(_it) => stabilizers!(@space $place $Table, _it, on, to),)*
                     Self::Own(_) => Err(elsewhere()),
                 }
             }
@@ -192,11 +197,20 @@ macro_rules! stabilizers {
     };
     (@is_line OnALine) => { true };
     (@is_line Anywhere) => { false };
-    (@space OnALine $it:ident, $on:ident, $to:ident) => {{
+    (@space OnALine $Table:ident, $it:ident, $on:ident, $to:ident) => {{
         let _ = &$to;
         Err(elsewhere())
     }};
-    (@space Anywhere $it:ident, $on:ident, $to:ident) => { Anywhere::make($it, $on, $to) };
+    (@space Anywhere $Table:ident, $it:ident, $on:ident, $to:ident) => {
+        <$Table as Anywhere>::make(OnLoops::new(&[$it], std::slice::from_ref($on)), $to)
+    };
+    (@tables $each:ident, $Table:ident) => {{
+        let table = |it: &'_ Stabilizer| match it {
+            Stabilizer::$Table(it) => Ok(*it),
+            _ => Err(elsewhere()),
+        };
+        $each.iter().map(table).collect::<Result<Vec<$Table>, _>>()
+    }};
 }
 
 stabilizers! {

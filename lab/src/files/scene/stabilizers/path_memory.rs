@@ -2,7 +2,7 @@
 
 use lyapunov::{ParameterError, Scalar, stabilizers::PathMemory as Law};
 
-use super::kind::{Install, OnALine, StabilizerKind};
+use super::kind::{Install, OnALine, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, LedgerKind, Manner, Pledge, Search};
 
@@ -37,8 +37,12 @@ impl StabilizerKind for PathMemory {
 }
 
 impl OnALine for PathMemory {
-    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let (position, depth) = (T::of(self.position(on)), T::of(self.cell(on) * CELLS as f64));
+    fn make<T: Scalar, R: Install<T>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let position = on.each(Self::position);
+        let depth = on.each(|own, on| own.cell(on) * CELLS as f64);
         let memory = Law::<T, CELLS>::beyond(position, depth)?;
         Ok(to.behind(memory))
     }

@@ -1,9 +1,9 @@
 //! The passivity observer/controller with a bounded credit.
 
 use lyapunov::stabilizers::StabilizerExt;
-use lyapunov::{ParameterError, Popc, PortEnergy, Scalar, Signal};
+use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge};
 
@@ -34,8 +34,11 @@ impl StabilizerKind for PopcBounded {
 }
 
 impl Anywhere for PopcBounded {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
-        Ok(to.behind(popc.bounded(V::Scalar::of(self.credit(on)))?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(Self::damping_cap)?);
+        Ok(to.behind(popc.bounded(on.each(Self::credit))?))
     }
 }

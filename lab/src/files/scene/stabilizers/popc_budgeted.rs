@@ -1,8 +1,8 @@
 //! The passivity observer/controller with a budget.
 
-use lyapunov::{ParameterError, Popc, PortEnergy, Scalar, Signal};
+use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge, Search};
 
@@ -29,8 +29,11 @@ impl StabilizerKind for PopcBudgeted {
 }
 
 impl Anywhere for PopcBudgeted {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
-        Ok(to.behind(popc.budgeted(V::Scalar::of(self.budget(on)))?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(Self::damping_cap)?);
+        Ok(to.behind(popc.budgeted(on.each(Self::budget))?))
     }
 }

@@ -3,7 +3,7 @@
 use lyapunov::{ParameterError, Popc, PortEnergy, Scalar};
 use lyapunov::{candidates::InContact, stabilizers::StabilizerExt};
 
-use super::kind::{Install, OnALine, StabilizerKind};
+use super::kind::{Install, OnALine, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge};
 
@@ -35,9 +35,12 @@ impl StabilizerKind for PopcContactReset {
 }
 
 impl OnALine for PopcContactReset {
-    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let popc = Popc::<T>::new(PortEnergy, on.limit(self.damping_cap(on))?);
-        let position = T::of(self.position(on));
+    fn make<T: Scalar, R: Install<T>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<T>::new(PortEnergy, on.limit(Self::damping_cap)?);
+        let position = on.each(Self::position);
         Ok(to.behind(popc.reset_at(InContact { position })))
     }
 }

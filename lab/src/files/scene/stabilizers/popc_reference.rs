@@ -6,9 +6,9 @@ use lyapunov::{
     stabilizers::{ReferenceDamper, ReferenceFollowing as Law},
 };
 
-use super::kind::{Install, OnALine, StabilizerKind};
+use super::kind::{Install, OnALine, OnLoops, StabilizerKind};
 use super::table::table;
-use super::{Basis, Pledge};
+use super::{Basis, Pledge, Reference};
 use crate::files::scene::environments::Render;
 
 table! {
@@ -32,11 +32,18 @@ impl StabilizerKind for PopcReference {
     fn promises(&self) -> bool {
         true
     }
+
+    fn shape(&self, on: &Basis) -> u32 {
+        on.reference.is_some().into()
+    }
 }
 
 impl OnALine for PopcReference {
-    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let limit = on.limit(self.damping_cap(on))?;
+    fn make<T: Scalar, R: Install<T>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let limit = on.limit(Self::damping_cap)?;
         follow(on, limit, None, to)
     }
 }
@@ -44,15 +51,18 @@ impl OnALine for PopcReference {
 /// Reference energy following on a loop: of what the environment stores, and of what the ideal wall's damper (N·s/m,
 /// and where it begins, m) dissipates if one is given.
 pub(super) fn follow<T: Scalar, R: Install<T>>(
-    on: &Basis,
+    on: OnLoops<'_, impl StabilizerKind>,
     limit: DampingLimit<T>,
-    damper: Option<[f64; 2]>,
+    damper: Option<[T; 2]>,
     to: R,
 ) -> Result<R::Made, ParameterError> {
-    let following = Following { limit, start: on.start.map(T::of), damper, to };
-    match &on.reference {
+    let start = [0, 1].map(|index| on.each(|_, on| on.start[index]));
+    let following = Following { limit, start, damper, to };
+    let references: Option<Vec<&Reference>> =
+        on.pairs().map(|(_, on)| on.reference.as_ref()).collect();
+    match references {
         None => following.of(|_, _| T::zero()),
-        Some(reference) => reference.render(following),
+        Some(references) => Reference::render(&references, following),
     }
 }
 
@@ -60,7 +70,7 @@ pub(super) fn follow<T: Scalar, R: Install<T>>(
 struct Following<T: Scalar, R> {
     limit: DampingLimit<T>,
     start: [T; 2],
-    damper: Option<[f64; 2]>,
+    damper: Option<[T; 2]>,
     to: R,
 }
 
@@ -71,7 +81,7 @@ impl<T: Scalar, R: Install<T>> Following<T, R> {
         let Some(damper) = self.damper else {
             return Ok(self.to.behind(Law::new((PortEnergy, stored), self.limit)));
         };
-        let [damping, surface] = damper.map(T::of);
+        let [damping, surface] = damper;
         let depth = move |x: T| (x - surface).larger(T::zero());
         let damper = ReferenceDamper::starting(damping, depth, x)?;
         Ok(self.to.behind(Law::new((PortEnergy, (stored, damper)), self.limit)))

@@ -3,7 +3,7 @@
 use lyapunov::stabilizers::StabilizerExt;
 use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge};
 
@@ -28,11 +28,18 @@ impl StabilizerKind for PopcRising {
     fn pledge(&self, _on: &Basis) -> Pledge {
         Pledge::POPC
     }
+
+    fn shape(&self, on: &Basis) -> u32 {
+        self.ticks(on) as u32
+    }
 }
 
 impl Anywhere for PopcRising {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
-        Ok(to.behind(popc.rising_over::<V::Scalar>(self.ticks(on) as u32)?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(Self::damping_cap)?);
+        Ok(to.behind(popc.rising_over::<V::Scalar>(on.shape())?))
     }
 }

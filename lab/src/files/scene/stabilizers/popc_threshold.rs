@@ -1,9 +1,9 @@
 //! The passivity observer/controller above a velocity.
 
 use lyapunov::stabilizers::StabilizerExt;
-use lyapunov::{ParameterError, Popc, PortEnergy, Scalar, Signal};
+use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge, Search};
 
@@ -31,8 +31,11 @@ impl StabilizerKind for PopcThreshold {
 }
 
 impl Anywhere for PopcThreshold {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
-        Ok(to.behind(popc.above_velocity(V::Scalar::of(self.velocity(on)))?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(Self::damping_cap)?);
+        Ok(to.behind(popc.above_velocity(on.each(Self::velocity))?))
     }
 }

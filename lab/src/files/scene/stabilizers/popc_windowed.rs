@@ -4,7 +4,7 @@ use lyapunov::{ParameterError, Popc, PortEnergy, Signal};
 use lyapunov::{accumulators::Plain, stabilizers::WindowedCredit};
 
 use super::basis::SLOTS;
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge, Search};
 
@@ -32,14 +32,21 @@ impl StabilizerKind for PopcWindowed {
     fn promises(&self) -> bool {
         true
     }
+
+    /// The ticks of a slot.
+    fn shape(&self, on: &Basis) -> u32 {
+        // The conversion saturates: no run leaves a longer slot either.
+        (self.window(on) / (SLOTS as f64 * on.limit.period)).ceil().max(1.0) as u32
+    }
 }
 
 impl Anywhere for PopcWindowed {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(self.damping_cap(on))?);
-        // The conversion saturates: no run leaves a longer slot either.
-        let slot = (self.window(on) / (SLOTS as f64 * on.limit.period)).ceil().max(1.0) as u32;
-        let sum = WindowedCredit::<V::Scalar, Plain<V::Scalar>, SLOTS>::of_ticks(slot)?;
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let popc = Popc::<V::Scalar>::new(PortEnergy, on.limit(Self::damping_cap)?);
+        let sum = WindowedCredit::<V::Scalar, Plain<V::Scalar>, SLOTS>::of_ticks(on.shape())?;
         Ok(to.behind(popc.summed_by(sum)))
     }
 }

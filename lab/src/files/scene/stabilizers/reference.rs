@@ -5,8 +5,8 @@ use lyapunov::{
     environments::{ForceLaw, Kinematics},
 };
 
-use crate::files::scene::Draft;
 use crate::files::scene::environments::{Environment, Rates, Render};
+use crate::files::scene::{Draft, Lanes};
 
 /// The ideal environment of a scene, as a store of energy that is a function of position and velocity.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,15 +25,16 @@ impl Reference {
 
     /// `S(x, v)`, J.
     pub(crate) fn stored(&self, x: f64, v: f64) -> f64 {
-        self.render(Stored { x, v }).unwrap_or(0.0)
+        Self::render(&[self], Stored { x, v }).unwrap_or(0.0)
     }
 
-    /// Makes something of the ideal environment.
+    /// Makes something of the ideal environments of all lanes.
     pub(super) fn render<T: lyapunov::Scalar, R: Render<T>>(
-        &self,
+        each: &[&Self],
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        self.environment.on_a_line(self.rates, to)
+        let environments: Vec<&Environment> = each.iter().map(|it| &it.environment).collect();
+        Environment::on_a_line(&environments, Lanes::new(each).common().rates, to)
     }
 }
 

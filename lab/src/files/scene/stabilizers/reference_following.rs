@@ -2,7 +2,7 @@
 
 use lyapunov::{ParameterError, Scalar};
 
-use super::kind::{Install, OnALine, StabilizerKind};
+use super::kind::{Install, OnALine, OnLoops, StabilizerKind};
 use super::popc_reference::follow;
 use super::table::table;
 use super::{Basis, LedgerKind, Pledge};
@@ -30,11 +30,19 @@ impl StabilizerKind for ReferenceFollowing {
     fn promises(&self) -> bool {
         true
     }
+
+    fn shape(&self, on: &Basis) -> u32 {
+        on.reference.is_some().into()
+    }
 }
 
 impl OnALine for ReferenceFollowing {
-    fn make<T: Scalar, R: Install<T>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let limit = on.limit(self.damping_cap(on))?;
-        follow(on, limit, Some(on.damper.unwrap_or_default()), to)
+    fn make<T: Scalar, R: Install<T>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let limit = on.limit(Self::damping_cap)?;
+        let damper = |index: usize| on.each(|_, on| on.damper.unwrap_or_default()[index]);
+        follow(on, limit, Some([0, 1].map(damper)), to)
     }
 }

@@ -1,8 +1,8 @@
 //! A bound of the slope.
 
-use lyapunov::{ParameterError, Scalar, Signal, stabilizers::SlopeBound as Law};
+use lyapunov::{ParameterError, Signal, stabilizers::SlopeBound as Law};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Manner, Pledge, Search};
 
@@ -37,8 +37,11 @@ impl StabilizerKind for SlopeBound {
 }
 
 impl Anywhere for SlopeBound {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let bound = Law::<V>::new(V::Scalar::of(self.slope(on)))?;
-        Ok(to.behind(bound.creeping(V::Scalar::of(self.creep(on)))?))
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let bound = Law::<V>::new(on.each(Self::slope))?;
+        Ok(to.behind(bound.creeping(on.each(Self::creep))?))
     }
 }

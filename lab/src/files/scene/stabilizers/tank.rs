@@ -1,8 +1,8 @@
 //! Energy tank.
 
-use lyapunov::{ParameterError, PortEnergy, Scalar, Signal, stabilizers};
+use lyapunov::{ParameterError, PortEnergy, Signal, stabilizers};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Manner, Pledge, Search};
 use crate::files::scene::check::Conflict;
@@ -64,13 +64,15 @@ impl StabilizerKind for Tank {
 }
 
 impl Anywhere for Tank {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let of = V::Scalar::of;
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
         let store = stabilizers::TankLimits {
-            start: of(self.start(on)),
-            floor: of(self.floor(on)),
-            ceiling: of(self.ceiling(on)),
-            power: of(self.power(on)),
+            start: on.each(Self::start),
+            floor: on.each(Self::floor),
+            ceiling: on.each(Self::ceiling),
+            power: on.each(Self::power),
         };
         Ok(to.behind(stabilizers::Tank::new(PortEnergy, store)?))
     }

@@ -1,8 +1,8 @@
 //! The virtual coupling.
 
-use lyapunov::{ParameterError, Scalar, Signal, stabilizers};
+use lyapunov::{ParameterError, Signal, stabilizers};
 
-use super::kind::{Anywhere, Install, StabilizerKind};
+use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pace, Pledge, Search};
 
@@ -46,9 +46,12 @@ impl StabilizerKind for VirtualCoupling {
 }
 
 impl Anywhere for VirtualCoupling {
-    fn make<V: Signal, R: Install<V>>(&self, on: &Basis, to: R) -> Result<R::Made, ParameterError> {
-        let [stiffness, damping, drag] =
-            [self.stiffness(on), self.damping(on), self.drag(on)].map(V::Scalar::of);
+    fn make<V: Signal, R: Install<V>>(
+        on: OnLoops<'_, Self>,
+        to: R,
+    ) -> Result<R::Made, ParameterError> {
+        let (stiffness, damping) = (on.each(Self::stiffness), on.each(Self::damping));
+        let drag = on.each(Self::drag);
         let coupling = stabilizers::VirtualCoupling { stiffness, damping, drag };
         Ok(to.around(Pace::Servo, move |port| stabilizers::CoupledPort::new(port, coupling)))
     }

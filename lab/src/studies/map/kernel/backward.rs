@@ -3,7 +3,7 @@
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
 use lyapunov::{Correction, Mask, OnePort, PortSample, Scalar};
 
-use super::aligned::Aligned;
+use crate::simulate::Aligned;
 
 /// A scalar with fused multiplication and addition, in one rounding. A step of the loop must not use it, because its
 /// bits would depend on the instructions; here it computes a quotient that is the same with and without it.

@@ -2,19 +2,15 @@
 //!
 //! The rollout consists of the library's own parts: a [`Body`](lyapunov::bodies::Body), a
 //! [`Wall`](lyapunov::environments::Wall) behind a hold, backward differences and any of the stabilizers of a scene
-//! over held work. Every lane equals a run by itself bit for bit. Scenes with other parts run one by one, see
-//! [`single`](super::single).
+//! over held work. Every lane equals a run by itself bit for bit. Scenes with other parts run on lanes of boxes,
+//! see [`loops`](super::loops).
 
-mod aligned;
 mod backward;
 mod field;
-mod instructions;
 mod meter;
 mod parts;
 mod rollout;
 mod seats;
-
-pub use instructions::Instructions;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
 use lyapunov::{
@@ -29,9 +25,9 @@ use crate::files::scene::{
 };
 use crate::measure::{Verdict, Yardstick};
 use crate::simulate::family::{BasicName, Settings};
+use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
 use crate::studies::map::outcome::Measures;
-use aligned::Aligned;
 use backward::Fuse;
 use meter::{Everything, Meter, Verdicts};
 use parts::Laned;

@@ -40,7 +40,7 @@ impl Instructions {
     }
 
     /// Whether one instruction computes eight products and sums in `f64`.
-    pub(super) fn multiplies_and_adds_at_once(self) -> bool {
+    pub(crate) fn multiplies_and_adds_at_once(self) -> bool {
         match self {
             Self::Base => false,
             #[cfg(target_arch = "x86_64")]
@@ -52,7 +52,8 @@ impl Instructions {
 
     /// Runs `job` compiled for these instructions. The compiler fuses no multiplication with an addition, so the bits
     /// are the same on all of them.
-    pub(super) fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {
+    #[inline(always)]
+    pub(crate) fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {
         match self {
             Self::Base => job.call(),
             #[cfg(target_arch = "x86_64")]

@@ -2,6 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use lyapunov::lanes::AutoF64x8;
 use lyapunov::{Scalar, Signal};
 use num_traits::{One, Zero};
 
@@ -11,7 +12,10 @@ use num_traits::{One, Zero};
 /// most of a step is reading and writing. Everything else is theirs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
-pub(super) struct Aligned<T>(pub(super) T);
+pub struct Aligned<T>(pub(crate) T);
+
+/// Eight lanes of `f64`.
+pub type F64x8 = Aligned<AutoF64x8>;
 
 macro_rules! delegated {
     ($($operation:ident $method:ident),+ ; $($assigning:ident $assign:ident by $plain:ident),+) => {
