@@ -180,7 +180,7 @@ fn gaps_and_bad_rows_are_marked_where_they_are() {
     assert_eq!((observed.report.gaps.count, observed.report.bad_rows.count), (2, 1));
     assert_eq!(bars(&observed, 0.0)[0], (0.299, 0.4));
     let [(from, to)] = bars(&observed, -1.0)[..] else { panic!("one bad row") };
-    assert!(from <= 0.699 && to >= 0.701 && to - from < 0.005, "{from} {to}");
+    assert!(from <= 0.699 && to >= 0.701 && to - from < 0.007, "{from} {to}");
     let sound = read(&b"t,x,f\n0,0,0\n1,1,1\n2,0,1\n"[..], "sound.csv", &Settings::default());
     assert_eq!(sound.unwrap().figure().panels.len(), 3);
 }

@@ -280,7 +280,7 @@ fn table_page_and_figure_say_that_the_motion_would_have_been_another() {
     assert!(ended.out.lines().all(|line| line.chars().count() <= 100), "{}", ended.out);
     let read = |name: &str| fs::read_to_string(Path::new(out).join(name)).unwrap();
     let page = read("report.html");
-    assert!(page.contains(NOTE) && page.contains("virtual-coupling is not replayed"));
+    assert!(page.contains(NOTE) && page.contains("iss, virtual-coupling: a port around"));
     assert!(page.len() < 1_000_000, "{}", page.len());
     let rows = read("stabilizers.csv");
     assert!(rows.starts_with("stabilizer,ticks,active_ticks,"), "{rows}");

@@ -6,6 +6,7 @@
 
 mod account;
 mod entrant;
+mod group;
 mod picture;
 mod replayed;
 mod table;
