@@ -219,7 +219,7 @@ fn a_run_may_start_where_the_log_does() {
     );
     refused(
         &["run", &other, "--against", &later],
-        &["begins at 64.0 s", "0 to 2.0 s", "--start log"],
+        &["begins at 64.0 s", "0 to 10.0 s", "--start log"],
     );
     let space = shipped("box");
     refused(
@@ -237,7 +237,7 @@ fn what_does_not_fit_is_told_and_not_guessed() {
     let long = log(rows.iter().copied().chain([Row { t: last.t + 0.5, ..last }]));
     let long = place.file("long.csv", &long);
     let reasons =
-        ["log goes on until 2.5 s, and the scene ends at 2.0 s", "duration of 2.5 or more"];
+        ["log goes on until 10.5 s, and the scene ends at 10.0 s", "duration of 10.5 or more"];
     refused(&["run", &scene, "--against", &long], &reasons);
     refused(&["run", &scene, "--start", "log"], &["--against"]);
     refused(&["run", &scene, "--against", "missing.csv"], &["missing.csv: there is no such file"]);
@@ -249,7 +249,7 @@ fn what_does_not_fit_is_told_and_not_guessed() {
     let short = "t,x,f\n".to_owned() + "0.0,-0.004,0\n0.01,nothing,0\n0.02,-0.004,0\n0.01,0,0\n";
     let found = against(&scene, &place.file("short.csv", &short), &[]);
     assert_eq!((&found["rows"], &found["bad_rows"]["count"]), (&2.into(), &2.into()));
-    assert_eq!((&found["to_s"], &found["scene_s"]), (&0.02.into(), &2.0.into()));
+    assert_eq!((&found["to_s"], &found["scene_s"]), (&0.02.into(), &10.0.into()));
     assert_eq!(found["position"]["rms_percent"], Value::Null);
 
     let turned = log(rows.iter().map(|row| Row { f: -row.f, ..*row }));

@@ -90,7 +90,8 @@ fn a_factor_takes_the_place_of_a_unit_and_minus_one_turns_the_sign() {
     let si = log(["t", "x", "f"], [-6, -6, -3], ',', '.');
     let units = log(["t", "x [mm]", "f [kN]"], [-6, -3, -6], ',', '.');
     assert_eq!(report(&units, &["--scale", "f=-1"]), report(&si, &["--scale", "f=-1"]));
-    assert_eq!(report(&units, &["--scale", "x=1"]), report(&si, &["--scale", "x=1e3"]));
+    let plain = log(["t", "x", "f [kN]"], [-6, -3, -6], ',', '.');
+    assert_eq!(report(&units, &["--scale", "x=1"]), report(&plain, &[]));
     // A unit that is not known needs a factor.
     let inches = log(["t", "x [inch]", "f"], [-6, -6, -3], ',', '.');
     assert_eq!(report(&inches, &["--scale", "x=1"]), report(&si, &[]));
@@ -110,7 +111,7 @@ fn headings_that_may_mean_two_things_are_refused_with_a_remedy() {
         ),
         ("t (s),x,f [lbf]", &["column `f [lbf]`: `lbf` is no unit of force", "N, mN, kN", "f=1"]),
         ("t [min],x,f", &["`min` is no unit of time", "s, ms, us, ns"]),
-        ("t,x_s,f", &["there is no column `x`", "did you mean `x_s`?"]),
+        ("t,x_s,f", &["there is no column `x`", "there are t, x_s, f"]),
     ] {
         let ended = observe(format!("{headings}\n0,1,2,3\n").as_bytes(), &[]);
         assert_eq!(
@@ -180,7 +181,7 @@ fn gaps_and_bad_rows_are_marked_where_they_are() {
     assert_eq!((observed.report.gaps.count, observed.report.bad_rows.count), (2, 1));
     assert_eq!(bars(&observed, 0.0)[0], (0.299, 0.4));
     let [(from, to)] = bars(&observed, -1.0)[..] else { panic!("one bad row") };
-    assert!(from <= 0.699 && to >= 0.701 && to - from < 0.005, "{from} {to}");
+    assert!(from <= 0.699 && to >= 0.701 && to - from < 0.007, "{from} {to}");
     let sound = read(&b"t,x,f\n0,0,0\n1,1,1\n2,0,1\n"[..], "sound.csv", &Settings::default());
     assert_eq!(sound.unwrap().figure().panels.len(), 3);
 }

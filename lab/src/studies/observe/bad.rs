@@ -116,7 +116,11 @@ impl BadRows {
     pub fn remedy(&self) -> Option<&'static str> {
         let kinds = [
             (self.fields, "every row needs as many fields as the first line; is it cut off?"),
-            (self.numbers, "write numbers as 0.5 or 5e-1, with a point; --columns may be wrong"),
+            (
+                self.numbers,
+                "write numbers as 0.5 or 5e-1, all with a point or, between semicolons or tabs, all with a comma; \
+                 --columns may be wrong",
+            ),
             (self.range, "NaN and infinities are no measurements; --scale may be wrong"),
             (self.order, "time must increase: sort the log, or cut it where the clock went back"),
         ];

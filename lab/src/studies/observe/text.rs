@@ -22,8 +22,8 @@ impl fmt::Display for Report {
         match &self.replay {
             None => Ok(()),
             Some(replay) => {
-                write!(f, "\n\n{}\n{}", replay.lines(), indented(replay.table()))?;
-                write!(f, "\n{}", folded("  note        ", replay.note))
+                write!(f, "\n\n{}\n{}", replay.lines(), replay.table())?;
+                write!(f, "{}", folded("  note        ", replay.note))
             }
         }
     }

@@ -20,7 +20,7 @@ pub struct Traces {
 }
 
 /// The least width of a mark, as a share of the log.
-const MARK: f64 = 0.003;
+const MARK: f64 = 0.006;
 
 /// Readable unit for a magnitude: its factor from SI, and its prefix.
 pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
@@ -69,16 +69,16 @@ impl Traces {
     /// Panel of the gaps and bad rows.
     fn marks(&self, label: &str, origin: f64, report: &Report) -> Panel {
         let width = MARK * report.duration;
-        let bars = |marks: &Marks, row: usize, colour: usize| {
+        let bars = |name: &str, marks: &Marks, row: usize| {
             let mut bars = marks.bars(-(row as f64), width);
             bars.iter_mut().for_each(|bar| (bar.0, bar.1) = (bar.0 - origin, bar.1 - origin));
-            Series::bars("", colour, &bars)
+            Series::bars(name, row, &bars)
         };
         Panel::new("(d) gaps and bad rows", label, "")
             .with_x_range(report.start - origin, report.end - origin)
             .with_rows(vec!["gap".to_owned(), "bad rows".to_owned()])
-            .with_series(bars(&self.gaps, 0, 0))
-            .with_series(bars(&self.bad_rows, 1, 1))
+            .with_series(bars("gap", &self.gaps, 0))
+            .with_series(bars("bad rows", &self.bad_rows, 1))
     }
 
     /// Figure of force, observed energies and position over time, and of gaps and bad rows where there are any.

@@ -10,7 +10,7 @@ use crate::simulate::{AnyStabilizer, Fitted, Space};
 
 /// Reason why a port around the environment is not asked.
 const AROUND: &str =
-    "it is a port around the environment and asks that for other forces than those of the log";
+    "a port around the environment, which it asks for other forces than those of the log";
 
 /// Stabilizer of efforts, in the scalar of its scene.
 #[derive(Debug)]
@@ -81,7 +81,7 @@ pub(super) fn entered(asked: &Asked) -> Result<(Vec<Account>, Vec<Left>), Observ
     }
     if accounts.is_empty() {
         let names: Vec<&str> = left.iter().map(|it| it.stabilizer).collect();
-        let message = format!("{} cannot be replayed: {AROUND}", names.join(" and "));
+        let message = format!("{} cannot be replayed: {AROUND}", names.join(", "));
         return Err(ObserveError::new(message).with_help(
             "name one that answers a force, such as popc; lyapunov compare runs these",
         ));

@@ -6,6 +6,7 @@
 
 mod account;
 mod entrant;
+mod group;
 mod picture;
 mod replayed;
 mod table;
@@ -17,6 +18,7 @@ use super::log::Sample;
 use super::step::Step;
 use crate::files::Scene;
 use crate::simulate::family::StabilizerNames;
+use crate::text::found;
 use account::Account;
 pub use replayed::{Left, Replay, Replayed};
 
@@ -79,9 +81,9 @@ impl Replays {
         }
         let period = self.servo_period;
         if (median - period).abs() > NEAR * period {
-            let rate = median.recip();
+            let [rate, apart, period] = [median.recip(), median, period].map(found);
             let told = format!(
-                "the rows are {median:?} s apart, and {} has a servo period of {period:?} s",
+                "the rows are {apart} s apart, and {} has a servo period of {period} s",
                 self.scene
             );
             return Err(ObserveError::about(name, told).with_help(format!(

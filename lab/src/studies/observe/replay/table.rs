@@ -1,6 +1,7 @@
 //! Table of what stabilizers would have done.
 
 use super::Replay;
+use super::group::Group;
 use crate::show::csv;
 use crate::show::table::{Cell, Heading, Table};
 use crate::studies::observe::traces::prefix;
@@ -11,9 +12,15 @@ impl Replay {
     pub(in crate::studies::observe) fn lines(&self) -> String {
         let scene = format!("the numbers of the stabilizers are those of {}", self.scene);
         let mut lines = folded("  would have  ", &scene);
-        for left in &self.not_replayed {
-            let text = format!("{} is not replayed: {}", left.stabilizer, left.reason);
-            lines += &format!("\n{}", folded("              ", &text));
+        let mut tell = |label: &str, text: &str| {
+            lines += &format!("\n{}", folded(&format!("  {label:<12}"), text));
+        };
+        if let Some(first) = self.not_replayed.first() {
+            let names: Vec<&str> = self.not_replayed.iter().map(|left| left.stabilizer).collect();
+            tell("not asked", &format!("{}: {}", names.join(", "), first.reason));
+        }
+        for equal in self.groups().iter().filter_map(Group::equal) {
+            tell("equal", &equal);
         }
         lines
     }
@@ -35,9 +42,10 @@ impl Replay {
             Heading::number(format!("shortfall\n{joules}J")),
             Heading::number(format!("given\n{joules}J")),
         ];
-        let rows = self.groups().into_iter().map(|(names, row)| {
+        let rows = self.groups().into_iter().map(|group| {
+            let row = group.row;
             [
-                names.into(),
+                group.name().into(),
                 row.active_ticks.to_string().into(),
                 Cell::from(row.active_percent),
                 row.first_at.into(),

@@ -56,7 +56,12 @@ impl Laid {
             Start::Scene => "on the scene's clock",
             Start::Log => "counted from its first row, where the run starts",
         };
-        let text = format!("{name}, {} rows from {from} s to {to} s {start}", self.rows);
+        let goes_on = match self.to_s < self.scene_s {
+            true => format!("; the scene goes on until {} s", found(self.scene_s)),
+            false => String::new(),
+        };
+        let rows = self.rows;
+        let text = format!("{name}, {rows} rows from {from} s to {to} s {start}{goes_on}");
         let mut lines = folded("  against      ", &text);
         let mut tell = |label: &str, text: &str| {
             lines += &format!("\n{}", folded(&format!("  {label:<13}"), text));
@@ -64,12 +69,9 @@ impl Laid {
         if let Some(text) = described(&self.columns, self.decimal_commas) {
             tell("columns", &text);
         }
-        if self.to_s < self.scene_s {
-            tell("", &format!("the scene goes on until {} s", found(self.scene_s)));
-        }
         if self.rows_after_the_run > 0 {
             let left = self.rows_after_the_run;
-            tell("", &format!("{left} rows come after the run had left its range: not compared"));
+            tell("left out", &format!("{left} rows that come after the run had left its range"));
         }
         if self.bad_rows.count > 0 {
             let first = self.bad_rows.first.first();
