@@ -62,7 +62,7 @@ impl<V: Signal, C: LyapunovCandidate<V>> Stabilizer<V> for WhileGiving<V::Scalar
         let square = sample.velocity.inner(sample.velocity) * sample.period;
 
         // Rejected is what makes a number of this step that is not finite, in that lane only.
-        let sound = sample.finite() & effort.finite() & square.finite();
+        let sound = sample.sound() & effort.finite() & square.finite();
         let velocity = V::choose(sound, sample.velocity, V::zero());
         let effort = V::choose(sound, effort, V::zero());
         let square = V::Scalar::choose(sound, square, zero);

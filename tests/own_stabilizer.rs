@@ -39,7 +39,7 @@ impl Stabilizer<f64> for ByHand {
         }
         let debt = if self.sum < 0.0 { -self.sum } else { 0.0 };
         let square = v * v * sample.period;
-        if !(sample.finite() && effort.is_finite() && square.is_finite()) {
+        if !(sample.sound() && effort.is_finite() && square.is_finite()) {
             let rejected = Correction::none(0.0);
             let (shortfall, accepted) = (debt, false);
             return Correction { observed_energy: self.sum, shortfall, accepted, ..rejected };

@@ -36,12 +36,32 @@ macro_rules! hand {
             }
 
             #[inline(always)]
+            fn sum_of<const N: usize>(a: &[$real; N]) -> $real {
+                let mut sum = a[0];
+                for i in 1..N {
+                    sum += a[i];
+                }
+                sum
+            }
+
+            #[inline(always)]
             fn dot<const N: usize>(a: &[$real; N], b: &[$real; N]) -> $real {
                 let mut sum = a[0] * b[0];
                 for i in 1..N {
                     sum += a[i] * b[i];
                 }
                 sum
+            }
+
+            /// The sample, with a force that waits for the one before where the loop is a chain; `none` is 0.
+            #[inline(always)]
+            fn waiting<const N: usize, const CHAIN: bool>(
+                s: &Sample<$real, N>,
+                none: $real,
+                before: $real,
+            ) -> Sample<$real, N> {
+                let effort = if CHAIN { s.effort.map(|f| f + none * before) } else { s.effort };
+                Sample { effort, ..*s }
             }
 
             /// α, the corrected effort and the rest, alike for both kinds of work; whether all of it is finite.
@@ -51,25 +71,25 @@ macro_rules! hand {
                 s: &Sample<$real, N>,
                 sum: $real,
                 square: $real,
-                most: $real,
                 out: &mut Out<N>,
             ) -> bool {
-                let debt = if sum < -0.0 { sum } else { -0.0 };
-                let paid = if debt > most { debt } else { most };
                 let margin = 1.0 - 4.0 * $real::EPSILON;
-                let divisor = square * -margin;
-                let least = -$real::MIN_POSITIVE;
-                let alpha = paid / if divisor < least { divisor } else { least };
-                let alpha = if alpha < state.limit { alpha } else { state.limit };
-                let mut probe = sum + square;
+                let least = $real::MIN_POSITIVE;
+                let divisor = square * margin;
+                let inverse = -1.0 / if divisor > least { divisor } else { least };
+                let limit = if square > least { state.limit } else { 0.0 };
+                let alpha = sum * inverse;
+                let alpha = if alpha < limit { alpha } else { limit };
+                let alpha = if alpha > 0.0 { alpha } else { 0.0 };
+                let served = sum + alpha * square;
                 for i in 0..N {
                     out.effort[i] = s.effort[i] + alpha * s.velocity[i];
-                    probe += out.effort[i];
                 }
+                let probe = sum_of(&out.effort);
                 out.sum = sum;
                 out.alpha = alpha;
-                out.shortfall = paid - debt;
-                out.accepted = probe.is_finite();
+                out.shortfall = 0.0 - if served < 0.0 { served } else { 0.0 };
+                out.accepted = (served + probe).is_finite();
                 out.accepted
             }
 
@@ -88,14 +108,18 @@ macro_rules! hand {
             }
 
             #[inline(never)]
-            pub(crate) fn sampled<const N: usize>(
+            pub(crate) fn sampled<const N: usize, const CHAIN: bool>(
                 state: &mut State,
+                none: $real,
                 samples: &[Sample<$real, N>],
                 out: &mut [Out<N>],
             ) {
+                let mut last = 0.0;
                 for (s, out) in samples.iter().zip(out) {
+                    let s = &waiting::<N, CHAIN>(s, none, last);
                     let square = dot(&s.velocity, &s.velocity) * s.period;
-                    let energy = dot(&s.effort, &s.velocity) * s.period + state.damping * square;
+                    let crossed = s.velocity.map(|v| v * s.period);
+                    let energy = dot(&s.effort, &crossed) + state.damping * square;
                     let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
                     let most = -state.limit * moving;
                     let before = state.sum;
@@ -103,32 +127,35 @@ macro_rules! hand {
                     let raised = before + (energy - most);
                     let raised = if raised < 0.0 { raised } else { 0.0 };
                     state.sum = if raised > sum { raised } else { sum };
-                    if !correct(state, s, sum, square, most, out) {
+                    if !correct(state, s, sum, square, out) {
                         reject(state, before, energy, out);
                     }
+                    last = out.effort[0];
                 }
             }
 
             #[inline(never)]
-            pub(crate) fn held<const N: usize>(
+            pub(crate) fn held<const N: usize, const CHAIN: bool>(
                 state: &mut State,
+                none: $real,
                 samples: &[Sample<$real, N>],
                 out: &mut [Out<N>],
             ) {
+                let mut last = 0.0;
                 for (s, out) in samples.iter().zip(out) {
+                    let s = &waiting::<N, CHAIN>(s, none, last);
                     let square = dot(&s.velocity, &s.velocity) * s.period;
                     let mut energy = s.work[0];
                     for i in 1..N {
                         energy += s.work[i];
                     }
                     energy += state.damping * square;
-                    let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
-                    let most = -state.limit * moving;
                     let before = state.sum;
                     state.sum = before + energy;
-                    if !correct(state, s, state.sum, square, most, out) {
+                    if !correct(state, s, state.sum, square, out) {
                         reject(state, before, energy, out);
                     }
+                    last = out.effort[0];
                 }
             }
 
@@ -147,13 +174,15 @@ macro_rules! hand {
 
             /// Steps 4 to 6 as printed, with the period left out and the division on every tick.
             #[inline(never)]
-            pub(crate) fn literal(
+            pub(crate) fn literal<const CHAIN: bool>(
                 state: &mut Literal,
+                none: $real,
                 samples: &[Sample<$real, 1>],
                 forces: &mut [$real],
             ) {
+                let mut last = 0.0;
                 for (s, force) in samples.iter().zip(forces) {
-                    let (f, v) = (s.effort[0], s.velocity[0]);
+                    let (f, v) = (waiting::<1, CHAIN>(s, none, last).effort[0], s.velocity[0]);
                     let square = v * v;
                     state.sum += f * v + state.alpha * state.square + state.damping * square;
                     // The choice comes before the division, so that no branch can skip the division.
@@ -161,6 +190,7 @@ macro_rules! hand {
                     state.alpha = debt / square;
                     state.square = square;
                     *force = f + state.alpha * v;
+                    last = *force;
                 }
             }
         }

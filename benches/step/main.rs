@@ -2,9 +2,10 @@
 //! code on concrete types, and against the paper's steps 4 to 6 taken literally.
 //!
 //! `step/<sampled|held>/<f32|f64>/<1|3|6>dof/<idle|random|always>/<hand|generic|literal>`; the mix says how
-//! often the controller acts. Compare ids of one mix with one another, not with another machine.
+//! often the controller acts. `latency/…` is the time from force in to force out ([`latency`]). Compare ids of one mix with one another, not with another machine.
 
 mod hand;
+mod latency;
 mod samples;
 
 use std::hint::black_box;
@@ -77,13 +78,13 @@ macro_rules! widths {
                 match work {
                     "sampled" => {
                         time(&mut group, "hand", || {
-                            hand::$hand::sampled(black_box(&mut state), black_box(&samples), black_box(&mut out));
+                            hand::$hand::sampled::<$n, false>(black_box(&mut state), black_box(0.0), black_box(&samples), black_box(&mut out));
                         });
                         time_generic(&mut group, lolc.sampled(), &drives);
                     }
                     _ => {
                         time(&mut group, "hand", || {
-                            hand::$hand::held(black_box(&mut state), black_box(&samples), black_box(&mut out));
+                            hand::$hand::held::<$n, false>(black_box(&mut state), black_box(0.0), black_box(&samples), black_box(&mut out));
                         });
                         time_generic(&mut group, lolc, &drives);
                     }
@@ -112,8 +113,9 @@ macro_rules! scalars {
                 match work {
                     "sampled" => {
                         time(&mut group, "hand", || {
-                            hand::$hand::sampled(
+                            hand::$hand::sampled::<1, false>(
                                 black_box(&mut state),
+                                black_box(0.0),
                                 black_box(&samples),
                                 black_box(&mut out),
                             );
@@ -122,8 +124,9 @@ macro_rules! scalars {
                         let mut literal = hand::$hand::Literal::new();
                         let mut forces = vec![0.0; samples.len()];
                         time(&mut group, "literal", || {
-                            hand::$hand::literal(
+                            hand::$hand::literal::<false>(
                                 black_box(&mut literal),
+                                black_box(0.0),
                                 black_box(&samples),
                                 black_box(&mut forces),
                             );
@@ -131,8 +134,9 @@ macro_rules! scalars {
                     }
                     _ => {
                         time(&mut group, "hand", || {
-                            hand::$hand::held(
+                            hand::$hand::held::<1, false>(
                                 black_box(&mut state),
+                                black_box(0.0),
                                 black_box(&samples),
                                 black_box(&mut out),
                             );
@@ -184,6 +188,6 @@ criterion_group! {
         .warm_up_time(Duration::from_millis(300))
         .measurement_time(Duration::from_millis(1000))
         .sample_size(50);
-    targets = step
+    targets = step, latency::latency
 }
 criterion_main!(benches);

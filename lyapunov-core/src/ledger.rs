@@ -27,7 +27,8 @@ pub struct Held;
 impl Work for Held {
     #[inline(always)]
     fn sample<V: Signal>(sample: &PortSample<V>, _effort: V) -> PortSample<V> {
-        *sample
+        // Over a period that is none, nothing is credited.
+        PortSample { period: sample.period.larger(V::Scalar::of(0.0)), ..*sample }
     }
 
     #[inline(always)]
@@ -47,9 +48,11 @@ pub struct Sampled;
 impl Work for Sampled {
     #[inline(always)]
     fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V> {
-        let displacement = sample.velocity.scale(sample.period);
+        // Over a period that is none, nothing is booked.
+        let period = sample.period.larger(V::Scalar::of(0.0));
+        let displacement = sample.velocity.scale(period);
         HeldTick {
-            period: sample.period,
+            period,
             position: sample.position,
             velocity: sample.velocity,
             displacement,

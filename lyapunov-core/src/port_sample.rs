@@ -23,7 +23,8 @@ use crate::{Scalar, Signal};
     ))
 )]
 pub struct PortSample<V: Signal> {
-    /// Time since the last call, s.
+    /// Time since the last call, s: above 0 and finite. A sample with another period is rejected
+    /// ([`timed`](Self::timed)).
     pub period: V::Scalar,
     /// Position now, m.
     pub position: V,
@@ -94,6 +95,29 @@ impl<V: Signal> PortSample<V> {
             work: earlier.work + self.work,
             ..self
         }
+    }
+
+    /// Whether the period is a time, above 0 and finite, lane by lane.
+    ///
+    /// The contract of time: a clock that stands, steps back or fails tells no period, and nothing that is per time, a
+    /// power or the dissipation of a damper, is known. Every stabilizer, guard and law treats such a sample as one with
+    /// a NaN: it is rejected, its work is booked if the account does not need the period, and no credit is.
+    ///
+    /// ```
+    /// use lyapunov_core::PortSample;
+    /// for period in [-1e-3, -0.0, 0.0, f64::NAN, f64::INFINITY] {
+    ///     assert!(!PortSample::starting(period, 0.01, 0.0).timed());
+    /// }
+    /// ```
+    #[inline(always)]
+    pub fn timed(&self) -> <V::Scalar as Scalar>::Mask {
+        self.period.above(V::Scalar::of(0.0)) & self.period.finite()
+    }
+
+    /// Whether the sample can be used: every field is finite, and the period is a [time](Self::timed), lane by lane.
+    #[inline(always)]
+    pub fn sound(&self) -> <V::Scalar as Scalar>::Mask {
+        self.finite() & self.timed()
     }
 
     /// Whether every field is finite, lane by lane.

@@ -141,7 +141,10 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for CoupledPort<P, V> {
     #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let VirtualCoupling { stiffness, damping, drag } = self.coupling;
-        let (damper, drag) = (damping / sample.period, drag / sample.period);
+        // A period that is none makes the answer NaN, as a period that is NaN does.
+        let unknown = V::Scalar::of(f64::NAN);
+        let period = V::Scalar::choose(sample.timed(), sample.period, unknown);
+        let (damper, drag) = (damping / period, drag / period);
         let share = V::Scalar::of(1.0) / (stiffness + damper + drag);
         let pulled = sample.displacement.scale(drag) + self.deflection.scale(damper + drag);
         let deflection = (self.answer + pulled).scale(share);
@@ -149,10 +152,10 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for CoupledPort<P, V> {
         let moved = sample.displacement - stretched;
         let felt = deflection.scale(stiffness) + stretched.scale(damper);
 
-        let rate = V::Scalar::of(1.0) / sample.period;
+        let rate = V::Scalar::of(1.0) / period;
         let position = sample.position - deflection;
         let proxy = HeldTick {
-            period: sample.period,
+            period,
             position,
             velocity: moved.scale(rate),
             displacement: moved,

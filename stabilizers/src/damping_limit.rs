@@ -50,7 +50,10 @@ impl<T: Scalar> DampingLimit<T> {
         let cap = Requirement::Limit.check("mobility_cap", cap)?;
         let stiffness = Requirement::Positive.check("stiffness", stiffness)?;
         let period = Requirement::Positive.check("period", period)?;
-        Ok(Self::finite(cap / (stiffness * period)))
+        let product = stiffness * period;
+        // Out of range, their product would make no limit of a cap of 0, or none of a limit.
+        let fits = !product.below(T::smallest_normal()) & product.finite();
+        Ok(Self::finite(T::choose(fits, cap / product, cap / stiffness / period)))
     }
 
     /// The limit `damping`, N·s/m.

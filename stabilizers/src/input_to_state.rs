@@ -115,16 +115,14 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
         let shift = V::choose(known, self.answer.map(|answer| answer / self.slope), V::zero());
         let position = sample.position - shift;
         let moved = sample.displacement - (shift - self.shift);
-        let rate = V::Scalar::of(1.0) / sample.period;
+        // A period that is none makes the answer NaN, as a period that is NaN does.
+        let unknown = V::Scalar::of(f64::NAN);
+        let period = V::Scalar::choose(sample.timed(), sample.period, unknown);
+        let rate = V::Scalar::of(1.0) / period;
         let velocity = sample.velocity - (shift - self.shift).scale(rate);
-        let asked = HeldTick {
-            period: sample.period,
-            position,
-            velocity,
-            displacement: moved,
-            applied: self.answer,
-        }
-        .sample();
+        let asked =
+            HeldTick { period, position, velocity, displacement: moved, applied: self.answer }
+                .sample();
         let answer = self.port.respond(&asked);
         let change = answer - self.answer;
         let given = answer + change.scale(self.feed * rate);

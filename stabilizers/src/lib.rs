@@ -3,8 +3,8 @@
 //! [`Lolc`] watches a candidate of your choice; [`Popc`] is the same with the port's own energy. Start with `Popc`, or
 //! with a `Lolc` of `(PortEnergy, Dissipation::of(b)?)` where the device surely has a damping of `b`. On several axes
 //! both keep one sum; [`PerAxis`] keeps one for each axis, and [`DirectedDamping`] keeps one and dissipates along
-//! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit, a gentler correction, or a
-//! [`Watchdog`]. [`LeastNorm`] looks one period ahead. On the port of a rigid body [`PerPart`] keeps translation and
+//! chosen directions. [`StabilizerExt`] adds to a stabilizer a bound on its credit, a gentler correction, limits of what a sample
+//! can be, or a [`Watchdog`]. [`LeastNorm`] looks one period ahead. On the port of a rigid body [`PerPart`] keeps translation and
 //! rotation apart, [`PartLimits`] limits both under one sum, and [`InertiaLimit`] takes the limit from an arm's inertia at
 //! every tick. A [`Member`] of the family is chosen at run time.
 //!
@@ -36,6 +36,7 @@ mod no_stabilizer;
 mod parts;
 mod path_memory;
 mod per_axis;
+mod plausible;
 mod popc;
 mod reference_following;
 mod shaping;
@@ -66,6 +67,7 @@ pub use no_stabilizer::NoStabilizer;
 pub use parts::{BodyInertia, PartLimits, PerPart};
 pub use path_memory::PathMemory;
 pub use per_axis::PerAxis;
+pub use plausible::{Plausibility, Plausible};
 pub use popc::Popc;
 pub use reference_following::{ReferenceDamper, ReferenceFollowing};
 pub use shaping::{InertiaLimit, RateLimit, SoftStart, Spread, VelocityThreshold};

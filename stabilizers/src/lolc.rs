@@ -16,14 +16,16 @@ use crate::{DampingLimit, LimitCredit};
 /// work and the accumulator with which the stabilizer is built.
 ///
 /// The served energy is `L + α v² T`. Served energy plus shortfall is never negative, and the served energy is never
-/// negative where `v² T` is above the smallest normal number and `α` below its limit: `α` is rounded up by a
-/// few units in the last place, so that this holds exactly for a reader who recomputes it as `α · ((v · v) · T)`, as
-/// long as `α` and that product are normal numbers. These are identities of bookkeeping: the shortfall is what is
+/// negative where `v² T` is above the smallest normal number and `α` below its limit. Both hold exactly for a reader who
+/// recomputes the served energy as `L + α · ((v · v) · T)`: the second because `α` is rounded up by a few units in the
+/// last place, as long as `α` and that product are normal numbers, the first always, because the shortfall is what that
+/// reader finds missing. These are identities of bookkeeping: the shortfall is what is
 /// missing, and a tick may bring any debt. A run with `L ≥ 0` on every tick is one whose port gave no more than it took
 /// and was credited; that every run is like this is not promised.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
-/// code. A sample is rejected where `L`, `v² T` and the corrected effort do not add up to a finite number: the effort
+/// code. A sample is rejected where `L`, `v² T`, the served energy and the corrected effort do not add up to a finite
+/// number, and where the period is not above 0: the effort
 /// is then zero, the correction reports the sample as not accepted, and the ledger books its decrease if that is
 /// finite, as the past that the sample reports did happen.
 ///
@@ -168,7 +170,9 @@ where
             velocity: sample.velocity,
             effort,
         };
-        let correction = self.correct(terms);
+        let mut correction = self.correct(terms);
+        // An infinite period makes the step's numbers infinite or NaN.
+        correction.accepted = correction.accepted & sample.period.above(V::Scalar::of(0.0));
         if correction.accepted.all() {
             correction
         } else {
@@ -190,21 +194,23 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     #[inline(always)]
     fn correct<V: Signal<Scalar = T>>(&mut self, terms: Terms<V>) -> Correction<V> {
         let Terms { decrease, square, velocity, effort } = terms;
-        let limit = self.limit.most();
-        let moving = T::choose(square.above(T::smallest_normal()), square, T::zero());
-        let most = -limit * moving;
-        let sum = self.observer.ledger.book(decrease, most);
-        // Debts are negative here, and -0 where there is none, which makes alpha +0.
-        let debt = sum.smaller(-T::zero());
-        let paid = debt.larger(most);
-        // The margin rounds alpha up: it covers the rounding of the quotient, of the product by which a reader
-        // checks it, and of v² T in any order. The divisor stays normal: 0 would give NaN, and a subnormal one
-        // takes several times as long.
+        let zero = T::zero();
+        let moving = square.above(T::smallest_normal());
+        let limit = T::choose(moving, self.limit.most(), zero);
+        // The division waits for the motion and not for the effort. The margin rounds alpha up: it covers the rounding
+        // of the divisor, of its reciprocal, of alpha, of the product by which a reader checks it, and of v² T in any
+        // order. The divisor stays normal: 0 would give an infinity, and a subnormal one takes several times as long.
         let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
-        let alpha = (paid / (square * -margin).smaller(-T::smallest_normal())).smaller(limit);
+        let inverse = T::of(-1.0) / (square * margin).larger(T::smallest_normal());
+        let sum = self.observer.ledger.book(decrease, -limit * square);
+        // A sum of 0 or more gives a number of 0 or less, which makes alpha +0.
+        let alpha = (sum * inverse).smaller(limit).larger(zero);
+        // What alpha serves is multiplied out as a reader does, so that the shortfall is exact also where alpha underflows.
+        let served = sum + alpha * square;
         let effort = effort + velocity.scale(alpha);
-        let accepted = (sum + square + effort.sum()).finite();
-        Correction { effort, observed_energy: sum, alpha, shortfall: paid - debt, accepted }
+        let accepted = (served + effort.sum()).finite();
+        let shortfall = zero - served.smaller(zero);
+        Correction { effort, observed_energy: sum, alpha, shortfall, accepted }
     }
 
     /// The step for a rejected sample, without the quantities that are not sound.

@@ -87,7 +87,7 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
-        let sound = sample.finite();
+        let sound = sample.sound();
         let booked = book(&mut self.energy, sample.work);
         let moved = T::choose(sound, sample.displacement, zero);
         let now = T::choose(sound, sample.position - self.surface, self.last.unwrap_or(zero));

@@ -34,8 +34,8 @@ use nalgebra::SVector;
 /// whatever the delay; for a force that acts later the debt makes up. Beyond the last cell, which reaches on without an
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
-/// Each tick visits all cells, so that it takes the same time wherever the motion is (`benches/stabilizers` measures
-/// it). Take cells of about the displacement of a period: larger ones give less back, smaller ones cost time.
+/// Each tick visits all cells once, several at a time where the processor has vectors, so that it takes the same time
+/// wherever the motion is (`benches/stabilizers` measures it). Take cells of about the displacement of a period: larger ones give less back, smaller ones cost time.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -72,36 +72,53 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         Ok(Self { surface, cell, forces: [T::of(0.0); N], debt: T::of(0.0) })
     }
 
-    /// The edges of cell `index`, from the surface on, m; the last one has no end.
+    /// Writes the way `back..on` that was gone `inwards` under `force`, and adds up what the memory allows over two
+    /// stretches: over the same way before it is written, and over `ahead..on` after, J.
+    ///
+    /// One pass over the cells, each by itself, so that a processor's vectors take several at once; the sums are apart.
     #[inline(always)]
-    fn edges(&self, index: usize) -> (T, T) {
-        let edge = |index: usize| self.cell * T::of(index as f64);
-        (edge(index), if index + 1 == N { T::largest() } else { edge(index + 1) })
-    }
-
-    /// `A`: what a motion over `[from, to]` may give, J.
-    #[inline(always)]
-    fn allowance(&self, from: T, to: T) -> T {
-        let mut energy = T::of(0.0);
-        for (index, force) in self.forces.iter().enumerate() {
-            let (start, end) = self.edges(index);
-            energy += *force * (to.smaller(end) - from.larger(start)).larger(T::of(0.0));
-        }
-        energy
-    }
-
-    /// Writes a motion from `from` in to `to` under `force` where `inwards`.
-    #[inline(always)]
-    fn write(&mut self, from: T, to: T, force: T, inwards: T::Mask) {
-        for index in 0..N {
-            let (start, end) = self.edges(index);
-            let entered = !start.below(from);
+    fn walk(
+        &mut self,
+        [back, on]: [T; 2],
+        force: T,
+        inwards: T::Mask,
+        [ahead, now]: [T; 2],
+    ) -> [T; 2] {
+        let (zero, cell) = (T::of(0.0), self.cell);
+        let (mut gave, mut gives) = ([zero; N], [zero; N]);
+        let (low, high) = (back.smaller(on), back.larger(on));
+        let mut visit = |index: usize, end: T| {
+            let start = cell * T::of(index as f64);
             let kept = self.forces[index];
-            let force = T::choose(entered, force, force.smaller(kept));
-            let crossed = inwards & start.below(to) & from.below(end);
-            self.forces[index] = T::choose(crossed, force, kept);
+            gave[index] = kept * (high.smaller(end) - low.larger(start)).larger(zero);
+            let written = T::choose(start.below(low), force.smaller(kept), force);
+            let crossed = inwards & start.below(high) & low.below(end);
+            let kept = T::choose(crossed, written, kept);
+            self.forces[index] = kept;
+            gives[index] = kept * (now.smaller(end) - ahead.larger(start)).larger(zero);
+        };
+        for index in 0..N - 1 {
+            visit(index, cell * T::of(index as f64 + 1.0));
+        }
+        visit(N - 1, T::largest()); // the last one has no end
+        [gave, gives].map(side_by_side)
+    }
+}
+
+/// The sum of all, in eight sums side by side.
+#[inline(always)]
+fn side_by_side<T: Scalar, const N: usize>(terms: [T; N]) -> T {
+    let zero = T::of(0.0);
+    let (eights, rest) = terms.as_chunks::<8>();
+    let mut sums = [zero; 8];
+    for eight in eights {
+        for (sum, term) in sums.iter_mut().zip(eight) {
+            *sum += *term;
         }
     }
+    let [a, b, c, d, e, f, g, h] = sums;
+    let whole = ((a + e) + (c + g)) + ((b + f) + (d + h));
+    rest.iter().fold(whole, |sum, term| sum + *term)
 }
 
 impl<T, const N: usize> StabilizerExt for PathMemory<T, N> {}
@@ -110,22 +127,23 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
-        let sound = sample.finite();
+        let sound = sample.sound();
         let moved = T::choose(sound, sample.displacement, zero);
         let work = T::choose(sound, sample.work, zero);
         let now = T::choose(sound, sample.position - self.surface, zero);
         let before = now - moved;
 
         let (inwards, outwards) = (moved.above(zero), moved.below(zero));
-        let given = T::choose(outwards, -work - self.allowance(now, before), (-work).larger(zero));
+        let mean = (work / moved).larger(zero);
+        let force = T::choose(mean.finite(), mean, zero);
+        let ahead = (-sample.velocity * sample.period).larger(self.cell);
+        let [gave, gives] = self.walk([before, now], force, inwards, [now - ahead, now]);
+
+        let given = T::choose(outwards, -work - gave, (-work).larger(zero));
         let debt = (self.debt + given).larger(zero);
         self.debt = T::choose(debt.finite(), debt, self.debt);
-        let mean = (work / moved).larger(zero);
-        self.write(before, now, T::choose(mean.finite(), mean, zero), inwards);
-
         let leaving = sample.velocity.below(zero) & now.above(zero) & sound;
-        let ahead = (-sample.velocity * sample.period).larger(self.cell);
-        let most = ((self.allowance(now - ahead, now) - self.debt) / ahead).larger(zero);
+        let most = ((gives - self.debt) / ahead).larger(zero);
         let bounded = T::choose(leaving, effort.smaller(most), effort);
         let accepted = sound & effort.finite() & most.finite();
         Correction {

@@ -94,7 +94,7 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
             square += T::choose(correction.accepted, own, T::zero());
             burnt += T::choose(correction.accepted, correction.alpha * own, T::zero());
             (sum, most) = (sum.smaller(correction.observed_energy), most.larger(correction.alpha));
-            shortfall += correction.shortfall;
+            shortfall = (shortfall + correction.shortfall).smaller(T::largest());
             accepted = accepted & correction.accepted;
         }
         let alpha = mean(burnt, square, most);

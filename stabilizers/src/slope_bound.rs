@@ -123,7 +123,10 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
         let creep = self.creep * sample.period;
         let held = (self.held + (change - followed))
             .zip(effort, |held, asked| within(held - held.larger(-creep).smaller(creep), asked));
-        let sound = effort.finite() & sample.displacement.finite() & (held.sum() + creep).finite();
+        let sound = effort.finite()
+            & sample.displacement.finite()
+            & (held.sum() + creep).finite()
+            & sample.timed();
         self.held = V::choose(sound, held, self.held);
         self.asked = Some(V::choose(sound, effort, self.asked.unwrap_or(V::zero())));
         let accepted = booked & sound;

@@ -3,13 +3,14 @@
 use lyapunov_core::{ParameterError, Scalar, Signal};
 
 use crate::{
-    BoundedCredit, ContactReset, LimitCredit, Lolc, PerAxis, RateLimit, SoftStart, Spread,
-    VelocityThreshold, Watchdog, WatchdogTimes,
+    BoundedCredit, ContactReset, LimitCredit, Lolc, PerAxis, Plausibility, Plausible, RateLimit,
+    SoftStart, Spread, VelocityThreshold, Watchdog, WatchdogTimes,
 };
 
 /// Adaptors of a stabilizer, chained like iterator adaptors; an adaptor that is absent costs nothing.
 ///
-/// First come the adaptors that limit the credit, then those that shape the correction, then a watchdog:
+/// First come the adaptors that limit the credit, then those that shape the correction, then
+/// the limits of what a sample can be, then a watchdog:
 ///
 /// ```
 /// use lyapunov_core::PortEnergy;
@@ -77,6 +78,17 @@ pub trait StabilizerExt: Sized {
         rate: V::Scalar,
     ) -> Result<RateLimit<Self, V>, ParameterError> {
         RateLimit::new(self, rate)
+    }
+
+    /// The same stabilizer, which rejects samples and efforts that no device can have.
+    ///
+    /// # Errors
+    /// A limit below 0 or NaN.
+    fn plausible<T: Scalar>(
+        self,
+        limits: Plausibility<T>,
+    ) -> Result<Plausible<Self, T>, ParameterError> {
+        Plausible::new(self, limits)
     }
 
     /// The same stabilizer, which holds its last effort without sound samples and then lets go, and whose environment

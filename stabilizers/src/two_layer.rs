@@ -132,7 +132,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let factor = V::Scalar::choose(most.above(zero), factor, zero);
         let damping = self.gain * (self.level - sum).larger(zero);
         let felt = effort.scale(factor) + sample.velocity.scale(damping);
-        let accepted = booked & asked.finite() & felt.finite();
+        let accepted = booked & asked.finite() & felt.finite() & sample.timed();
         let alpha = V::Scalar::choose(accepted, damping, zero);
         let effort = V::choose(accepted, felt, V::zero());
         Correction { effort, observed_energy: sum, alpha, shortfall: (-sum).larger(zero), accepted }

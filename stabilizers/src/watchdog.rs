@@ -37,7 +37,8 @@ impl<T: Scalar> WatchdogTimes<T> {
 ///
 /// The share is of the environment's effort and not of the correction: damping acts in full from the first tick. A
 /// sample is not sound if a field is not finite, as that of a reading which
-/// [`Readings`](lyapunov_core::Readings) did not accept; a tick of unknown length ends the hold. The wall that rises
+/// [`Readings`](lyapunov_core::Readings) did not accept; a tick of unknown length, also one of a clock that stands or
+/// steps back, ends the hold. The wall that rises
 /// gives energy as any environment does that changes by itself; what crosses the port is booked. Report the effort that
 /// was applied on every tick, the held one too, and the sample that spans the gap books it.
 ///
@@ -95,8 +96,8 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watchdog<S, V> {
         let share = choose(risen.below(rise), risen / rise, one);
         let correction = self.stabilizer.stabilize(sample, effort.scale(share));
 
-        let accepted = correction.accepted & sample.finite();
-        let known = sample.period.finite() & !sample.period.below(zero);
+        let accepted = correction.accepted & sample.sound();
+        let known = sample.timed();
         let endless = V::Scalar::largest();
         let quiet = choose(known, sample.period, endless);
         self.silence = choose(accepted, zero, (self.silence + quiet).smaller(endless));

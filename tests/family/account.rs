@@ -6,7 +6,7 @@ use lyapunov::{
     HeldTick, PortSample, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
     candidates::InContact,
-    stabilizers::{StabilizerExt, WindowedCredit},
+    stabilizers::{Account, StabilizerExt, WindowedCredit},
 };
 
 use crate::support::{Dice, PERIOD, popc};
@@ -142,4 +142,17 @@ fn what_cannot_be_right_is_refused() {
     assert!(popc::<f64>().rising_over::<f64>(0).is_err());
     assert!(popc::<f64>().rate_limited::<f64>(-1.0).is_err());
     assert!(WindowedCredit::<f64, Plain<f64>, 4>::of_ticks(0).is_err());
+}
+
+/// A budget is credit in the account, from the start and in every kind of sum.
+#[test]
+fn a_budget_is_in_the_account() {
+    let popc = popc::<f64>();
+    assert_eq!(popc.budgeted(1e-3).expect("a budget").observed_energy(), 1e-3);
+    let sampled = popc.sampled().budgeted(2e-3).expect("a budget");
+    assert_eq!(sampled.budgeted(1e-3).expect("a budget").observed_energy(), 3e-3);
+    let compensated = popc.summed_in::<Compensated<f64>>().budgeted(1e-3).expect("a budget");
+    assert_eq!(compensated.observed_energy(), 1e-3);
+    let wide = popc.summed_in::<Wide<f64>>().budgeted(1e-3).expect("a budget");
+    assert_eq!(wide.observed_energy(), 1e-3);
 }

@@ -261,3 +261,19 @@ fn drift_is_taken_back() {
     let (least, end) = settled(0.02);
     assert!(least < -1e-3 && end.abs() < 1e-6, "{least} m, then {end} m");
 }
+
+/// A message that is older than the last one, or spoilt, says nothing: the account is as if it had not come.
+#[test]
+fn an_older_message_says_nothing() {
+    let mut side = TwoPortSide::new(limit::<f64>());
+    let rest = PortSample::starting(PERIOD, 0.0, 0.0);
+    let mut after = |energy: f64| {
+        side.receive(energy);
+        side.stabilize(&rest, 0.0).observed_energy
+    };
+    assert_eq!(after(5e-4), 5e-4);
+    for stale in [3e-4, 0.0, -1.0, 5e-4, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(after(stale), 5e-4, "after {stale}");
+    }
+    assert_eq!(after(6e-4), 6e-4);
+}

@@ -29,19 +29,20 @@ macro_rules! stabilizers {
 
             #[inline(always)]
             fn correct(&mut self, work: $real, square: $real, velocity: $real, force: $real) {
-                let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
-                let most = -self.most * moving;
+                let least = $real::MIN_POSITIVE;
+                let most = if square > least { self.most } else { 0.0 };
+                let divisor = square * (1.0 - 4.0 * $real::EPSILON);
+                let inverse = -1.0 / if divisor > least { divisor } else { least };
                 self.sum += work;
                 let sum = self.sum;
-                let debt = if sum < -0.0 { sum } else { -0.0 };
-                let paid = if debt > most { debt } else { most };
-                let divisor = square * -(1.0 - 4.0 * $real::EPSILON);
-                let least = -$real::MIN_POSITIVE;
-                let alpha = paid / if divisor < least { divisor } else { least };
-                let alpha = if alpha < self.most { alpha } else { self.most };
+                let alpha = sum * inverse;
+                let alpha = if alpha < most { alpha } else { most };
+                let alpha = if alpha > 0.0 { alpha } else { 0.0 };
+                let served = sum + alpha * square;
                 let effort = force + velocity * alpha;
-                let accepted = (sum + square + effort).is_finite();
-                self.told = Told { effort, sum, alpha, shortfall: paid - debt, accepted };
+                let accepted = (served + effort).is_finite();
+                let shortfall = 0.0 - if served < 0.0 { served } else { 0.0 };
+                self.told = Told { effort, sum, alpha, shortfall, accepted };
             }
 
             #[inline(always)]

@@ -23,7 +23,7 @@ impl<V: Signal, C: LyapunovCandidate<V>> Stabilizer<V> for WhileGiving<V::Scalar
         let (zero, tiny) = (V::Scalar::of(0.0), V::Scalar::smallest_normal());
         let sum = self.observer.observe(sample, effort);
         let square = sample.velocity.inner(sample.velocity) * sample.period;
-        let sound = sample.finite() & effort.finite() & square.finite();
+        let sound = sample.sound() & effort.finite() & square.finite();
         let velocity = V::choose(sound, sample.velocity, V::zero());
         let effort = V::choose(sound, effort, V::zero());
         let square = V::Scalar::choose(sound, square, zero);

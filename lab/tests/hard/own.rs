@@ -67,7 +67,7 @@ fn a_division_by_rest_is_not_finite() {
         } else {
             0.0
         };
-        let accepted = effort.is_finite() && sample.finite();
+        let accepted = effort.is_finite() && sample.sound();
         let effort = if accepted { effort + alpha * sample.velocity } else { 0.0 };
         Correction { effort, alpha, accepted, ..correction }
     });

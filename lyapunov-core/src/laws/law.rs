@@ -25,7 +25,8 @@ pub enum Law {
     Injects,
     /// The supplied energy is the stored, less the dissipated and the shortfall.
     Balances,
-    /// A sample that is not finite gives a finite effort and is reported as not accepted.
+    /// A sample that is not finite, or whose period is not above 0, gives a finite effort; a bad effort is reported as
+    /// not accepted.
     Rejects,
     /// After a sample that was not finite, the effort is finite again.
     Recovers,

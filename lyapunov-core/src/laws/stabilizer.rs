@@ -8,6 +8,9 @@ use crate::{Correction, PortSample, Scalar, Signal, Stabilizer};
 /// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
 /// [`Rejects`](Law::Rejects) and [`Recovers`](Law::Recovers); on lanes also [`LaneByLane`](Law::LaneByLane).
 ///
+/// A period that is not above 0 is no time ([`PortSample::timed`]); whatever is answered to it is finite and keeps
+/// [`Opposes`](Law::Opposes), and the next sample is answered.
+///
 /// The laws check honesty (finite, passive, with debts reported), not that a loop becomes stable: run a scene for that.
 /// They take the reported damping on trust. A limit of the actuator belongs outside the stabilizer, where the next
 /// sample reports the applied effort: an effort clipped inside may feed power into the motion by what it cuts off.
@@ -37,7 +40,7 @@ pub fn stabilizer<V: Signal, S: Stabilizer<V> + Clone>(
 /// struct Half;
 /// impl Stabilizer<f64> for Half {
 ///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
-///         let sound = sample.finite() && effort.is_finite();
+///         let sound = sample.sound() && effort.is_finite();
 ///         Correction { accepted: sound, ..Correction::none(if sound { 0.5 * effort } else { 0.0 }) }
 ///     }
 /// }
@@ -73,6 +76,9 @@ fn check<V: Signal, S: Stabilizer<V> + Clone>(
                 for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                     rejects(now, one.clone(), &sample, effort, bad)?;
                     survives(now, &one, &sample, effort, bad)?;
+                }
+                for period in [-1e-3, -0.0, 0.0] {
+                    outlives(now, one.clone(), &sample, effort, period, manner)?;
                 }
                 Ok(())
             })
@@ -219,6 +225,27 @@ fn survives<V: Signal, S: Stabilizer<V> + Clone>(
             .map_err(|broken| broken.after(field, bad))?;
     }
     Ok(())
+}
+
+/// Check of one sample with a `period` that is not above 0, followed by a sound sample.
+fn outlives<V: Signal>(
+    now: Tick,
+    mut stabilizer: impl Stabilizer<V>,
+    sample: &PortSample<V>,
+    effort: V,
+    period: f64,
+    manner: Manner<V>,
+) -> Result<(), Violation> {
+    let untimed = PortSample { period: V::Scalar::of(period), ..*sample };
+    let correction = stabilizer.stabilize(&untimed, effort);
+    let accepted = V::choose(correction.accepted, correction.effort, effort);
+    now.told(quantity::EFFORT)
+        .finite(Law::Rejects, correction.effort)
+        .and_then(|()| {
+            manner(now, &untimed, effort, &Correction { effort: accepted, ..correction })
+        })
+        .and_then(|()| recovers(now, &mut stabilizer, sample, effort))
+        .map_err(|broken| broken.after("period", period))
 }
 
 /// Check of one bad effort, followed by the same sample with a sound one.

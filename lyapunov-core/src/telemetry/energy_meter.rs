@@ -119,7 +119,7 @@ impl<T: Scalar> EnergyMeter<T> {
 
         self.active.add(T::choose(correction.alpha.above(zero), one, zero));
         self.rejected.add(T::choose(correction.accepted, zero, one));
-        let square = sample.velocity.inner(sample.velocity) * sample.period;
+        let square = sample.velocity.inner(sample.velocity) * sample.period.larger(zero);
         book(&mut self.injected, correction.alpha * square);
         book(&mut self.absorbed, sample.work.sum());
     }

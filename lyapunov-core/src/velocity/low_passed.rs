@@ -53,7 +53,8 @@ impl<V: Signal> LowPassed<V> {
 impl<V: Signal> VelocityEstimator<V> for LowPassed<V> {
     #[inline]
     fn velocity(&mut self, sample: &PortSample<V>) -> V {
-        let turn = self.rate * sample.period;
+        let none = V::Scalar::of(f64::NAN);
+        let turn = self.rate * V::Scalar::choose(sample.timed(), sample.period, none);
         let share = turn / (V::Scalar::of(1.0) + turn);
         let velocity = match self.velocity {
             Some(last) => last.zip(sample.displacement, |last, moved| {

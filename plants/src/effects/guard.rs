@@ -6,9 +6,9 @@ use lyapunov_core::{
 
 use crate::Fallback;
 
-/// A port that receives only finite samples and answers only with finite efforts.
+/// A port that receives only finite samples over a time above 0 and answers only with finite efforts.
 ///
-/// A sample with a NaN or an infinity in any field is rejected before anything inside changes; the answer is the
+/// A sample with a NaN or an infinity in any field, or a period that is not above 0, is rejected before anything inside changes; the answer is the
 /// [`Fallback`], and the correction has `accepted: false`, that effort and no damping. The next sound sample that
 /// reaches the port spans the gap: the periods add up, and the displacement is the difference of the two sound
 /// positions.
@@ -91,7 +91,7 @@ where
             moved: V::zero(),
             unknown: None,
         });
-        gap.period += if sample.period.finite() { sample.period } else { self.period };
+        gap.period += if sample.timed() { sample.period } else { self.period };
         if sample.work.finite() && sample.displacement.finite() {
             gap.work = gap.work + sample.work;
             gap.moved = gap.moved + sample.displacement;
@@ -105,6 +105,9 @@ where
     }
 
     /// The port's answer to a sound sample, if that answer is sound.
+    ///
+    /// Where a gap is out of the scalar's range, as from 3e38 m to −3e38 m in `f32`, the sample is rejected, the gap is
+    /// not booked, and the next one counts from here.
     fn ask(&mut self, sample: &PortSample<V>) -> Option<V>
     where
         P: OnePort<V>,
@@ -115,7 +118,8 @@ where
         };
         self.period = sample.period;
         self.position = Some(sample.position);
-        Some(self.port.respond(&whole)).filter(|effort| effort.finite())
+        let answer = whole.finite().then(|| self.port.respond(&whole));
+        answer.filter(|effort| effort.finite())
     }
 
     /// The sound sample `now`, extended over the gap since the last one.
@@ -149,7 +153,7 @@ where
 {
     #[inline]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
-        let effort = if sample.finite() {
+        let effort = if sample.sound() {
             self.ask(sample)
         } else {
             self.note(sample);

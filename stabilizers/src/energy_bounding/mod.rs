@@ -156,8 +156,8 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         let moved = sample.displacement;
         let burnt = self.band.burns() * moved.inner(moved);
         // What the damper dissipates over an unknown time is unknown, and with it the tick's change.
-        let timed = sample.period.finite();
-        let change = V::Scalar::choose(timed, sample.work.sum() + burnt, sample.period);
+        let unknown = V::Scalar::of(f64::NAN);
+        let change = V::Scalar::choose(sample.timed(), sample.work.sum() + burnt, unknown);
         let booked = book(&mut self.energy, change);
         let sum = self.energy.value();
 

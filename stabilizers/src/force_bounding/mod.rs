@@ -163,7 +163,10 @@ where
             self.energy.lower(V::Scalar::choose(free, committed, V::Scalar::largest()));
         }
         let burnt = self.damping.burnt(sample.displacement, sample.period);
-        let booked = book(&mut self.energy, sample.work.sum() + burnt);
+        // What the damper dissipates over an unknown time is unknown, and with it the tick's change.
+        let unknown = V::Scalar::of(f64::NAN);
+        let change = V::Scalar::choose(sample.timed(), sample.work.sum() + burnt, unknown);
+        let booked = book(&mut self.energy, change);
         let sum = self.energy.value();
         let free = (sum - committed).larger(zero);
         // A little less than the bound: with the rounding of what follows the account stays at or above 0.

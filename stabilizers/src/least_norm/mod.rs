@@ -100,7 +100,8 @@ where
         let sum = self.observer.observe(sample, effort);
         let square = sample.velocity.inner(sample.velocity) * sample.period;
         let slack = self.decay * sum + effort.inner(sample.velocity) * sample.period;
-        let accepted = (slack + square + sample.work.sum()).finite() & effort.finite();
+        let timed = sample.period.above(zero);
+        let accepted = (slack + square + sample.work.sum()).finite() & effort.finite() & timed;
         // The divisor stays normal, and the margin rounds up, so that what is served is served in full.
         let margin = V::Scalar::of(1.0) - V::Scalar::of(4.0) * V::Scalar::epsilon();
         let lacking = (-slack).larger(zero);

@@ -143,7 +143,7 @@ where
             effort: V::of_screw(Screw::new(first.effort, second.effort)),
             observed_energy: first.observed_energy.smaller(second.observed_energy),
             alpha: mean(burnt, square, first.alpha.larger(second.alpha)),
-            shortfall: first.shortfall + second.shortfall,
+            shortfall: (first.shortfall + second.shortfall).smaller(V::Scalar::largest()),
             accepted: first.accepted & second.accepted,
         }
     }

@@ -60,7 +60,8 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
     }
 
     /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts), while
-    /// `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is.
+    /// `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is, and so does a period that is
+    /// not above 0.
     #[inline]
     pub fn pass<V: Signal<Scalar = T>>(
         &mut self,
@@ -75,7 +76,9 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
         let left = self.energy - share * asked * period;
         let gained = dissipated.larger(T::of(0.0)) * period;
         let energy = self.valve.filled(&self.store, self.energy, left, gained);
-        let sound = (left + energy + share + dissipated).finite() & wished.finite();
+        let sound = (left + energy + share + dissipated + period).finite()
+            & wished.finite()
+            & period.above(T::of(0.0));
         self.energy = T::choose(sound, energy, self.energy);
         V::choose(sound, wished.scale(share), V::zero())
     }

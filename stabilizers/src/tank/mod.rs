@@ -114,7 +114,9 @@ where
         let most = (sum.larger(zero) / sample.period).smaller(self.power);
         let given = -effort.inner(sample.velocity);
         let factor = V::Scalar::choose(given.above(most), most / given, one);
-        let accepted = (given + sample.period + sample.work.sum()).finite() & effort.finite();
+        let timed = sample.period.above(zero);
+        let accepted =
+            (given + sample.period + sample.work.sum()).finite() & effort.finite() & timed;
         Correction {
             effort: V::choose(accepted, effort.scale(factor), V::zero()),
             observed_energy: sum,
