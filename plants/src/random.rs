@@ -40,6 +40,8 @@ pub struct Random<T> {
     /// The seed of each lane in parts of 16 bits, least significant first: a lane holds 16 bits exactly, but not a
     /// `u64`.
     seeds: [T; 4],
+    /// Whether all lanes have one seed, and thus the same numbers.
+    is_one: bool,
     source: Source,
     calls: u64,
 }
@@ -49,7 +51,8 @@ impl<T: Scalar> Random<T> {
     pub fn new(seed: impl Fn(usize) -> u64, source: Source) -> Self {
         let part =
             |index: usize| T::from_lanes(|lane| f64::from((seed(lane) >> (16 * index)) as u16));
-        Self { seeds: core::array::from_fn(part), source, calls: 0 }
+        let is_one = (0..T::LANES).all(|lane| seed(lane) == seed(0));
+        Self { seeds: core::array::from_fn(part), is_one, source, calls: 0 }
     }
 
     /// The same numbers from call `calls` on, counted from 0.
@@ -69,7 +72,7 @@ impl<T: Scalar> Random<T> {
     pub fn normal<V: Signal<Scalar = T>>(&mut self) -> V {
         let mut axis = 0;
         let drawn = V::zero().map(|_| {
-            let axes = T::from_lanes(|lane| gaussian(self.words(axis, lane)));
+            let axes = self.drawn(axis, gaussian);
             axis += 1;
             axes
         });
@@ -80,10 +83,7 @@ impl<T: Scalar> Random<T> {
     /// The next uniform number, in `[0, 1)` before it is rounded to the scalar.
     #[inline]
     pub fn uniform(&mut self) -> T {
-        let drawn = T::from_lanes(|lane| {
-            let [high, low, ..] = self.words(0, lane);
-            uniform(high, low)
-        });
+        let drawn = self.drawn(0, |[high, low, ..]| uniform(high, low));
         self.calls = self.calls.wrapping_add(1);
         drawn
     }
@@ -91,13 +91,27 @@ impl<T: Scalar> Random<T> {
     /// The lanes in which an event of the given probability happens: none at 0, all at 1.
     #[inline]
     pub fn chance(&mut self, probability: T) -> T::Mask {
-        let happens = T::from_lanes(|lane| {
+        let number = |lane: usize| {
             let [high, low, ..] = self.words(0, lane);
+            uniform(high, low)
+        };
+        let first = number(0);
+        let happens = T::from_lanes(|lane| {
+            let drawn = if self.is_one { first } else { number(lane) };
             // Compared in f64: rounded to the scalar, the number might become 1.
-            f64::from(u8::from(uniform(high, low) < probability.lane(lane)))
+            f64::from(u8::from(drawn < probability.lane(lane)))
         });
         self.calls = self.calls.wrapping_add(1);
         happens.above(T::zero())
+    }
+
+    /// The number that `of` makes of each lane's random bits.
+    fn drawn(&self, axis: u32, of: impl Fn([u32; 4]) -> f64) -> T {
+        if self.is_one {
+            T::of(of(self.words(axis, 0)))
+        } else {
+            T::from_lanes(|lane| of(self.words(axis, lane)))
+        }
     }
 
     /// The four words of this call.

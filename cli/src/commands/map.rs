@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use indicatif::ProgressBar;
-use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use lyapunov_lab::map::{
     Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, Run, RunError, Shard, Survey,
     SweepPlan, areas, document, figure_names, figures, page, table_name,
@@ -294,15 +294,14 @@ impl Map {
             let _ = writeln!(said, "shard {shard} of the map");
         }
         said += &areas(survey, bounds);
+        let is_own = |it: &StabilizerName| matches!(it, StabilizerName::Own(_));
         let how = match computation.instructions {
-            Some(set) if survey.grid().stabilizers.iter().all(|it| it.basic_name().is_some()) => {
-                format!("{} cells at once ({set})", computation.lanes)
-            }
-            Some(set) => format!(
-                "{} cells at once ({set}) under what a scene can name, one at a time under the others",
+            Some(set) if survey.grid().stabilizers.iter().any(is_own) => format!(
+                "{} cells at once ({set}), one at a time under stabilizers of your own",
                 computation.lanes
             ),
-            None => "one cell at a time, as the kernel does not have all parts of the scene".into(),
+            Some(set) => format!("{} cells at once ({set})", computation.lanes),
+            None => "one cell at a time, as the scene is in f32 or its integrator adaptive".into(),
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
         out.write_all(said.as_bytes()).map_err(standard_output)

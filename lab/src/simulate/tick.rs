@@ -66,13 +66,15 @@ impl<V: Signal> Tick<V> {
             self.command,
             self.applied,
         ];
-        let mut finite = sum.finite() & alpha.finite() & shortfall.finite();
+        // Zero times a finite number is zero, and zero times anything else is NaN, which stays.
+        let zero = V::Scalar::of(0.0);
+        let mut nothing = sum * zero + alpha * zero + shortfall * zero;
         for signal in signals {
-            finite = finite & signal.finite();
+            nothing += signal.scale(zero).sum();
         }
-        if let Some(operator) = self.operator {
-            finite = finite & operator.position.finite() & operator.velocity.finite();
+        if let Some(OperatorMotion { position, velocity }) = self.operator {
+            nothing += position.scale(zero).sum() + velocity.scale(zero).sum();
         }
-        finite & Mask::of(self.time.is_finite())
+        nothing.finite() & Mask::of(self.time.is_finite())
     }
 }

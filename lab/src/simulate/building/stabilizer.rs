@@ -21,7 +21,7 @@ pub struct AnyStabilizer<V: Signal>(Box<dyn Replay<V>>);
 impl<V: Signal> AnyStabilizer<V> {
     /// Bytes that the stabilizer keeps from tick to tick, parameters included.
     pub fn state_bytes(&self) -> usize {
-        size_of_val(self.0.as_ref())
+        self.0.state_bytes()
     }
 
     /// `port` watched and corrected by this stabilizer, its motion measured as `scene` says: one part, compiled for its
@@ -169,6 +169,8 @@ impl<V: Space> Render<V> for Booking<V::Scalar> {
 
 /// Stabilizer that can wrap a port or run over samples.
 trait Replay<V: Signal>: Stabilizer<V> {
+    fn state_bytes(&self) -> usize;
+
     fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError>;
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]);
@@ -184,6 +186,10 @@ impl<V: Space, S: Stabilizer<V>> Stabilizer<V> for Called<S> {
 }
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
+    fn state_bytes(&self) -> usize {
+        size_of::<S>()
+    }
+
     fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError> {
         measured(scenes, port.stabilized(AnyStabilizer(self)))
     }
@@ -203,6 +209,10 @@ impl<V: Space, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
 }
 
 impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
+    fn state_bytes(&self) -> usize {
+        size_of::<S>()
+    }
+
     fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError> {
         measured(scenes, port.stabilized(self.0.into_part()))
     }

@@ -26,7 +26,7 @@ pub struct Computation {
     pub threads: usize,
     /// Cells that run side by side in one vector; 1: one by one.
     pub lanes: usize,
-    /// `lanes`, or `single` for a scene with parts that the lanes do not have.
+    /// `lanes`, or `single` for a scene that lanes do not have: in `f32`, or with an adaptive integrator.
     pub method: &'static str,
     /// The vector instructions of the lanes; null without lanes.
     pub instructions: Option<&'static str>,

@@ -65,9 +65,10 @@ pub(super) fn number(field: &[u8]) -> Option<f64> {
 /// with decimal commas.
 pub(super) fn delimiter(line: &[u8]) -> u8 {
     let parts = |delimiter: &u8| {
-        let mut fields =
-            Fields::new(line, *delimiter).filter(|field| !field.trim_ascii().is_empty());
-        find(*delimiter, line).is_some() && fields.all(|field| is_number(field, *delimiter))
+        let fields = Fields::new(line, *delimiter).filter(|field| !field.trim_ascii().is_empty());
+        let (numbers, words): (Vec<_>, Vec<_>) =
+            fields.partition(|field| is_number(field, *delimiter));
+        numbers.len() > 1 && words.is_empty()
     };
     if let Some(delimiter) = [b';', b'\t'].into_iter().find(parts) {
         return delimiter;
