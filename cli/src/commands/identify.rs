@@ -48,7 +48,7 @@ pub(crate) struct Identify {
 
 impl Identify {
     pub(crate) fn run(&self) -> Result<(), End> {
-        heed_interrupts(false);
+        heed_interrupts(self.out.is_some());
         let settings = Settings { columns: self.columns.clone(), scales: self.scale.clone() };
         let folder = self.out.as_deref().map(|path| Folder::claim(path, RESULTS)).transpose()?;
         let identified = self.identify(&settings)?;
