@@ -120,7 +120,8 @@ impl Device {
         let of_short = near.filter(|_| error > WORSE * least).and_then(|fit| Told::of(&short, fit));
         let is_pushed = of_short.is_some();
         let (told, other) = match of_short {
-            Some(told) => (told, of_long),
+            // A whole log that tells no mass at all has nothing to add.
+            Some(told) => (told, of_long.filter(|it| it.mobility().inverse().is_some())),
             None => (of_long.ok_or(Fault::NoMass)?, None),
         };
         let device = Self { told, other, lag, ahead, error, short_error, is_pushed };
@@ -149,7 +150,8 @@ impl Device {
     }
 
     fn mobility(&self) -> Estimate {
-        self.told_by(|at| at[MOBILITY], |_| Vector4::ith(MOBILITY, 1.0))
+        let told = self.told.mobility();
+        self.other.as_ref().map_or(told, |other| told.or(other.mobility()))
     }
 
     /// The mass, kg.
@@ -212,6 +214,10 @@ impl Told {
             fit.at[BIAS] = fit.pass.pushes / fit.pass.fitted.len() as f64;
         }
         Some(Self { fit, spread, middle })
+    }
+
+    fn mobility(&self) -> Estimate {
+        self.estimate(|at| at[MOBILITY], |_| Vector4::ith(MOBILITY, 1.0))
     }
 
     fn estimate(

@@ -1,11 +1,12 @@
 //! Fit of the model's coefficients to a log: output error over segments.
 
-use nalgebra::{Matrix4, SMatrix, Vector4};
+use nalgebra::{Matrix4, Vector4};
 
+use super::base::Base;
 use super::blocks::Score;
 use super::least_squares::inverse;
-use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, Motion, RESPONSES, SPRING};
-use super::stretch::Stretch;
+use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, Motion, SPRING, State};
+use super::stretch::{Stretch, weights};
 
 /// Most steps of one fit.
 const STEPS: usize = 40;
@@ -192,7 +193,7 @@ impl Setting<'_> {
             pass.fitted.extend_from_slice(&stretch.positions[rows]);
             return;
         }
-        let shared = |line: &super::motion::State, part: usize| {
+        let shared = |line: &State, part: usize| {
             let bias = if self.pushed { 0.0 } else { at[BIAS] };
             bias * line[(part, 2)] + at[MOBILITY] * line[(part, 3)]
         };
@@ -229,84 +230,6 @@ impl Setting<'_> {
         pass.own += own;
         pass.pushes += numbers[2] * lines.len() as f64;
     }
-}
-
-/// Roots of the weights: readings that stand still count once, however long they stand.
-fn weights(positions: &[f64]) -> Vec<f64> {
-    let mut weights = Vec::with_capacity(positions.len());
-    for run in positions.chunk_by(|one, other| one == other) {
-        weights.extend(std::iter::repeat_n((run.len() as f64).sqrt().recip(), run.len()));
-    }
-    weights
-}
-
-/// An orthonormal base of a segment's own responses.
-struct Base {
-    vectors: Vec<Vec<f64>>,
-    /// Triangle of products, column by column.
-    triangle: SMatrix<f64, RESPONSES, RESPONSES>,
-}
-
-impl Base {
-    fn of(lines: &[super::motion::State], own: usize, weights: &[f64]) -> Self {
-        let mut base = Self { vectors: Vec::new(), triangle: SMatrix::zeros() };
-        for column in 0..own {
-            let mut vector: Vec<f64> = lines
-                .iter()
-                .zip(weights)
-                .map(|(line, weight)| weight * line[(0, column)])
-                .collect();
-            // Twice is enough.
-            for _ in 0..2 {
-                for (row, other) in base.vectors.iter().enumerate() {
-                    let part = dot(other, &vector);
-                    base.triangle[(row, column)] += part;
-                    subtract(&mut vector, other, part);
-                }
-            }
-            let length = dot(&vector, &vector).sqrt();
-            base.triangle[(column, column)] = length;
-            let scale = if length > 0.0 { length.recip() } else { 0.0 };
-            vector.iter_mut().for_each(|it| *it *= scale);
-            base.vectors.push(vector);
-        }
-        base
-    }
-
-    /// The segment's own numbers that fit `values` best.
-    fn numbers(&self, values: &[f64], weights: &[f64]) -> [f64; 3] {
-        let values: Vec<f64> = values.iter().zip(weights).map(|(it, weight)| it * weight).collect();
-        let mut numbers = [0.0; 3];
-        for row in (0..self.vectors.len()).rev() {
-            let more =
-                (row + 1..self.vectors.len()).map(|it| self.triangle[(row, it)] * numbers[it]);
-            let left = dot(&self.vectors[row], &values) - more.sum::<f64>();
-            let length = self.triangle[(row, row)];
-            numbers[row] = if length > 0.0 { left / length } else { 0.0 };
-        }
-        numbers
-    }
-
-    /// What the segment's own numbers leave of `values`, weighted.
-    fn rest(&self, values: &[f64], weights: &[f64]) -> Vec<f64> {
-        let mut rest: Vec<f64> =
-            values.iter().zip(weights).map(|(it, weight)| it * weight).collect();
-        for _ in 0..2 {
-            for vector in &self.vectors {
-                let part = dot(vector, &rest);
-                subtract(&mut rest, vector, part);
-            }
-        }
-        rest
-    }
-}
-
-fn dot(one: &[f64], other: &[f64]) -> f64 {
-    one.iter().zip(other).map(|(one, other)| one * other).sum()
-}
-
-fn subtract(vector: &mut [f64], other: &[f64], part: f64) {
-    vector.iter_mut().zip(other).for_each(|(it, other)| *it -= part * other);
 }
 
 /// The coefficients with neither decay nor spring below 0, as no hand and no device has.

@@ -7,7 +7,7 @@ use super::stretch::Stretch;
 use crate::studies::observe::{BadRows, Entry, Log, ObserveError, Sample};
 
 /// The most rows of a log.
-const MOST: usize = 1_000_000;
+const MOST: usize = 200_000;
 
 /// Length of a time step, in median periods, above which it is a gap; as in `observe`.
 const GAP: f64 = 1.5;

@@ -16,3 +16,12 @@ impl Stretch {
         self.times.len()
     }
 }
+
+/// Roots of the weights: readings that stand still count once, however long they stand.
+pub(super) fn weights(positions: &[f64]) -> Vec<f64> {
+    let mut weights = Vec::with_capacity(positions.len());
+    for run in positions.chunk_by(|one, other| one == other) {
+        weights.extend(std::iter::repeat_n((run.len() as f64).sqrt().recip(), run.len()));
+    }
+    weights
+}
