@@ -15,7 +15,7 @@ type Space3 = SVector<f64, 3>;
 /// A hand that falls from 4 mm onto a surface and stays pressed; `place` has the coordinates and the environment.
 fn pressed(place: &str) -> Scene {
     scene(&format!(
-        "duration = 3\nservo_rate = 1000\ndevice = {{ mass = 0.2, damping = 0.1 }}\n\
+        "duration = 8\nservo_rate = 1000\ndevice = {{ mass = 0.2, damping = 0.1 }}\n\
          operator.mass = 0.1\noperator.damping = 1.5\noperator.stiffness = 200\n{place}"
     ))
 }
@@ -60,7 +60,8 @@ fn assert_alike(one: &[Score], other: &[Score], within: f64) {
     }
 }
 
-const NAMES: &str = "none,popc,lolc,tank,iss,virtual-coupling,force-bounding,popc-spread";
+/// Those whose defaults do not follow from the energy of the start, which is another about the hand's rest than about x_eq.
+const NAMES: &str = "none,popc,lolc,iss,virtual-coupling,force-bounding,popc-spread";
 
 #[test]
 fn on_one_axis_a_space_has_the_numbers_of_a_line() {
