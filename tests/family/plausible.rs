@@ -3,7 +3,8 @@
 use lyapunov::lanes::{AutoF32x8, WideF64x4};
 use lyapunov::laws::{self, Samples};
 use lyapunov::{
-    Correction, Dissipation, HeldTick, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
+    Correction, Dissipation, HeldTick, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal,
+    Stabilizer,
     accumulators::{Compensated, Wide, Widen},
     stabilizers::{
         Account, EnergyBounding, ForceBound, ForceBounding, LeastNorm, Plausibility, SlopeBound,
@@ -144,7 +145,8 @@ fn the_laws_hold_and_limits_are_checked() {
     laws::stabilizer(&popc.plausible(limits()).expect("limits"), Samples::<f64>::new(PERIOD))
         .expect("laws");
     let none = Plausibility { speed: f64::INFINITY, effort: f64::INFINITY };
-    laws::stabilizer(&popc.plausible(none).expect("none"), Samples::<f64>::new(PERIOD)).expect("laws");
+    laws::stabilizer(&popc.plausible(none).expect("none"), Samples::<f64>::new(PERIOD))
+        .expect("laws");
     for bad in [-1.0, f64::NAN] {
         assert!(popc.plausible(Plausibility { speed: bad, effort: 1.0 }).is_err());
         let mut one = popc.plausible(limits()).expect("limits");
