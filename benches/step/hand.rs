@@ -89,7 +89,7 @@ macro_rules! hand {
                 out.sum = sum;
                 out.alpha = alpha;
                 out.shortfall = 0.0 - if served < 0.0 { served } else { 0.0 };
-                out.accepted = (served + probe).is_finite();
+                out.accepted = (served + probe).is_finite() & (s.period > 0.0);
                 out.accepted
             }
 

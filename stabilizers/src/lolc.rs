@@ -164,15 +164,17 @@ where
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let before = self.observer.ledger;
+        // As the ledger's own samples have it, so that a credit and this are one product.
+        let period = sample.period.larger(V::Scalar::of(0.0));
         let terms = Terms {
             decrease: self.observer.decrease(sample, effort),
-            square: sample.velocity.inner(sample.velocity) * sample.period,
+            square: sample.velocity.inner(sample.velocity) * period,
             velocity: sample.velocity,
             effort,
         };
         let mut correction = self.correct(terms);
         // An infinite period makes the step's numbers infinite or NaN.
-        correction.accepted = correction.accepted & sample.period.above(V::Scalar::of(0.0));
+        correction.accepted = correction.accepted & period.above(V::Scalar::of(0.0));
         if correction.accepted.all() {
             correction
         } else {

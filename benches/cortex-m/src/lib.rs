@@ -39,5 +39,6 @@ pub fn uncapped(sum: &mut Sum, sample: &PortSample<f32>, effort: f32) -> f32 {
     let square = velocity * velocity * sample.period;
     sum.0 += sample.work;
     let debt = if sum.0 < 0.0 && square > f32::MIN_POSITIVE { -sum.0 } else { 0.0 };
-    effort + debt / square.max(f32::MIN_POSITIVE) * velocity
+    let divisor = if square > f32::MIN_POSITIVE { square } else { f32::MIN_POSITIVE };
+    effort + debt / divisor * velocity
 }

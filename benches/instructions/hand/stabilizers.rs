@@ -55,6 +55,7 @@ macro_rules! stabilizers {
             ) -> $real {
                 let before = self.sum;
                 self.correct(work, velocity * velocity * period, velocity, force);
+                self.told.accepted &= period > 0.0;
                 if !self.told.accepted {
                     let fits = (before + work).is_finite();
                     self.sum = before;
@@ -77,6 +78,8 @@ macro_rules! stabilizers {
             #[inline(always)]
             fn effort(&mut self, period: $real, moved: $real, work: $real, force: $real) -> $real {
                 let change = work + self.damping * (moved * moved / period);
+                let timed = period > 0.0 && period.is_finite();
+                let change = if timed { change } else { $real::NAN };
                 let booked = (self.energy + change).is_finite();
                 self.energy += if booked { change } else { 0.0 };
                 let sum = self.energy;
@@ -118,7 +121,8 @@ macro_rules! stabilizers {
                 let most = if available < self.power { available } else { self.power };
                 let given = -(force * velocity);
                 let factor = if given > most { most / given } else { 1.0 };
-                let accepted = (given + period + work).is_finite() && force.is_finite();
+                let timed = period > 0.0;
+                let accepted = (given + period + work).is_finite() && force.is_finite() && timed;
                 let effort = if accepted { force * factor } else { 0.0 };
                 let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
                 self.told = Told { effort, sum, alpha: 0.0, shortfall, accepted };

@@ -112,14 +112,14 @@ where
     where
         P: OnePort<V>,
     {
-        let whole = match self.gap.take() {
-            Some(gap) => self.span(sample, &gap),
-            None => *sample,
-        };
+        let gap = self.gap.take();
+        let whole = gap.map(|gap| self.span(sample, &gap));
         self.period = sample.period;
         self.position = Some(sample.position);
-        let answer = whole.finite().then(|| self.port.respond(&whole));
-        answer.filter(|effort| effort.finite())
+        if whole.is_some_and(|whole| !whole.finite()) {
+            return None;
+        }
+        Some(self.port.respond(&whole.unwrap_or(*sample))).filter(|effort| effort.finite())
     }
 
     /// The sound sample `now`, extended over the gap since the last one.
