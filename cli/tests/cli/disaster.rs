@@ -28,7 +28,13 @@ impl Draws {
     }
 }
 
-/// A map of two bands and more, a fifth of whose time are its pictures.
+/// A share of a map: a table that is computed in bands and written at the end. The pictures of a whole map would take most of
+/// the time.
+pub(crate) fn share<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    map(&[&["--shard", "0/2"], more].concat())
+}
+
+/// A whole map.
 pub(crate) fn map<'a>(more: &[&'a str]) -> Vec<&'a str> {
     let axes =
         ["--x", "environment.wall.stiffness=500..20000:7", "--y", "initial.velocity=0..0.1:6"];
@@ -65,69 +71,76 @@ pub(crate) fn are_whole(place: &Place, folder: &str, whole: &BTreeMap<String, Ve
     }
 }
 
-#[test]
-fn a_map_that_is_killed_at_any_moment_is_resumed_to_the_same_bytes() {
+/// Kills `command` at `kills` moments, resumes it, and compares.
+fn killed(command: fn(&[&'static str]) -> Vec<&'static str>, kills: u32) {
     let place = place();
-    let whole = place.run(map(&["--out", "whole"]));
+    let whole = place.run(command(&["--out", "whole"]));
     whole.ended(0, &[]);
     let (takes, whole) = (whole.took.as_micros() as u64, files(&place, "whole"));
     let (mut draws, mut killed, mut ended) = (Draws(0x9e37_79b9_7f4a_7c15), 0, 0);
-    for round in 0.. {
-        if killed >= KILLS {
-            break;
-        }
-        let folder = format!("out-{round}");
-        fs::create_dir(place.path(&folder)).unwrap();
-        fs::write(place.path(format!("{folder}/map.csv")), "before").unwrap();
-        let resume = map(&["--out", &folder, "--resume"]);
-        for _ in 0..IN_A_ROW {
+    let table = whole.keys().find(|name| name.ends_with(".csv")).unwrap();
+    while killed < kills {
+        fs::create_dir(place.path("out")).unwrap();
+        fs::write(place.path(format!("out/{table}")), "before").unwrap();
+        let resume = command(&["--out", "out", "--resume"]);
+        for _ in 0..IN_A_ROW.min(kills) {
             let mut child = place.command(&resume).start(Stdio::piped());
             thread::sleep(Duration::from_micros(draws.next() % takes));
             child.kill().unwrap();
             let status = child.wait().unwrap();
             killed += u32::from(!status.success());
             ended += u32::from(status.success());
-            are_whole(&place, &folder, &whole);
+            are_whole(&place, "out", &whole);
         }
         place.run(&resume).ended(0, &[]);
-        assert_eq!(files(&place, &folder), whole, "{folder}");
-        assert_eq!(place.names(&folder), place.names("whole"));
-        fs::remove_dir_all(place.path(&folder)).unwrap();
+        assert_eq!(files(&place, "out"), whole);
+        assert_eq!(place.names("out"), place.names("whole"));
+        fs::remove_dir_all(place.path("out")).unwrap();
     }
-    assert!(killed >= KILLS && ended < KILLS, "{killed} killed, {ended} ended before");
+    assert!(ended < 2 * kills, "{killed} killed, {ended} ended before");
+}
+
+#[test]
+fn a_map_that_is_killed_at_any_moment_is_resumed_to_the_same_bytes() {
+    killed(share, KILLS);
+    killed(map, 3);
 }
 
 /// No file may become longer than a limit, which stands for a disk that fills up at any place.
 #[test]
 fn a_map_that_runs_out_of_room_is_resumed_to_the_same_bytes() {
+    out_of_room(share, "map-0-of-2.csv", 16);
+    out_of_room(map, "map.csv", 2);
+}
+
+/// Runs `command` with so many `limits`, the first of them small, resumes it, and compares.
+fn out_of_room(command: fn(&[&'static str]) -> Vec<&'static str>, table: &str, limits: usize) {
     let place = place();
-    place.run(map(&["--out", "whole"])).ended(0, &[]);
+    place.run(command(&["--out", "whole"])).ended(0, &[]);
     let whole = files(&place, "whole");
     let longest = whole.values().map(Vec::len).max().unwrap() as u64 / 512;
-    let (mut draws, mut refused) = (Draws(0x2545_f491_4f6c_dd1d), 0);
-    let limits = (0..6).chain((0..12).map(|_| draws.next() % longest));
-    for (round, blocks) in limits.collect::<Vec<_>>().into_iter().enumerate() {
-        let folder = format!("out-{round}");
-        fs::create_dir(place.path(&folder)).unwrap();
-        for name in ["map.csv", "map.json", "report.html", "verdict.svg"] {
-            fs::write(place.path(format!("{folder}/{name}")), "before").unwrap();
+    let mut draws = Draws(0x2545_f491_4f6c_dd1d);
+    let small = (0..limits as u64).filter(|blocks| *blocks < limits as u64 / 3);
+    let drawn = std::iter::repeat_with(|| draws.next() % longest);
+    for blocks in small.chain(drawn).take(limits).collect::<Vec<_>>() {
+        fs::create_dir(place.path("out")).unwrap();
+        for name in [table, "report.html", "verdict.svg"] {
+            fs::write(place.path(format!("out/{name}")), "before").unwrap();
         }
-        let resume = map(&["--out", &folder, "--resume"]);
+        let resume = command(&["--out", "out", "--resume"]);
         let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
         let mut shell = Command::new("sh");
         shell.args(["-c", &script, env!("CARGO_BIN_EXE_lyapunov")]).args(&resume);
         let said = Said::by(shell.current_dir(place.path(".")));
-        refused += u32::from(said.status == Some(2));
         said.ended(2, &["cannot be written"]);
-        are_whole(&place, &folder, &whole);
         // Nothing has its name before all are whole.
-        for name in ["map.csv", "map.json", "report.html", "verdict.svg"] {
-            assert_eq!(place.text(&format!("{folder}/{name}")), "before");
+        for name in [table, "report.html", "verdict.svg"] {
+            assert_eq!(place.text(&format!("out/{name}")), "before", "{blocks} blocks");
         }
-        assert!(!place.names(&folder).iter().any(|name| name.starts_with(".lyapunov-")));
+        assert!(!place.names("out").iter().any(|name| name.starts_with(".lyapunov-")));
         place.run(&resume).ended(0, &[]);
-        assert_eq!(files(&place, &folder), whole, "{blocks} blocks");
-        fs::remove_dir_all(place.path(&folder)).unwrap();
+        let found = files(&place, "out");
+        assert!(whole.iter().all(|(name, bytes)| found[name] == *bytes), "{blocks} blocks");
+        fs::remove_dir_all(place.path("out")).unwrap();
     }
-    assert_eq!(refused, 18);
 }

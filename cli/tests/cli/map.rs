@@ -99,7 +99,7 @@ fn the_family_is_mapped_beside_the_stabilizers_of_scenes() {
     assert!(page.contains("--stabilizers popc-spread,none,tank,lolc"));
     assert!(page.contains("<td>tank</td>"));
     // A map of other stabilizers is not resumed.
-    unfinished(&place, "other", &with(&[]));
+    unfinished(&place, "other", "map.csv", &with(&[]));
     place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
 }
 
@@ -108,7 +108,7 @@ fn a_table_that_was_cut_off_is_resumed() {
     let place = place();
     place.run(axes(&["--out", "whole"])).ended(0, &[]);
     let whole = place.text("whole/map.csv");
-    let part = unfinished(&place, "part", &axes(&[]));
+    let part = unfinished(&place, "part", "map.csv", &axes(&[]));
     let rows = part.find("\n500").unwrap() + 1;
     for kept in [rows, rows + 10, (rows + part.len()) / 2, part.len() - 1, part.len()] {
         let folder = format!("cut-{kept}");
@@ -217,7 +217,7 @@ fn another_map_is_neither_resumed_nor_merged() {
     place.refuses(["map", "merge", "out", "--out", "merged"], &["row", "no map has there"]);
     place.put("out/map-1-of-2.csv", shard.replace("duration = 1.5", "duration = 1.6"));
     place.refuses(["map", "merge", "out", "--out", "merged"], &["not of the same map"]);
-    let part = unfinished(&place, "other", &axes(&[]));
+    let part = unfinished(&place, "other", "map.csv", &axes(&[]));
     place.put("other/map.part.csv", part.replace("duration = 1.5", "duration = 1.6"));
     let before = place.contents();
     place.refuses(axes(&["--out", "other", "--resume"]), &["is of another map"]);
@@ -232,7 +232,7 @@ fn a_table_with_other_columns_is_refused() {
     let table = place.text("out/map.csv");
     let old = table.replace("stabilizer,verdict,verdict_by,", "stabilizer,stable,");
     assert_ne!(old, table);
-    let part = unfinished(&place, "old", &axes(&[]));
+    let part = unfinished(&place, "old", "map.csv", &axes(&[]));
     place.put(
         "old/map.part.csv",
         part.replace("stabilizer,verdict,verdict_by,", "stabilizer,stable,"),
