@@ -38,12 +38,12 @@ enum Stream {
 }
 
 impl Source {
-    fn standard_input() -> io::Result<Self> {
+    pub(crate) fn standard_input() -> io::Result<Self> {
         Ok(Self::of(waiting(|| Ok(io::stdin()))?, None))
     }
 
     /// Opens the file at `path`, or whatever else is there.
-    fn open(path: &Path) -> io::Result<Self> {
+    pub(crate) fn open(path: &Path) -> io::Result<Self> {
         let found = fs::metadata(path).map_err(remedied)?;
         if found.is_dir() {
             return Err(io::Error::other("this is a folder\n  = give the path of a file in it"));
