@@ -34,24 +34,24 @@ impl<V: Signal> Stabilizer<V> for Hand<V::Scalar> {
         let work = sample.work.sum();
         let booked = (self.sum + work).finite();
         let work = choose(booked, work, zero);
-        let sound = booked & sample.finite() & effort.finite() & square.finite();
+        let sound = booked & sample.sound() & effort.finite() & square.finite();
         let square = choose(sound, square, zero);
         let velocity = V::choose(sound, sample.velocity, V::zero());
         let effort = V::choose(sound, effort, V::zero());
 
-        let most = -self.limit * choose(square.above(tiny), square, zero);
+        let most = choose(square.above(tiny), self.limit, zero);
+        let margin = V::Scalar::of(1.0) - V::Scalar::of(4.0) * V::Scalar::epsilon();
+        let inverse = V::Scalar::of(-1.0) / (square * margin).larger(tiny);
         let sum = self.sum + work;
         // What this tick's damping does is in the work of the next sample.
         self.sum = sum * self.kept;
-        let debt = sum.smaller(-zero);
-        let paid = debt.larger(most);
-        let margin = V::Scalar::of(1.0) - V::Scalar::of(4.0) * V::Scalar::epsilon();
-        let alpha = (paid / (square * -margin).smaller(-tiny)).smaller(self.limit);
+        let alpha = (sum * inverse).smaller(most).larger(zero);
+        let served = sum + alpha * square;
         Correction {
             effort: effort + velocity.scale(alpha),
             observed_energy: sum,
             alpha,
-            shortfall: paid - debt,
+            shortfall: zero - served.smaller(zero),
             accepted: sound,
         }
     }

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use lyapunov::environments::Time;
 
 use super::equilibrium::{driven, equilibria, last_pull, swing};
-use super::{Place, Space};
+use super::building::Space;
+use super::place::Place;
 use crate::files::scene::Draft;
 
 /// Largest distance from the equilibrium that counts as settled, as a share of the starting swing.

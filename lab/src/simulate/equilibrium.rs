@@ -3,7 +3,8 @@
 use lyapunov::environments::{Kinematics, NearestPoint, Solid, Time};
 use nalgebra::SVector;
 
-use super::{Place, Space};
+use super::building::Space;
+use super::place::Place;
 use crate::files::scene::{Draft, Face, Motion, StaticSpring};
 
 /// Halvings of an interval: more than f64 has digits.

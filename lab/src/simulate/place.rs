@@ -1,6 +1,6 @@
 //! Place in the space of a scene.
 
-use super::Space;
+use super::building::Space;
 use crate::files::scene::Coordinates;
 
 /// Place on a line or in a space, m.
