@@ -46,7 +46,14 @@ impl<'a> Folder<'a> {
         names: impl IntoIterator<Item = impl Into<String>>,
         inputs: &Inputs,
     ) -> Result<Self, End> {
-        Self::locked(path, names, inputs, FolderLock::shared)
+        let lock = |path: &Path| {
+            // Only while nobody else is there.
+            if let Some(alone) = FolderLock::alone(path) {
+                sweep_locked(path, &alone);
+            }
+            FolderLock::shared(path)
+        };
+        Self::locked(path, names, inputs, lock)
     }
 
     fn locked(

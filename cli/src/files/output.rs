@@ -23,8 +23,22 @@ pub(crate) struct Output {
 
 #[derive(Debug)]
 enum Target {
-    Replace(BufWriter<NamedTempFile>, PathBuf, Untidy),
+    Replace(BufWriter<Unnamed>, PathBuf, Untidy),
     Direct(BufWriter<File>),
+}
+
+/// Temporary file whose errors do not tell its name, which means nothing to the user.
+#[derive(Debug)]
+struct Unnamed(NamedTempFile);
+
+impl Write for Unnamed {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.as_file_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.as_file_mut().flush()
+    }
 }
 
 impl Output {
@@ -48,7 +62,7 @@ impl Output {
             sweep(folder);
             let untidy = Untidy::new();
             let file = beside(folder).map_err(refuse)?;
-            Target::Replace(BufWriter::new(file), place, untidy)
+            Target::Replace(BufWriter::new(Unnamed(file)), place, untidy)
         };
         Ok(Self { path: path.to_owned(), target })
     }
@@ -72,7 +86,8 @@ impl Output {
         let refuse = |source| OutputError::new(&path, source);
         let file = match target {
             Target::Replace(writer, place, untidy) => {
-                let file = writer.into_inner().map_err(|error| refuse(error.into_error()))?;
+                let Unnamed(file) =
+                    writer.into_inner().map_err(|error| refuse(error.into_error()))?;
                 file.as_file().sync_all().map_err(refuse)?;
                 Some((file.into_temp_path(), place, untidy))
             }

@@ -109,7 +109,7 @@ fn a_row_that_no_run_has_is_not_merged() {
     let grown = ",none,grows,distance,,";
     refuses(table.replacen(grown, ",none,grows,distance,1.0,", 1), &["which no map has there"]);
     for wrong in ["-1.0", "inf", "NaN", "1e0", "01.0", "-0.0"] {
-        let bounded = [",none,settles,distance,", ",popc,settles,distance,"];
+        let bounded = [",settles,distance,", ",swinging,distance,"];
         let bounded = bounded.into_iter().find(|it| table.contains(it)).unwrap();
         let at = table.find(bounded).unwrap() + bounded.len();
         let end = at + table[at..].find(',').unwrap();

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 const WIDTH: usize = 100;
 
 /// Time after which a command counts as hanging; none here takes as long, even on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(240);
 
 /// Output, exit status and duration of a command that has ended.
 #[derive(Debug)]
