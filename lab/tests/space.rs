@@ -91,8 +91,6 @@ fn on_one_axis_a_space_has_the_numbers_of_a_line() {
         }
     }
     assert_eq!((one.verdict, one.verdict_by), (other.verdict, other.verdict_by));
-    for r in &one.remedies { eprintln!("L {:?} {:?}", r.changes, r.verdict); }
-    for r in &other.remedies { eprintln!("P {:?} {:?}", r.changes, r.verdict); }
     assert_eq!(one.remedies.len(), other.remedies.len());
     for (one, other) in one.remedies.iter().zip(&other.remedies) {
         assert_relative_eq!(one.peak_force, other.peak_force, max_relative = 1e-9);

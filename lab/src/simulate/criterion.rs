@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use lyapunov::environments::Time;
 
-use super::equilibrium::{driven, equilibria, last_pull, swing};
 use super::building::Space;
+use super::equilibrium::{driven, equilibria, last_pull, swing};
 use super::place::Place;
 use crate::files::scene::Draft;
 

@@ -23,7 +23,6 @@ pub(crate) use building::{AnyStabilizer, Assembly, Fitted, Port, Scenes, Space, 
 pub(crate) use criterion::Criterion;
 pub use instructions::Instructions;
 pub use load::Subject;
-pub(crate) use place::Place;
 pub(crate) use rollout::Rollout;
 pub(crate) use row::Row;
 pub(crate) use stabilizing::Stabilizing;

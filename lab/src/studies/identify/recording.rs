@@ -45,7 +45,7 @@ impl Recording {
                 Entry::Good(sample) => {
                     let last = rows.last().map(|it| it.0);
                     if let Some(last) = last
-                        && !(sample.t > last.t)
+                        && sample.t <= last.t
                     {
                         let message = format!("t = {:?} s is not after {:?} s", sample.t, last.t);
                         return Err(ObserveError::at(name, sample.line, message)

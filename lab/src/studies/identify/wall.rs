@@ -123,7 +123,7 @@ impl Wall {
         let mut at = Vector4::zeros();
         for _ in 0..ROUNDS {
             at = line(touches, &contact)?;
-            if !(at[0] > 0.0) {
+            if at[0] <= 0.0 || at[0].is_nan() {
                 return None;
             }
             let next: Vec<bool> = touches.iter().map(|it| wall(&at, it) > 0.0).collect();

@@ -69,8 +69,8 @@ impl Vary {
             }
         };
         let name = self.key.rsplit('.').next().unwrap_or_default();
-        let table = table(&self.key).split('.').filter(|_| self.key.contains('.'));
-        let place = table.fold(Some(tree), |place, part| place?.get_mut(part));
+        let mut table = table(&self.key).split('.').filter(|_| self.key.contains('.'));
+        let place = table.try_fold(tree, |place, part| place.get_mut(part));
         match place {
             Some(Value::Table(table)) => {
                 table.insert(name.to_owned(), number);
