@@ -33,6 +33,8 @@ mod bench;
 mod commands;
 mod files;
 mod interrupts;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod pictures;
 
 pub use bench::Bench;

@@ -66,7 +66,7 @@ pub use simulate::building::{
 pub use simulate::ensemble::{Constant, Ensemble, Moves};
 pub use simulate::family;
 pub use simulate::rollout::Rollout;
-pub use simulate::row::Row;
+pub use simulate::row::{Row, row_numbers};
 pub use simulate::tick::{OperatorMotion, Tick};
 
 // Measures and their presentation.
@@ -75,6 +75,7 @@ pub use measure::summary::Summary;
 pub use measure::verdict::{Verdict, Yardstick};
 pub use show::csv::{COLUMNS, Csv};
 pub use show::output_error::OutputError;
+pub use show::row_file::{RowColumn, RowFile, Seeds};
 pub use show::sync_folder::sync_folder;
 
 // Studies, one for each command.

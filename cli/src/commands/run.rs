@@ -10,13 +10,15 @@ use lyapunov_lab::explain::Hint;
 use lyapunov_lab::observe::{Columns, Scale};
 use lyapunov_lab::run::{Against, Curves, Laid, Start};
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Csv, OutputError, Rollout, Row, Space, Summary, in_space};
+use lyapunov_lab::{Csv, OutputError, Rollout, Row, RowFile, Space, Summary, Tick, in_space};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
 use super::{BAR, End, say, shown, standard_output};
-use crate::files::{Inputs, Output};
+use crate::files::{Inputs, Output, Sidecar};
+#[cfg(feature = "parquet")]
+use crate::parquet::Parquet;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "run.json";
@@ -35,9 +37,14 @@ const BREATH: u64 = 1 << 16;
 pub(crate) struct Run {
     /// The scene file, TOML.
     scene: PathBuf,
-    /// Write one row per servo tick to this file; `-` is standard output.
+    /// Write one row per servo tick to this file, and beside it, as NAME.json, what the columns are and what made them; `-` is
+    /// standard output.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write the same rows as Parquet to this file, with scene, seeds, units and version in its metadata.
+    #[cfg(feature = "parquet")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["csv", "out"])]
+    parquet: Option<PathBuf>,
     /// Write report.html, run.json, the rows (run.csv) and a plot of position, force, energy and velocity (SVG and PNG)
     /// into this folder; made if not there.
     #[arg(long, value_name = "DIR", conflicts_with = "csv")]
@@ -93,6 +100,10 @@ impl Run {
             let (scene, log) = self.laid_over(scene)?;
             return self.fill(&scene, log, out);
         }
+        #[cfg(feature = "parquet")]
+        if let Some(path) = &self.parquet {
+            return self.to_parquet(scene, path);
+        }
         match &self.csv {
             Some(path) if path == Path::new("-") => {
                 let (scene, log) = self.laid_over(scene)?;
@@ -100,31 +111,46 @@ impl Run {
                 let output = BufWriter::new(io::stdout().lock());
                 let mut csv = Csv::of(output, &scene).map_err(standard_output)?;
                 let hidden = ProgressBar::hidden();
-                let rows: Rows<'_, _> = (&mut csv, &standard_output);
-                let told = simulate(&scene, &hidden, Some(rows), None, log)?;
+                let rows = Rows::Csv(&mut csv, &standard_output);
+                let told = simulate(&scene, &hidden, rows, None, log)?;
                 csv.into_inner().map_err(standard_output)?;
                 if !self.quiet {
                     say(self.words(&told)?.trim_end());
                 }
             }
             Some(path) => {
-                self.inputs(&scene).spare(path)?;
+                let inputs = self.inputs(&scene);
+                inputs.spare(path)?;
+                let sidecar = Sidecar::beside(path, &inputs)?;
                 let (scene, log) = self.laid_over(scene)?;
                 let output = Output::create(path).map_err(End::input)?;
                 let refused = |error| End::input(OutputError::new(path, error));
                 let mut csv = Csv::of(output, &scene).map_err(refused)?;
                 let bar = self.progress(&scene);
-                let told = simulate(&scene, &bar, Some((&mut csv, &refused)), None, log)?;
-                csv.into_inner().map_err(refused)?.keep().map_err(End::input)?;
+                let told = simulate(&scene, &bar, Rows::Csv(&mut csv, &refused), None, log)?;
+                sidecar.keep(csv.into_inner().map_err(refused)?, &RowFile::of(&scene))?;
                 self.tell(&told)?;
             }
             None => {
                 let (scene, log) = self.laid_over(scene)?;
-                let nowhere: Option<Rows<'_, io::Sink>> = None;
-                self.tell(&simulate(&scene, &self.progress(&scene), nowhere, None, log)?)?;
+                self.tell(&simulate(&scene, &self.progress(&scene), NOWHERE, None, log)?)?;
             }
         }
         Ok(())
+    }
+
+    /// Simulates with the rows as Parquet in the file at `path`.
+    #[cfg(feature = "parquet")]
+    fn to_parquet(&self, scene: Scene, path: &Path) -> Result<(), End> {
+        self.inputs(&scene).spare(path)?;
+        let (scene, log) = self.laid_over(scene)?;
+        let output = Output::create(path).map_err(End::input)?;
+        let refused = |error| End::input(OutputError::new(path, io::Error::other(error)));
+        let mut rows = Parquet::of(output, &RowFile::of(&scene)).map_err(refused)?;
+        let sink: Rows<'_, io::Sink> = Rows::Parquet(&mut rows, &refused);
+        let told = simulate(&scene, &self.progress(&scene), sink, None, log)?;
+        rows.into_inner().map_err(refused)?.keep().map_err(End::input)?;
+        self.tell(&told)
     }
 
     /// Simulates with results in the folder `out`.
@@ -139,7 +165,7 @@ impl Run {
         let output = Output::create(&place).map_err(End::input)?;
         let mut csv = Csv::of(output, scene).map_err(refused)?;
         let mut curves = Curves::new(scene);
-        let rows = Some((&mut csv, &refused as &dyn Fn(io::Error) -> End));
+        let rows = Rows::Csv(&mut csv, &refused);
         let told = simulate(scene, &self.progress(scene), rows, Some(&mut curves), log)?;
         let name = self.scene.display().to_string();
         let page = curves.to_html(&name, &told.summary, told.laid.as_ref(), &command_line());
@@ -208,12 +234,32 @@ impl Run {
 }
 
 /// Destination of the ticks of a run, and the meaning of an error there.
-type Rows<'a, W> = (&'a mut Csv<W>, &'a dyn Fn(io::Error) -> End);
+enum Rows<'a, W: Write> {
+    Nowhere,
+    Csv(&'a mut Csv<W>, &'a dyn Fn(io::Error) -> End),
+    #[cfg(feature = "parquet")]
+    Parquet(&'a mut Parquet, &'a dyn Fn(::parquet::errors::ParquetError) -> End),
+}
+
+const NOWHERE: Rows<'_, io::Sink> = Rows::Nowhere;
+
+impl<W: Write> Rows<'_, W> {
+    fn write<V: Space>(&mut self, tick: &Tick<V>) -> Result<(), End> {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Csv(csv, refused) => csv.write(tick).map_err(refused),
+            #[cfg(feature = "parquet")]
+            Self::Parquet(rows, refused) => {
+                rows.write(lyapunov_lab::row_numbers(tick)).map_err(refused)
+            }
+        }
+    }
+}
 
 fn simulate<W: Write>(
     scene: &Scene,
     bar: &ProgressBar,
-    rows: Option<Rows<'_, W>>,
+    rows: Rows<'_, W>,
     curves: Option<&mut Curves>,
     log: Option<Log>,
 ) -> Result<Ended, End> {
@@ -224,7 +270,7 @@ fn drain<V: Space, W: Write>(
     scene: &Scene,
     bar: &ProgressBar,
     rollout: Result<Rollout<V>, ParameterError>,
-    mut rows: Option<Rows<'_, W>>,
+    mut rows: Rows<'_, W>,
     mut curves: Option<&mut Curves>,
     mut log: Option<Log>,
 ) -> Result<Ended, End> {
@@ -235,9 +281,7 @@ fn drain<V: Space, W: Write>(
             End::if_interrupted()?;
             bar.set_position(summary.rows);
         }
-        if let Some((csv, refused)) = &mut rows {
-            csv.write(&tick).map_err(refused)?;
-        }
+        rows.write(&tick)?;
         summary.add(&tick);
         if let Some(curves) = &mut curves {
             curves.add(&tick, &summary);

@@ -5,12 +5,14 @@ mod inputs;
 mod lock;
 mod output;
 mod outputs;
+mod sidecar;
 
 pub(crate) use beside::sweep_locked;
 pub(crate) use inputs::Inputs;
 pub(crate) use lock::FolderLock;
 pub(crate) use output::Output;
 pub(crate) use outputs::Outputs;
+pub(crate) use sidecar::Sidecar;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -24,6 +24,7 @@ mod paper;
 mod place;
 mod range;
 mod said;
+mod sidecar;
 mod signals;
 mod streams;
 mod summary;

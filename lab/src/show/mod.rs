@@ -7,6 +7,7 @@ pub(crate) mod energy_bars;
 pub(crate) mod html;
 pub(crate) mod labelled;
 pub(crate) mod output_error;
+pub(crate) mod row_file;
 mod summary;
 pub(crate) mod sync_folder;
 pub(crate) mod table;

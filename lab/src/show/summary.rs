@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::described;
+use super::row_file::RowFile;
 use crate::files::scene::{Scalar, Velocity};
 use crate::text::{folded, found, given, listed};
 
@@ -26,6 +27,8 @@ struct Document<'a, A: Serialize> {
     energy_into_port_mj: f64,
     stabilizer: Option<Observed>,
     look_at: Vec<Oddity>,
+    /// What the file of the rows says about itself.
+    file: RowFile,
     /// What a study adds under a name of its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     against: Option<A>,
@@ -94,6 +97,7 @@ impl Summary {
             energy_into_port_mj: MILLI * self.absorbed,
             stabilizer,
             look_at: self.look_at(),
+            file: RowFile::of(&self.scene),
             against,
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")

@@ -73,6 +73,13 @@ impl Row {
     }
 }
 
+/// The numbers of `tick` in the columns of its scene's rows; 1 where it is accepted, else 0.
+pub fn row_numbers<V: Space>(tick: &Tick<V>) -> impl Iterator<Item = f64> {
+    let row = Row::of(tick);
+    let accepted = f64::from(u8::from(row.accepted));
+    row.numbers().into_iter().chain([accepted]).chain(further_numbers(tick))
+}
+
 /// Column suffixes of each axis, in the order of [`along`].
 const AXIS: [&str; 7] = ["", "_measured", "_v", "_f_env", "_f_ctl", "_f_out", "_f_act"];
 

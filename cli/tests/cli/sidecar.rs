@@ -1,0 +1,77 @@
+//! What stands beside rows, and rows as Parquet.
+
+use serde_json::Value;
+
+use crate::cli::place::Place;
+
+fn said(place: &Place, name: &str) -> Value {
+    serde_json::from_str(&place.text(name)).unwrap()
+}
+
+#[test]
+fn beside_the_rows_stands_what_they_are() {
+    let place = Place::new();
+    let noise = "[effects]\nnoise = { deviation = 1e-6, seed = 7 }\n";
+    place.put_scene("scene.toml", "[stabilizer", &format!("{noise}[stabilizer"));
+    place.run(["run", "scene.toml", "--csv", "rows.csv"]).ended(0, &["peak force"]);
+    let json = said(&place, "rows.json");
+    let columns = json["columns"].as_array().unwrap();
+    let names: Vec<&str> = columns.iter().map(|it| it["name"].as_str().unwrap()).collect();
+    assert_eq!(place.text("rows.csv").lines().next().unwrap(), names.join(","));
+    let unit = |name: &str| columns.iter().find(|it| it["name"] == name).unwrap()["unit"].clone();
+    assert_eq!([unit("t"), unit("x"), unit("v"), unit("f_act")], ["s", "m", "m/s", "N"]);
+    assert_eq!(json["seeds"]["noise"], 7);
+    assert_eq!(json["lyapunov"], env!("CARGO_PKG_VERSION"));
+    // The scene that stands there makes the same rows.
+    place.put("again.toml", json["scene"].as_str().unwrap());
+    place.run(["run", "again.toml", "--csv", "again.csv", "--quiet"]).ended(0, &[]);
+    assert_eq!(place.text("again.csv"), place.text("rows.csv"));
+    // In a folder it is a part of the results.
+    place.run(["run", "scene.toml", "--out", "out", "--quiet"]).ended(0, &[]);
+    assert_eq!(said(&place, "out/run.json")["file"], json);
+}
+
+#[test]
+fn a_file_of_somebody_else_is_not_replaced() {
+    let place = Place::with_scene();
+    for text in ["{}", "not JSON", ""] {
+        place.put("rows.json", text);
+        place.refuses(["run", "scene.toml", "--csv", "rows.csv"], &["rows.json", "another name"]);
+    }
+    std::fs::remove_file(place.path("rows.json")).unwrap();
+    for _ in 0..2 {
+        place.run(["run", "scene.toml", "--csv", "rows.csv", "--quiet"]).ended(0, &[]);
+    }
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_holds_the_rows_and_what_they_are() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::RowAccessor;
+
+    let place = Place::with_scene();
+    place.run(["run", "scene.toml", "--parquet", "rows.parquet"]).ended(0, &["peak force"]);
+    place.run(["run", "scene.toml", "--csv", "rows.csv", "--quiet"]).ended(0, &[]);
+    let file = std::fs::File::open(place.path("rows.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let csv = place.text("rows.csv");
+    let mut rows = 0;
+    for (row, line) in reader.get_row_iter(None).unwrap().zip(csv.lines().skip(1)) {
+        let row = row.unwrap();
+        for (column, number) in line.split(',').enumerate() {
+            assert_eq!(row.get_double(column).unwrap(), number.parse::<f64>().unwrap());
+        }
+        rows += 1;
+    }
+    assert_eq!(rows + 1, csv.lines().count());
+    let metadata = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    let value =
+        |key: &str| metadata.iter().find(|it| it.key == key).unwrap().value.clone().unwrap();
+    let json = said(&place, "rows.json");
+    assert_eq!(value("scene"), json["scene"].as_str().unwrap());
+    assert_eq!(value("lyapunov"), env!("CARGO_PKG_VERSION"));
+    let units: Value = serde_json::from_str(&value("units")).unwrap();
+    assert_eq!(units["f_act"], "N");
+    place.refuses(["run", "scene.toml", "--parquet", "scene.toml"], &["the scene itself"]);
+}
