@@ -54,7 +54,7 @@ fn a_scene_in_space_has_every_file_and_measure() {
     let out = folder.path().join("results");
     let names = "none,popc,iss";
     let said =
-        compare(&[&shipped("sphere.toml"), &"--stabilizers", &names, &"--out", &out, &"--json"]);
+        compare(&[&shipped("plane.toml"), &"--stabilizers", &names, &"--out", &out, &"--json"]);
     assert_eq!(said.status.code(), Some(0));
     let document = timeless(&text(&said.stdout));
     assert_eq!(document["scenes"][0]["stiffness_asked_n_per_m"], 3000.0);
@@ -64,7 +64,7 @@ fn a_scene_in_space_has_every_file_and_measure() {
         // A port around the environment has no share of ticks with damping to tell.
         assert_eq!(row["active_percent"].is_null(), row["stabilizer"] == "iss", "{row}");
     }
-    assert!(out.join("sphere.svg").is_file() && out.join("sphere.energy.csv").is_file());
+    assert!(out.join("plane.svg").is_file() && out.join("plane.energy.csv").is_file());
 }
 
 #[test]

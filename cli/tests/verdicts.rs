@@ -61,12 +61,11 @@ fn every_command_says_the_same_of_every_shipped_scene() {
         assert_eq!(of_compare.map(|it| it.as_str().unwrap().to_owned()), run, "compare {file}");
         assert_eq!(of_map(&file, &scene, name), run, "map {file}");
     }
-    // The shipped scenes have all words, and all are long enough to be judged.
+    // The shipped scenes have all words but one, for what never rests seldom settles, and all are long enough to be judged.
     for (word, by) in [
         ("settles", "distance"),
         ("swinging", "distance"),
         ("grows", "distance"),
-        ("settles", "speed"),
         ("swinging", "speed"),
         ("grows", "speed"),
     ] {

@@ -106,7 +106,7 @@ impl<V: Signal> PortSample<V> {
     /// ```
     /// use lyapunov_core::PortSample;
     /// for period in [-1e-3, -0.0, 0.0, f64::NAN, f64::INFINITY] {
-    ///     assert!(!PortSample::starting(period, 0.01, 0.0).timed());
+    ///     assert!(!PortSample::<f64>::starting(period, 0.01, 0.0).timed());
     /// }
     /// ```
     #[inline(always)]

@@ -301,7 +301,10 @@ impl Map {
                 computation.lanes
             ),
             Some(set) => format!("{} cells at once ({set})", computation.lanes),
-            None => "one cell at a time, as the scene is in f32 or its integrator adaptive".into(),
+            None => {
+                "one cell at a time, as the scene is in f32, in a space, or its integrator adaptive"
+                    .into()
+            }
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
         out.write_all(said.as_bytes()).map_err(standard_output)

@@ -57,7 +57,7 @@ fn an_interrupt_ends_a_command_that_waits() {
     input.write_all(&b"t,x,f\n0,0,0\n1,1,1\n".repeat(20_000)).unwrap();
     thread::sleep(Duration::from_millis(200));
     let id = child.id().to_string();
-    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    assert!(Command::new("kill").args(["-TERM", &id]).status().unwrap().success());
     let ended = ended(child);
     assert_eq!((ended.status, ended.out.as_str()), (Some(130), ""));
     assert!(ended.error.contains("interrupted"));

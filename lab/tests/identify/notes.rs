@@ -27,12 +27,18 @@ fn a_hand_that_stays_is_no_unknown_push() {
 
 #[test]
 fn a_hand_that_moves_is_said() {
-    let found = of(Truth { swing: 0.004, noise: 1e-6, ..PLAIN }, 2000);
-    assert!(found.report.residual.is_pushed && says(&found, "something pushes"));
-    // The wall is another column's affair.
-    let wall = found.report.wall.unwrap();
-    assert!((wall.stiffness.value - 1000.0).abs() < 1e-3);
-    assert!((found.report.mass.value - 0.3).abs() < 0.03, "{:?}", found.report.mass);
+    for (swing, told) in [(0.004, 2.0), (0.001, 0.1), (1e-4, 0.03)] {
+        let found = of(Truth { swing, noise: 1e-6, ..PLAIN }, 2000);
+        assert!(found.report.residual.is_pushed && says(&found, "something pushes"), "{swing}");
+        assert!(!says(&found, "late"), "{swing}");
+        // The wall is another column's affair.
+        let wall = found.report.wall.unwrap();
+        assert!((wall.stiffness.value - 1000.0).abs() < 1e-3);
+        // The more the hand moves, the less is told, and the truth stays inside.
+        let mass = found.report.mass;
+        assert!((mass.low..=mass.high).contains(&0.3), "{swing}: {mass:?}");
+        assert!((mass.value - 0.3).abs() < told * 0.3, "{swing}: {mass:?}");
+    }
 }
 
 #[test]

@@ -105,25 +105,30 @@ impl Device {
             pushed: false,
             free: [true; 4],
         };
-        let (lag, from) = lag(&setting).ok_or(Fault::NoMass)?;
+        let (lag, from) = lateness(&setting).ok_or(Fault::NoMass)?;
         let whole = Setting { lag, ..setting };
         let long = whole.fit(from).ok_or(Fault::NoMass)?;
         let short =
             Setting { horizon: STRETCH, pushed: true, free: [true, true, false, true], ..whole };
+        // An unknown push looks like lateness over many rows, and like a constant over few.
+        let short = lateness(&short).map_or(short, |(lag, _)| Setting { lag, ..short });
         let near = short.fit(long.at);
         let error = long.error(whole.count());
         let short_error = near.as_ref().map_or(error, |fit| fit.error(short.count()));
         let grid = recording.resolution().map_or(0.0, |it| it / 12_f64.sqrt());
         let least = short_error.max(grid).max(ROUNDING * recording.travel());
-        let ahead = stretches[0].times.get(lag).map_or(0.0, |it| it - stretches[0].times[0]);
         let of_long = Told::of(&whole, long);
         let of_short = near.filter(|_| error > WORSE * least).and_then(|fit| Told::of(&short, fit));
         let is_pushed = of_short.is_some();
         let (told, other) = match of_short {
             // A whole log that tells no mass at all has nothing to add.
-            Some(told) => (told, of_long.filter(|it| it.mobility().inverse().is_some())),
+            Some(told) => {
+                (told, of_long.filter(|it| lag == short.lag && it.mobility().inverse().is_some()))
+            }
             None => (of_long.ok_or(Fault::NoMass)?, None),
         };
+        let lag = if is_pushed { short.lag } else { lag };
+        let ahead = first_fitted(stretches, lag);
         let device = Self { told, other, lag, ahead, error, short_error, is_pushed };
         device.mobility().inverse().map(|_| device).ok_or(Fault::NoMass)
     }
@@ -239,11 +244,17 @@ impl Told {
     }
 }
 
+/// The time from the first row to the first one that is fitted, s.
+fn first_fitted(stretches: &[Stretch], lag: usize) -> f64 {
+    stretches[0].times.get(lag).map_or(0.0, |it| it - stretches[0].times[0])
+}
+
 /// Rows by which the force acts late, and coefficients for it, from the part of the log about the largest force.
-fn lag(setting: &Setting<'_>) -> Option<(usize, Coefficients)> {
+fn lateness(setting: &Setting<'_>) -> Option<(usize, Coefficients)> {
     let part = [excerpt(setting.stretches)?];
     let fit = |lag: usize| {
-        let setting = Setting { stretches: &part, lag, horizon: AHEAD, ..*setting };
+        let horizon = setting.horizon.min(AHEAD);
+        let setting = Setting { stretches: &part, lag, horizon, ..*setting };
         let fit = setting.fit(Coefficients::zeros())?;
         Some((lag, fit.error(setting.count()), fit.at))
     };

@@ -332,10 +332,12 @@ fn outcome(text: &str) -> Option<Outcome> {
     for number in &mut numbers {
         let field = fields.next()?;
         if !field.is_empty() {
-            *number = Some(field.parse::<f64>().ok()?);
-            if format!("{:?}", (*number)?) != field {
+            let read = field.parse::<f64>().ok()?;
+            // As it was written: without a sign at 0.
+            if format!("{:?}", read + 0.0) != field {
                 return None;
             }
+            *number = Some(read);
         }
     }
     let measures = Measures::from_numbers(numbers);
