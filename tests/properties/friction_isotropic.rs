@@ -215,6 +215,7 @@ fn without_static_friction_it_is_the_body_and_bad_input_stays_bad_input() {
     for effort in [1e300, 1e-300, -1e18] {
         let mut strange = puck([1e-9, 0.0, 1e12], 1.0, start, law(0.1, 1e6, 1e-9));
         strange.advance(Vector2::new(effort, 1.0));
-        assert!(!(strange.heat() < 0.0), "{effort}");
+        let heat = strange.heat();
+        assert!(heat >= 0.0 || heat.is_nan(), "{effort}");
     }
 }

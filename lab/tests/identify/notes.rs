@@ -80,7 +80,7 @@ fn without_a_wall_the_scene_has_none() {
 fn what_tells_nothing_is_refused_with_a_remedy() {
     let row = |n: u32, x: f64, f: f64| format!("{:?},{x:?},{f:?}\n", 1e-3 * f64::from(n));
     let log = |of: &dyn Fn(u32) -> (f64, f64)| {
-        let rows = (0..100).map(|n| of(n)).enumerate();
+        let rows = (0..100).map(of).enumerate();
         rows.fold(String::from("t,x,f\n"), |log, (n, (x, f))| log + &row(n as u32, x, f))
     };
     let cases = [
