@@ -126,7 +126,7 @@ fn a_file_is_on_the_disk_before_it_has_its_name_and_then_its_name_is() {
     let only = ["-e", "trace=fsync,fdatasync,?rename,?renameat,renameat2,write"];
     let table = share(&["--out", "out"]);
     let commands: [(&[&str], usize); 3] = [
-        (&["run", "scene.toml", "--csv", "rows.csv"], 1),
+        (&["run", "scene.toml", "--csv", "rows.csv"], 2),
         (&["run", "scene.toml", "--out", "results"], 5),
         (&table, 1),
     ];

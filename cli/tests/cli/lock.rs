@@ -124,7 +124,7 @@ fn what_a_killed_process_leaves_is_removed_by_the_next() {
     assert_eq!(place.names(".").len(), others.len() + 2);
     place.run(["run", "scene.toml", "--csv", "rows.csv"]).ended(0, &[]);
     // The file of the process that lives stays.
-    let mut expected = [&others[..], &["out".to_owned(), "rows.csv".to_owned()]].concat();
+    let mut expected = [&others[..], &["out", "rows.csv", "rows.json"].map(str::to_owned)].concat();
     expected.sort();
     assert_eq!(place.names("."), expected);
     kill(lives);
