@@ -23,7 +23,7 @@ fn rows_and_summary_each_have_a_stream() {
     assert_eq!(streamed.err, to_file.out);
     assert_eq!(streamed.out.lines().count(), 1002);
     assert_eq!(place.run(["run", "scene.toml"]).out, to_file.out);
-    assert_eq!(place.names("."), ["rows.csv", "scene.toml"]);
+    assert_eq!(place.names("."), ["rows.csv", "rows.json", "scene.toml"]);
 }
 
 #[test]
