@@ -50,7 +50,7 @@ impl<T: Scalar> Plausibility<T> {
 /// let absurd = PortSample { work: f32::MAX, ..PortSample::starting(1e-3, 0.0, 0.1) };
 /// assert!(!popc.stabilize(&absurd, 1.0).accepted && popc.observed_energy() == 0.0);
 /// let gave = HeldTick {
-///     period: 1e-3_f32, position: 0.0, velocity: -0.1, displacement: -1e-4, applied: 2.0,
+///     period: 1e-3, position: 0.0, velocity: -0.1_f32, displacement: -1e-4, applied: 2.0,
 /// };
 /// assert!(popc.stabilize(&gave.sample(), 2.0).alpha > 0.0); // not blind to the next debt
 /// # Ok::<(), lyapunov_core::ParameterError>(())
