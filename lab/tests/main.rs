@@ -13,6 +13,7 @@ mod integrators;
 mod lanes;
 mod late_cap;
 mod map;
+mod map_edge;
 mod models;
 mod sanity;
 mod shipped;

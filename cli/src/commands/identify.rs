@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::identify::{self, Identified, Settings};
+use lyapunov_lab::identify::{self, Settings};
 use lyapunov_lab::observe::{Columns, Scale};
 
 use super::folder::Folder;
@@ -54,7 +54,9 @@ impl Identify {
         let files = names(RESULTS, ["identify"], ["identify.toml", "identify.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let identified = self.identify(&settings)?;
+        let identified = Source::read_by(&self.log, self.quiet, |log, name| {
+            identify::identify(log, name, &settings)
+        })?;
         let json = identified.to_json().map_err(End::internal)?;
         if let Some(folder) = folder {
             let results = Results::new(identified.to_html(&command_line()), RESULTS, &json);
@@ -68,16 +70,5 @@ impl Identify {
             _ => identified.to_string(),
         };
         io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
-    }
-
-    fn identify(&self, settings: &Settings) -> Result<Identified, End> {
-        let (mut source, name) = Source::named(&self.log)?;
-        if !self.quiet {
-            source.show_progress();
-        }
-        let identified = identify::identify(source, &name, settings);
-        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
-        End::if_interrupted()?;
-        identified.map_err(End::input)
     }
 }

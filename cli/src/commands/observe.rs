@@ -99,7 +99,9 @@ impl Observe {
         }
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let observed = self.observe(&settings)?;
+        let observed = Source::read_by(&self.log, self.quiet, |log, name| {
+            observe::observe(log, name, &settings)
+        })?;
         if let Some(folder) = folder {
             let results =
                 Results::new(observed.to_html(&command_line()), RESULTS, &json(&observed)?);
@@ -115,7 +117,7 @@ impl Observe {
         self.tell(&observed)
     }
 
-    /// Who is asked what they would have done.
+    /// The stabilizers that are asked what they would have done.
     fn asked(&self) -> Result<Option<Asked>, End> {
         let Some(stabilizers) = self.stabilizers.clone() else { return Ok(None) };
         let Some(path) = &self.scene else {
@@ -150,17 +152,6 @@ impl Observe {
                 Ok(Candidate::MassSpringDamper { damping, surface })
             }
         }
-    }
-
-    fn observe(&self, settings: &Settings) -> Result<Observed, End> {
-        let (mut source, name) = Source::named(&self.log)?;
-        if !self.quiet {
-            source.show_progress();
-        }
-        let observed = observe::observe(source, &name, settings);
-        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
-        End::if_interrupted()?;
-        observed.map_err(End::input)
     }
 
     fn tell(&self, observed: &Observed) -> Result<(), End> {

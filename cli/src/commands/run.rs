@@ -53,7 +53,7 @@ pub(crate) struct Run {
     /// at least as long as the log; docs/command.md defines the numbers, docs/observe.md what a log is.
     #[arg(long, value_name = "LOG")]
     against: Option<PathBuf>,
-    /// Where the run starts: at the scene's own start, or with the log's first row, whose time is then 0.
+    /// The start of the run: the scene's own, or the log's first row, whose time is then 0.
     #[arg(long, value_enum, default_value_t = Word::Scene, requires = "against")]
     start: Word,
     /// The log's columns of time, position, force and, if there is one, velocity, as in lyapunov observe.
@@ -186,11 +186,9 @@ impl Run {
             Word::Scene => Start::Scene,
             Word::Log => Start::Log,
         };
-        let (source, name) = Source::named(path)?;
-        let log = Against::open(source, &name, &self.columns, &self.scale, start);
-        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
-        End::if_interrupted()?;
-        let log = log.map_err(End::input)?;
+        let log = Source::read_by(path, true, |log, name| {
+            Against::open(log, name, &self.columns, &self.scale, start)
+        })?;
         Ok((log.started(&scene).map_err(End::input)?, Some(log)))
     }
 

@@ -1,5 +1,6 @@
 //! Log as a stream of bytes, with progress and interrupts.
 
+use std::fmt::Display;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -38,12 +39,12 @@ enum Stream {
 }
 
 impl Source {
-    pub(crate) fn standard_input() -> io::Result<Self> {
+    fn standard_input() -> io::Result<Self> {
         Ok(Self::of(waiting(|| Ok(io::stdin()))?, None))
     }
 
     /// Opens the file at `path`, or whatever else is there.
-    pub(crate) fn open(path: &Path) -> io::Result<Self> {
+    fn open(path: &Path) -> io::Result<Self> {
         let found = fs::metadata(path).map_err(remedied)?;
         if found.is_dir() {
             return Err(io::Error::other("this is a folder\n  = give the path of a file in it"));
@@ -65,15 +66,34 @@ impl Source {
     ///
     /// # Errors
     /// A place without a file that can be read.
-    pub(crate) fn named(path: &Path) -> Result<(Self, String), End> {
+    fn named(path: &Path) -> Result<(Self, String), End> {
         let standard = path == Path::new("-");
         let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
         let source = if standard { Self::standard_input() } else { Self::open(path) };
         Ok((source.map_err(|error| End::input(format!("{name}: {error}")))?, name))
     }
 
+    /// Result of `read` on the log at `path` and its name, with progress unless `quiet`.
+    ///
+    /// # Errors
+    /// Those of [`Source::named`] and of `read`, and an interrupt.
+    pub(crate) fn read_by<T, E: Display>(
+        path: &Path,
+        quiet: bool,
+        read: impl FnOnce(Self, &str) -> Result<T, E>,
+    ) -> Result<T, End> {
+        let (mut source, name) = Self::named(path)?;
+        if !quiet {
+            source.show_progress();
+        }
+        let result = read(source, &name);
+        // An interrupted stream also ends with an error of its own, which would hide the interrupt.
+        End::if_interrupted()?;
+        result.map_err(End::input)
+    }
+
     /// Shows a progress bar, unless the file is small.
-    pub(crate) fn show_progress(&mut self) {
+    fn show_progress(&mut self) {
         let (bar, template) = match self.size {
             Some(size) if size < SMALL => return,
             Some(size) => (ProgressBar::new(size), BAR),

@@ -116,7 +116,7 @@ fn a_map_that_meets_any_fault_is_resumed_to_the_same_bytes() {
     assert!(whole.iter().all(|(name, bytes)| found.get(name) == Some(bytes)));
 }
 
-/// What a power failure must not lose is synced before it is renamed, and the folder after it.
+/// Order of calls against a power failure: each file is synced before it is renamed, and the folder after it.
 #[test]
 fn a_file_is_on_the_disk_before_it_has_its_name_and_then_its_name_is() {
     if !is_there() {

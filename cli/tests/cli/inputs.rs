@@ -1,4 +1,4 @@
-//! What a command reads is never what it writes, whatever the paths; and what it cannot write is known before it works.
+//! Inputs and outputs of a command: none is both, whatever the paths, and an output that cannot be written is known before the work.
 
 use std::fs;
 use std::os::unix::fs::symlink;

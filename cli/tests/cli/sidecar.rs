@@ -1,4 +1,4 @@
-//! What stands beside rows, and rows as Parquet.
+//! The JSON beside rows, and rows as Parquet.
 
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-//! What stabilizers would have done, against closed forms and an observer written out here.
+//! Replays of logs through stabilizers, against closed forms and an observer written out here.
 
 use std::f64::consts::TAU;
 use std::fs;

@@ -1,6 +1,5 @@
 //! The computation of a map's cells on all cores, with results in the order of the cells.
 
-use std::fmt;
 use std::time::{Duration, Instant};
 
 use rayon::ThreadPool;
@@ -11,6 +10,7 @@ use super::grid::{Grid, GridError, Tile};
 use super::kernel::{Kernel, Lanes};
 use super::loops::Cells;
 use super::outcome::{Measures, Outcome};
+use super::run_error::RunError;
 use crate::measure::{Verdict, Yardstick};
 use crate::show::OutputError;
 use crate::simulate::Instructions;
@@ -48,44 +48,6 @@ pub struct Workload {
     pub kernel_seconds: f64,
     /// Time spent on measuring the runs that do not grow, s; 0 where that happens along with the verdict.
     pub measures_seconds: f64,
-}
-
-/// Reason why a map is not finished.
-#[derive(Debug)]
-pub enum RunError {
-    /// A cell whose values make no scene.
-    Cell(GridError),
-    /// The outcomes could not be written.
-    Output(OutputError),
-    /// Threads could not be started.
-    Threads(String),
-    /// The caller stopped it; the outcomes handed out before are valid.
-    Stopped,
-}
-
-impl fmt::Display for RunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Cell(error) => error.fmt(f),
-            Self::Output(error) => error.fmt(f),
-            Self::Threads(error) => write!(f, "no threads: {error}"),
-            Self::Stopped => f.write_str("the map was stopped"),
-        }
-    }
-}
-
-impl std::error::Error for RunError {}
-
-impl From<GridError> for RunError {
-    fn from(error: GridError) -> Self {
-        Self::Cell(error)
-    }
-}
-
-impl From<OutputError> for RunError {
-    fn from(error: OutputError) -> Self {
-        Self::Output(error)
-    }
 }
 
 /// The kernel of a tile, whose cells count from 0, and the tile's first cell.
@@ -251,16 +213,17 @@ impl<'a> Run<'a> {
             let here = left.partition_point(|cell| tile.cells.contains(cell));
             let (band, rest) = left.split_at(here);
             left = rest;
-            let effort = &mut Workload::default();
-            let outcomes = match (self.method_on(&tile)?, member.basic_name()) {
+            match (self.method_on(&tile)?, member.basic_name()) {
                 (Some(Method::Kernel(kernel)), Some(name)) => {
                     let placed = Placed { kernel: &kernel, first: tile.cells.start };
-                    all.extend(self.judged(placed, name, band, go_on)?.into_iter().map(|it| it.0));
-                    continue;
+                    let judged = self.judged(placed, name, band, go_on)?;
+                    all.extend(judged.into_iter().map(|(verdict, _)| verdict));
                 }
-                _ => self.of_boxes(member, band, go_on, effort)?,
-            };
-            all.extend(outcomes.into_iter().map(|outcome| outcome.verdict));
+                _ => {
+                    let outcomes = self.of_boxes(member, band, go_on, &mut Workload::default())?;
+                    all.extend(outcomes.into_iter().map(|outcome| outcome.verdict));
+                }
+            }
         }
         Ok(all)
     }

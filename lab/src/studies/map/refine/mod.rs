@@ -12,7 +12,8 @@ pub use edge::{Edge, Shares};
 pub use side::Side;
 
 use super::grid::Grid;
-use super::run::{Run, RunError};
+use super::run::Run;
+use super::run_error::RunError;
 use crate::simulate::family::StabilizerName;
 
 /// The edges of stability of a map, one under each stabilizer.

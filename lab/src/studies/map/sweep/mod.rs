@@ -10,7 +10,7 @@ use toml::Value;
 
 use super::axis::Axis;
 use super::grid::GridError;
-use super::run::RunError;
+use super::run_error::RunError;
 use super::varied::{Variation, Varied};
 use super::vary::VaryError;
 use crate::files::Scene;
