@@ -28,6 +28,11 @@ impl Instructions {
         all
     }
 
+    /// The best set that this processor has.
+    pub fn best() -> Self {
+        Self::all().first().copied().unwrap_or(Self::Base)
+    }
+
     /// Its name in `map.json`.
     pub fn name(self) -> &'static str {
         match self {

@@ -6,6 +6,7 @@ use lyapunov::Signal;
 use lyapunov::environments::Solid;
 
 use crate::files::scene::Scene;
+use crate::measure::ForceError;
 use crate::measure::law::{Law, Motion};
 use crate::measure::stiffness_felt::LONG;
 use crate::simulate::Space;
@@ -39,8 +40,7 @@ pub(super) struct Contacts<V: Signal> {
     now: Contact,
     short_peak: Option<f64>,
     long_peak: Option<f64>,
-    /// `Σ (f_act − f_ideal)²`, and the number of its ticks.
-    error: (f64, u64),
+    error: ForceError<V>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -63,7 +63,7 @@ impl<V: Space<Scalar = f64>> Contacts<V> {
             now: Contact::default(),
             short_peak: None,
             long_peak: None,
-            error: (0.0, 0),
+            error: ForceError::new(),
         }
     }
 
@@ -75,13 +75,9 @@ impl<V: Space<Scalar = f64>> Contacts<V> {
         } else {
             self.end();
         }
-        // In the wall or pushed by it: a force that comes late or stays on too long is an error as well.
-        if let Some((solid, law)) = &self.solid
-            && (acts || solid.nearest(touch.position).depth > 0.0)
-        {
-            let off = touch.force - touch.ideal(law);
-            self.error.0 += off.inner(off);
-            self.error.1 += 1;
+        if let Some((solid, law)) = &self.solid {
+            let depth = solid.nearest(touch.position).depth;
+            self.error.add(touch.force, touch.ideal(law), touch.environment.length(), depth);
         }
     }
 
@@ -108,8 +104,7 @@ impl<V: Space<Scalar = f64>> Contacts<V> {
 
     /// Root mean square of `f_act − f_ideal` in contact, N.
     pub(super) fn force_error(&self) -> Option<f64> {
-        let (sum, ticks) = self.error;
-        (ticks > 0).then(|| (sum / ticks as f64).sqrt())
+        self.error.root_mean_square(0)
     }
 }
 

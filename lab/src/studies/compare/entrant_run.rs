@@ -69,20 +69,6 @@ impl<V: Space> EntrantRun<V> {
     }
 }
 
-/// The score of `scene` under the stabilizer of `told`, set for the loop of `told`, in the scalar of `scene`.
-///
-/// # Errors
-/// [`RunError::Stopped`] if `watch` stops the run; a scene that was never checked.
-pub(crate) fn score_as_told(
-    scene: &Scene,
-    told: &Scene,
-    watch: &Watch<'_>,
-) -> Result<Score, RunError> {
-    in_space!(scene, Axes => {
-        EntrantRun::of(scene, &Entrant::<Axes>::of(told), watch).map(|run| run.score)
-    })
-}
-
 /// The score of `scene` under `member`, in its own scalar; the time of a step is not measured.
 ///
 /// # Errors

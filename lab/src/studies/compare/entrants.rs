@@ -108,13 +108,6 @@ impl<V: Space> Entrants<V> {
 }
 
 impl<V: Space> Entrant<V> {
-    /// The stabilizer that `told` names, set for the loop of `told`, whichever loop it then runs on.
-    pub(super) fn of(told: &Scene) -> Self {
-        let name = told.stabilizer.map_or("none", |table| table.name()).to_owned();
-        let told = told.clone();
-        Self { name, like: None, make: Box::new(move |_| Fitted::of(&told)) }
-    }
-
     pub(super) fn fitted(&self, scene: &Scene) -> Result<Fitted<V>, ParameterError> {
         (self.make)(scene)
     }

@@ -37,7 +37,7 @@ pub use comparison::{CompareError, Comparison};
 pub use document::document;
 pub use energies::Energies;
 pub use entrant_run::Watch as SharedWatch;
-pub(crate) use entrant_run::{score_as_told, score_under};
+pub(crate) use entrant_run::score_under;
 pub use entrants::Entrants;
 pub(crate) use report::field;
 pub use report::{csv, report};

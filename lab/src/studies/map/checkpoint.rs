@@ -7,10 +7,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::grid::Grid;
-use super::outcome::Outcome;
 use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Rows, TableError, TableHeader};
+use crate::measure::runs::Outcome;
 use crate::show::csv::Records;
 use crate::show::{OutputError, sync_folder};
 

@@ -1,16 +1,12 @@
 //! Maps of the verdicts over any two numbers of a scene, and sweeps over one, under several stabilizers.
 
-mod alike;
 mod axis;
 mod bounds;
 mod checkpoint;
 mod document;
 mod grid;
 mod kernel;
-mod loops;
 mod merge;
-mod meters;
-mod outcome;
 mod picture;
 mod refine;
 mod rendered;
@@ -24,6 +20,7 @@ mod table;
 mod varied;
 mod vary;
 
+pub use crate::measure::runs::{Measure, Measures, Outcome};
 pub use crate::simulate::Instructions;
 pub use crate::simulate::family::BasicName;
 pub use axis::{Axis, AxisError, Spacing};
@@ -33,7 +30,7 @@ pub use document::{Computation, document};
 pub use grid::{Grid, GridError};
 pub use kernel::{Kernel, Lanes};
 pub use merge::{MergeError, merge};
-pub use outcome::{Measure, Measures, Outcome};
+
 pub use picture::{NamedFigure, figure_names, figures};
 pub use refine::{Edge, Refined, Shares, Side};
 pub use rendered::Rendered;

@@ -3,10 +3,10 @@
 use super::axis::{Axis, Spacing};
 use super::bounds::{Bounds, Curve};
 use super::grid::Grid;
-use super::outcome::Measure;
 use super::survey::Survey;
 use crate::files::scene::unit;
 use crate::measure::Verdict;
+use crate::measure::runs::Measure;
 use lyapunov_figures::{Figure, HeatMap, Numbering, Panel, Series};
 
 /// Width of a panel, in pixels of the drawing.

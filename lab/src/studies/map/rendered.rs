@@ -1,7 +1,7 @@
 //! What a stabilizer renders over a map, and what it breaks.
 
-use super::outcome::Outcome;
 use crate::measure::Verdict;
+use crate::measure::runs::Outcome;
 
 /// What a stabilizer renders over a map, and what that takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -5,12 +5,10 @@ use std::time::{Duration, Instant};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
-use super::alike::has_lanes;
 use super::grid::{Grid, GridError, Tile};
 use super::kernel::{Kernel, Lanes};
-use super::loops::Cells;
-use super::outcome::{Measures, Outcome};
 use super::run_error::RunError;
+use crate::measure::runs::{AllMeasures, Judged, Measures, Outcome, Runs, has_lanes};
 use crate::measure::{Verdict, Yardstick};
 use crate::show::OutputError;
 use crate::simulate::Instructions;
@@ -66,7 +64,7 @@ impl Placed<'_> {
 
 /// The method for the cells of `tile`.
 fn method_on(grid: &Grid, tile: &Tile) -> Result<Method, RunError> {
-    let best = Instructions::all()[0];
+    let best = Instructions::best();
     let kernel = Kernel::of(&grid.within(tile), best, Lanes::Many)?;
     Ok(match kernel {
         Some(kernel) => Method::Kernel(Box::new(kernel)),
@@ -331,9 +329,18 @@ impl<'a> Run<'a> {
             Method::Lanes(instructions) => Some(*instructions),
             Method::Single => None,
         };
-        Cells { scenes: &scenes, member, instructions }
-            .outcomes(go_on)
-            .map_err(|(place, error)| RunError::Cell(self.grid.at(cells[place], error.to_string())))
+        let tables: Vec<_> = scenes.iter().map(|it| member.table(it)).collect();
+        let runs = Runs { scenes: &scenes, told: &scenes, tables: &tables, instructions };
+        let judged = runs.measured::<AllMeasures>(go_on).map_err(|(place, error)| {
+            RunError::Cell(self.grid.at(cells[place], error.to_string()))
+        })?;
+        let outcome = |judged: Judged<Measures>| {
+            let measures = judged.reading.unwrap_or_default();
+            let active = measures.active.filter(|_| member.reports_damping());
+            let (verdict, verdict_by) = (judged.verdict, judged.verdict_by);
+            Outcome { verdict, verdict_by, measures: Measures { active, ..measures } }
+        };
+        Ok(judged.map(|judged| judged.into_iter().map(outcome).collect()))
     }
 
     /// Results of `of` for all cells, on all threads: in shares that become smaller, so that threads finish together.

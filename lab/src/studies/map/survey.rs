@@ -1,9 +1,9 @@
 //! Survey of a map in little memory, however large the map is.
 
 use super::grid::Grid;
-use super::outcome::{Measure, Outcome};
 use super::picture::FINEST;
 use super::rendered::{Rendered, Tally};
+use crate::measure::runs::{Measure, Outcome};
 use crate::measure::sanity::Sign;
 use crate::measure::{Oddity, Verdict, Yardstick};
 use crate::simulate::family::{BasicName, StabilizerName};

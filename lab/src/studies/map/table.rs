@@ -9,9 +9,9 @@ use std::io::{self, BufRead, Read, Write};
 
 use super::axis::Axis;
 use super::grid::Grid;
-use super::outcome::{Measure, Measures, Outcome};
 use super::shard::Shard;
 use crate::files::Scene;
+use crate::measure::runs::{Measure, Measures, Outcome};
 use crate::measure::{Verdict, Yardstick};
 use crate::show::csv::{self, Field, Records};
 use crate::simulate::family::StabilizerNames;

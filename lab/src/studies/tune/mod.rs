@@ -2,11 +2,11 @@
 //!
 //! docs/tune.md defines the terms.
 
+mod cost;
 mod document;
 mod objective;
 mod picture;
 mod report;
-mod run;
 mod search;
 mod setting;
 mod study;

@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 use lyapunov::ParameterError;
 use rayon::prelude::*;
 
+use super::cost::costs;
 use super::objective::{Objective, Term};
-use super::run::cost;
 use super::search::Search;
 use super::setting::Setting;
 use super::trial::Trial;
@@ -92,6 +92,9 @@ impl Default for Tuning {
     }
 }
 
+/// The most runs that a thread takes at once: two groups of lanes, of which one computes while the other waits.
+const SHARE: usize = 16;
+
 /// Members of the ensemble that tuning never sees, for each that it does.
 const JUDGES: u32 = 2;
 
@@ -131,13 +134,13 @@ impl Tuning {
         name.check_axes(scene).map_err(TuneError::Axes)?;
         let default = Setting::of(scene, name);
         let seen = Ensemble { seed: self.seed, moves: self.moves };
-        let run = |setting: &Setting| self.trial(scene, setting, &seen, self.runs, watch);
-        let mut best = (default.clone(), run(&default)?);
+        let run = |settings: &[Setting]| self.trials(scene, settings, &seen, self.runs, watch);
+        let mut best = (default.clone(), run(std::slice::from_ref(&default))?.remove(0));
         let mut search = Search::from(default.place(), self.trials as usize);
         while let Some(places) = search.next(&best.0.place()) {
-            for place in places {
-                let setting = default.at(&place);
-                let trial = run(&setting)?;
+            let settings: Vec<Setting> = places.iter().map(|place| default.at(place)).collect();
+            let trials = run(&settings)?;
+            for (setting, trial) in settings.into_iter().zip(trials) {
                 if trial.is_better_than(&best.1) {
                     best = (setting, trial);
                 }
@@ -145,27 +148,40 @@ impl Tuning {
         }
         let (tuned, seen) = best;
         let unseen = Ensemble { seed: self.seed.wrapping_add(1), moves: self.moves };
-        let judge =
-            |setting: &Setting| self.trial(scene, setting, &unseen, JUDGES * self.runs, watch);
-        let judged = [judge(&default)?, judge(&tuned)?];
+        let settings = [default, tuned];
+        let mut judged = self.trials(scene, &settings, &unseen, JUDGES * self.runs, watch)?;
+        let judged = [judged.remove(0), judged.remove(0)];
+        let [default, tuned] = settings;
         let ready = tuned.on(scene)?;
         Ok(Tuned { name, settings: [default, tuned], scene: ready, judged, seen })
     }
 
-    /// The runs of `setting` on the first `runs` members of `ensemble`.
-    fn trial(
+    /// The runs of each of `settings` on the first `runs` members of `ensemble`, all at once.
+    fn trials(
         &self,
         scene: &Scene,
-        setting: &Setting,
+        settings: &[Setting],
         ensemble: &Ensemble,
         runs: u32,
         watch: &Watch<'_>,
-    ) -> Result<Trial, TuneError> {
-        let Ok(told) = setting.on(scene) else { return Ok(Trial::refused(runs)) };
-        let one =
-            |member: u64| cost(&ensemble.member(&told, member)?, &told, &self.objective, watch);
-        let costs: Result<Vec<_>, _> = (0..u64::from(runs)).into_par_iter().map(one).collect();
-        Ok(Trial::of(costs?))
+    ) -> Result<Vec<Trial>, TuneError> {
+        let told: Vec<Option<Scene>> = settings.iter().map(|it| it.on(scene).ok()).collect();
+        let each = told.iter().flatten().flat_map(|told| (0..runs).map(move |run| (told, run)));
+        let pairs: Vec<(&Scene, u32)> = each.collect();
+        let share = pairs.len().div_ceil(rayon::current_num_threads()).clamp(1, SHARE);
+        let some = |pairs: &[(&Scene, u32)]| {
+            let member = |(told, run): &(&Scene, u32)| ensemble.member(told, u64::from(*run));
+            let scenes: Vec<Scene> = pairs.iter().map(member).collect::<Result<_, _>>()?;
+            let told: Vec<Scene> = pairs.iter().map(|(told, _)| (*told).clone()).collect();
+            costs(&scenes, &told, &self.objective, watch)
+        };
+        let costs: Result<Vec<Vec<_>>, TuneError> = pairs.par_chunks(share).map(some).collect();
+        let mut costs = costs?.into_iter().flatten();
+        let trial = |told: &Option<Scene>| match told {
+            Some(_) => Trial::of(costs.by_ref().take(runs as usize).collect()),
+            None => Trial::refused(runs),
+        };
+        Ok(told.iter().map(trial).collect())
     }
 
     /// Refuses a scene that the objective says nothing about.

@@ -6,10 +6,9 @@ use lyapunov::{Mask, OnePort, ParameterError, PortSample, Scalar, Stabilizer};
 use super::backward::Fuse;
 use super::parts::{Lanes, Watched};
 use crate::files::scene::Draft;
+use crate::measure::runs::{Instant, Measures, Meter as _, Meters, Ran};
 use crate::measure::{Fate, Verdict, Yardstick, device_damper};
 use crate::simulate::Criterion;
-use crate::studies::map::meters::{Instant, Meters, Ran};
-use crate::studies::map::outcome::Measures;
 
 /// Meter of a rollout; each type measures no more than is asked for.
 pub(super) trait Meter<T: Fuse> {

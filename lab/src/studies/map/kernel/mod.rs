@@ -3,7 +3,7 @@
 //! The rollout consists of the library's own parts: a [`Body`](lyapunov::bodies::Body), a
 //! [`Wall`](lyapunov::environments::Wall) behind a hold, backward differences and any of the stabilizers of a scene
 //! over held work. Every lane equals a run by itself bit for bit. Scenes with other parts run on lanes of boxes,
-//! see [`loops`](super::loops).
+//! see [`Runs`].
 
 mod backward;
 mod field;
@@ -23,11 +23,13 @@ use pulp::NullaryFnOnce;
 use crate::files::scene::{
     Candidate, Draft, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
 };
+use crate::measure::runs::Measures;
+#[cfg(doc)]
+use crate::measure::runs::Runs;
 use crate::measure::{Verdict, Yardstick};
 use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
-use crate::studies::map::outcome::Measures;
 use backward::Fuse;
 use meter::{Everything, Meter, Verdicts};
 use parts::Laned;

@@ -1,4 +1,4 @@
-//! Runs of cells whose loops are built of boxes: on lanes where they are alike, and else one by one.
+//! Runs of scenes whose loops are built of boxes: on lanes where they are alike, and else one by one.
 
 use lyapunov::environments::{ForceLaw, Kinematics, NearestPoint, Solid, Time};
 use lyapunov::{Mask, ParameterError, Scalar, Signal};
@@ -7,11 +7,12 @@ use num_traits::Zero;
 use pulp::NullaryFnOnce;
 
 use super::alike::{groups, has_lanes};
-use super::meters::{Instant, Meters, Ran};
-use super::outcome::{Measures, Outcome};
+use super::meters::{Instant, Meter, Metering, Ran};
 use crate::files::scene::{Boxed, Draft, Scene, Stabilizer};
-use crate::measure::{Fate, Share, Verdict, device_damper};
-use crate::simulate::family::StabilizerName;
+use crate::measure::fate::Fate;
+use crate::measure::given::device_damper;
+use crate::measure::share::Share;
+use crate::measure::verdict::{Verdict, Yardstick};
 use crate::simulate::{
     Criterion, F64x8, Fitted, Instructions, Rollout, Scenes, Space, Tick, in_space,
 };
@@ -22,74 +23,88 @@ const STRETCH: u64 = 64;
 /// Groups of lanes that run side by side: one computes while another waits.
 const BESIDE: usize = 2;
 
-/// Cells under one stabilizer.
+/// Runs of scenes, each under a table.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cells<'a> {
-    /// The scene of each cell.
-    pub(super) scenes: &'a [Scene],
-    /// The stabilizer.
-    pub(super) member: StabilizerName,
-    /// The instructions of lanes; none runs each cell by itself.
-    pub(super) instructions: Option<Instructions>,
+pub(crate) struct Runs<'a> {
+    /// The scene of each run.
+    pub(crate) scenes: &'a [Scene],
+    /// The scene that the stabilizer of each run is set for, whichever loop it runs on.
+    pub(crate) told: &'a [Scene],
+    /// The table of each run's stabilizer.
+    pub(crate) tables: &'a [Option<Stabilizer>],
+    /// The instructions of lanes; none runs each scene by itself.
+    pub(crate) instructions: Option<Instructions>,
 }
 
-/// A parameter out of the range of the scalar, and the place of its cell.
-pub(super) type Refused = (usize, ParameterError);
+/// Result of a run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Judged<R> {
+    /// The verdict.
+    pub(crate) verdict: Verdict,
+    /// The quantity that the run is judged by.
+    pub(crate) verdict_by: Yardstick,
+    /// What was measured; nothing of a run that grows, for that would only show how long it ran.
+    pub(crate) reading: Option<R>,
+}
 
-impl Cells<'_> {
-    /// Outcomes of the runs; none if `go_on` stopped them. A lost run is not run to its end.
+/// A parameter out of the range of the scalar, and the place of its run.
+pub(crate) type Refused = (usize, ParameterError);
+
+/// Results of runs, at their places.
+type Done<M> = [Option<Judged<<M as Metering>::Reading>>];
+
+impl Runs<'_> {
+    /// Results of the runs, measured by `M`; none if `go_on` stopped them. A lost run is not run to its end.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar.
-    pub(super) fn outcomes(
+    pub(crate) fn measured<M: Metering>(
         self,
         go_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Option<Vec<Outcome>>, Refused> {
-        let tables: Vec<_> = self.scenes.iter().map(|it| self.member.table(it)).collect();
-        let work = Work { cells: self, tables: &tables, go_on };
+    ) -> Result<Option<Vec<Judged<M::Reading>>>, Refused> {
+        let work = Work { runs: self, go_on };
         let mut done = vec![None; self.scenes.len()];
         let mut alone: Vec<Vec<usize>> = Vec::new();
-        let fit = || self.scenes.iter().zip(&tables).all(|(it, table)| has_lanes(it, table));
+        let fit = || self.scenes.iter().zip(self.tables).all(|(it, table)| has_lanes(it, table));
         match self.instructions.filter(|_| fit()) {
             None => alone.extend((0..self.scenes.len()).map(|place| vec![place])),
             Some(instructions) => {
-                let groups = groups(self.scenes, &tables, F64x8::LANES);
+                let groups = groups(self.scenes, self.told, self.tables, F64x8::LANES);
                 let (several, single): (Vec<_>, Vec<_>) =
                     groups.into_iter().partition(|group| group.len() > 1);
                 alone.extend(single);
-                match work.run::<F64x8>(several, instructions, &mut done)? {
+                match work.run::<F64x8, M>(several, instructions, &mut done)? {
                     None => return Ok(None),
                     Some(refused) => alone.extend(refused),
                 }
             }
         }
-        // All scenes of a map have the same scalar and the same dimensions.
+        // All scenes of a study have the same scalar and the same dimensions.
         let Some(scene) = self.scenes.first() else { return Ok(Some(Vec::new())) };
         let base = Instructions::Base;
-        let finished = in_space!(scene, Axes => work.run::<Axes>(alone, base, &mut done)?);
+        let finished = in_space!(scene, Axes => work.run::<Axes, M>(alone, base, &mut done)?);
         Ok(finished.and_then(|_| done.into_iter().collect()))
     }
 }
 
-/// Cells with their tables.
+/// Runs that can be stopped.
 struct Work<'a> {
-    cells: Cells<'a>,
-    tables: &'a [Option<Stabilizer>],
+    runs: Runs<'a>,
     go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl Work<'_> {
-    /// Runs `groups` of places and writes their outcomes; returns those places that have to run by themselves, for one of
+    /// Runs `groups` of places and writes their results; returns those places that have to run by themselves, for one of
     /// their group has a parameter out of range, and none if it was stopped.
-    fn run<T: Metered>(
+    fn run<T: Metered, M: Metering>(
         &self,
         groups: Vec<Vec<usize>>,
         instructions: Instructions,
-        done: &mut [Option<Outcome>],
+        done: &mut Done<M>,
     ) -> Result<Option<Vec<Vec<usize>>>, Refused> {
         let beside = if <T::Scalar as Scalar>::LANES == 1 { 1 } else { BESIDE };
         let (mut waiting, mut refused) = (groups.into_iter(), Vec::new());
-        let mut running: Vec<Group<T>> = Vec::with_capacity(beside);
+        let mut running: Vec<Group<T, M>> = Vec::with_capacity(beside);
         loop {
             while running.len() < beside {
                 let Some(places) = waiting.next() else { break };
@@ -109,22 +124,24 @@ impl Work<'_> {
             running.retain(|group| {
                 let is_done = group.is_done();
                 if is_done {
-                    group.read(self.cells.member, done);
+                    group.read(done);
                 }
                 !is_done
             });
         }
     }
 
-    fn group<T: Metered>(
+    fn group<T: Metered, M: Metering>(
         &self,
         places: &[usize],
         instructions: Instructions,
-    ) -> Result<Group<T>, ParameterError> {
-        let scenes: Vec<Scene> = places.iter().map(|at| self.cells.scenes[*at].clone()).collect();
-        let tables: Vec<_> = places.iter().map(|at| self.tables[*at]).collect();
+    ) -> Result<Group<T, M>, ParameterError> {
+        let at = |of: &[Scene]| -> Vec<Scene> { places.iter().map(|at| of[*at].clone()).collect() };
+        let (scenes, told) = (at(self.runs.scenes), at(self.runs.told));
+        let tables: Vec<_> = places.iter().map(|at| self.runs.tables[*at]).collect();
         let on = Scenes::on(&scenes, instructions);
-        let rollout = Rollout::on(on, Fitted::on(on, &tables)?)?;
+        let fitted = Fitted::on(Scenes::on(&told, instructions), &tables)?;
+        let rollout = Rollout::on(on, fitted)?;
         let fate = Fate::of_lanes(scenes.iter().map(|scene| &**scene));
         let rest = |lane: usize| fate.criterion(lane.min(scenes.len() - 1)).rest();
         let number = |of: &dyn Fn(usize) -> f64| Number::<T>::from_lanes(of);
@@ -139,7 +156,7 @@ impl Work<'_> {
         Ok(Group {
             rollout,
             fate,
-            meters: Meters::new(common.servo_rate.get(), damper, band),
+            meters: Meter::new(common.servo_rate.get(), damper, band),
             share: Share::late(common.delay_ticks() as usize, number(&|lane| limit.lane(lane))),
             law: is_massless.then(|| T::Meter::render(on, Boxed).ok()).flatten(),
             surface: T::surface(on),
@@ -253,10 +270,10 @@ impl<T: Metered<Meter = f64> + Scalar<Mask = bool>, const N: usize> Metered for 
 }
 
 /// Runs side by side, one in each lane.
-struct Group<T: Metered> {
+struct Group<T: Metered, M: Metering> {
     rollout: Rollout<T>,
     fate: Fate<Number<T>>,
-    meters: Meters<T::Meter>,
+    meters: M::Meter<T::Meter>,
     share: Share<T::Meter>,
     /// The environment's own law; none of an environment with a mass.
     law: Option<Box<dyn ForceLaw<T::Meter>>>,
@@ -269,7 +286,7 @@ struct Group<T: Metered> {
     scenes: Vec<Scene>,
 }
 
-impl<T: Metered> Group<T> {
+impl<T: Metered, M: Metering> Group<T, M> {
     #[inline(always)]
     fn tick(&mut self) {
         let tick = self.rollout.tick();
@@ -314,22 +331,15 @@ impl<T: Metered> Group<T> {
         self.left == 0 || (0..self.places.len()).all(is_lost)
     }
 
-    /// Writes the outcomes under `member` at their places.
-    fn read(&self, member: StabilizerName, done: &mut [Option<Outcome>]) {
+    /// Writes the results at their places.
+    fn read(&self, done: &mut Done<M>) {
         for (lane, (place, scene)) in self.places.iter().zip(&self.scenes).enumerate() {
             // Rows that end early have left the range of the numbers.
             let is_sound = self.sound.lane(lane);
             let verdict = if is_sound { self.fate.verdict(lane) } else { Verdict::Grows };
-            let measures = match verdict {
-                Verdict::Grows => Measures::default(),
-                _ => {
-                    let measures = self.meters.read(lane, ran(scene));
-                    let active = measures.active.filter(|_| member.reports_damping());
-                    Measures { active, ..measures }
-                }
-            };
+            let reading = (verdict != Verdict::Grows).then(|| self.meters.read(lane, ran(scene)));
             let verdict_by = self.fate.verdict_by(lane);
-            done[*place] = Some(Outcome { verdict, verdict_by, measures });
+            done[*place] = Some(Judged { verdict, verdict_by, reading });
         }
     }
 }
@@ -340,12 +350,12 @@ fn ran(scene: &Draft) -> Ran {
 }
 
 /// Some ticks of groups side by side.
-struct Ticks<'a, T: Metered> {
-    groups: &'a mut [Group<T>],
+struct Ticks<'a, T: Metered, M: Metering> {
+    groups: &'a mut [Group<T, M>],
     count: u64,
 }
 
-impl<T: Metered> NullaryFnOnce for Ticks<'_, T> {
+impl<T: Metered, M: Metering> NullaryFnOnce for Ticks<'_, T, M> {
     type Output = ();
 
     #[inline(always)]

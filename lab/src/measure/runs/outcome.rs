@@ -1,6 +1,6 @@
 //! Outcome of a cell under one stabilizer.
 
-use crate::measure::{Verdict, Yardstick};
+use crate::measure::verdict::{Verdict, Yardstick};
 
 /// Outcome of a cell under one stabilizer; docs/compare.md defines every number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +82,7 @@ impl Measure {
 
 impl Measures {
     /// Measures from the numbers in the order of [`Measure::ALL`].
-    pub(super) fn from_numbers(numbers: [Option<f64>; COUNT]) -> Self {
+    pub(crate) fn from_numbers(numbers: [Option<f64>; COUNT]) -> Self {
         let [
             peak_force,
             settling_time,
@@ -109,7 +109,7 @@ impl Measures {
     }
 
     /// Whether a run with this verdict may have these measures.
-    pub(super) fn are_possible(&self, verdict: Verdict) -> bool {
+    pub(crate) fn are_possible(&self, verdict: Verdict) -> bool {
         let magnitudes = [self.peak_force, self.settling_time, self.active, self.chatter];
         let is_whole = magnitudes.into_iter().flatten().all(|it| it >= 0.0);
         let is_share = self.active.is_none_or(|percent| percent <= 100.0);
@@ -117,7 +117,7 @@ impl Measures {
     }
 
     /// The measures without numbers that are out of range.
-    pub(super) fn in_range(self) -> Self {
+    pub(crate) fn in_range(self) -> Self {
         let told =
             |value: Option<f64>| value.filter(|value| value.is_finite()).map(|value| value + 0.0);
         Self {

@@ -8,21 +8,23 @@ use crate::files::scene::{Basis, Filter, Integrator, Scalar, Scene, Stabilizer};
 ///
 /// An adaptive integrator chooses its steps by the motion, which no two lanes share, and nobody knows how an own
 /// stabilizer takes its numbers from a scene.
-pub(super) fn has_lanes(scene: &Scene, table: &Option<Stabilizer>) -> bool {
+pub(crate) fn has_lanes(scene: &Scene, table: &Option<Stabilizer>) -> bool {
     let adaptive =
         matches!(scene.integrator, Integrator::Dopri5 { .. } | Integrator::Dop853 { .. });
     let is_own = matches!(table, Some(Stabilizer::Own(_)));
     scene.scalar == Scalar::F64 && scene.dimensions() == 1 && !adaptive && !is_own
 }
 
-/// The places of scenes, each under its table, in groups of at most `lanes` that are alike in all but numbers.
-pub(super) fn groups(
+/// The places of scenes, each under its table on the loop it was told of, in groups of at most `lanes` that are alike in
+/// all but numbers.
+pub(crate) fn groups(
     scenes: &[Scene],
+    told: &[Scene],
     tables: &[Option<Stabilizer>],
     lanes: usize,
 ) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
-    let shapes: Vec<u32> = scenes.iter().zip(tables).map(|(it, table)| shape(it, table)).collect();
+    let shapes: Vec<u32> = told.iter().zip(tables).map(|(it, table)| shape(it, table)).collect();
     for place in 0..scenes.len() {
         let fits = |group: &Vec<usize>| {
             let first = group[0];

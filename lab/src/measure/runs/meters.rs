@@ -3,11 +3,49 @@
 use lyapunov::{Scalar, Signal};
 
 use super::outcome::Measures;
-use crate::measure::{Chatter, Energies, ForceFelt, Given, Settling, StiffnessFelt};
+use crate::measure::chatter::Chatter;
+use crate::measure::energies::Energies;
+use crate::measure::force_felt::ForceFelt;
+use crate::measure::given::Given;
+use crate::measure::settling::Settling;
+use crate::measure::stiffness_felt::StiffnessFelt;
+
+/// Meter along runs side by side.
+pub(crate) trait Meter<V: Signal> {
+    /// Result of a lane.
+    type Reading;
+
+    /// A meter of runs at `rate` Hz about the place `rest` with a band, m, whose devices take `damper` N/m.
+    fn new(rate: f64, damper: V::Scalar, rest_and_band: (V::Scalar, V::Scalar)) -> Self;
+
+    /// Adds one more tick.
+    fn add(&mut self, at: &Instant<V>);
+
+    /// Result of a lane.
+    fn read(&self, lane: usize, ran: Ran) -> Self::Reading;
+}
+
+/// Choice of a meter, whatever signal the runs have.
+pub(crate) trait Metering {
+    /// Result of a run.
+    type Reading: Clone;
+
+    /// The meter.
+    type Meter<V: Signal>: Meter<V, Reading = Self::Reading>;
+}
+
+/// All measures of a map.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AllMeasures;
+
+impl Metering for AllMeasures {
+    type Reading = Measures;
+    type Meter<V: Signal> = Meters<V>;
+}
 
 /// Meters of all measures of a run that does not grow.
 #[derive(Clone, Debug)]
-pub(super) struct Meters<V: Signal> {
+pub(crate) struct Meters<V: Signal> {
     peak: V::Scalar,
     active: V::Scalar,
     settling: Settling<V::Scalar>,
@@ -20,45 +58,46 @@ pub(super) struct Meters<V: Signal> {
 
 /// What is metered at a tick.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Instant<V: Signal> {
+pub(crate) struct Instant<V: Signal> {
     /// The plant's position, m.
-    pub(super) position: V,
+    pub(crate) position: V,
     /// The coordinate that the motion is judged along, m.
-    pub(super) coordinate: V::Scalar,
+    pub(crate) coordinate: V::Scalar,
     /// The displacement since the last tick, m.
-    pub(super) moved: V,
+    pub(crate) moved: V,
     /// The work of the force on it since then, J.
-    pub(super) work: V::Scalar,
+    pub(crate) work: V::Scalar,
     /// The force on it from here on, N.
-    pub(super) applied: V,
+    pub(crate) applied: V,
     /// The environment's share of that, N.
-    pub(super) environment: V,
+    pub(crate) environment: V,
     /// The controller's share, N.
-    pub(super) controller: V,
+    pub(crate) controller: V,
     /// The magnitudes of the force and of the environment's share, N.
-    pub(super) magnitudes: [V::Scalar; 2],
+    pub(crate) magnitudes: [V::Scalar; 2],
     /// The injected damping, N·s/m.
-    pub(super) alpha: V::Scalar,
+    pub(crate) alpha: V::Scalar,
     /// The force of the environment's own law on the true motion, N.
-    pub(super) ideal: V,
+    pub(crate) ideal: V,
     /// The depth below the surface of the environment, m, and the force against it, N.
-    pub(super) pressed: [V::Scalar; 2],
+    pub(crate) pressed: [V::Scalar; 2],
 }
 
 /// What a reading needs besides what was metered.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ran {
+pub(crate) struct Ran {
     /// The servo rate, Hz.
-    pub(super) rate: f64,
+    pub(crate) rate: f64,
     /// The number of ticks.
-    pub(super) ticks: f64,
+    pub(crate) ticks: f64,
     /// The stiffness beyond the surface of the environment, N/m, if it has one.
-    pub(super) stiffness: Option<f64>,
+    pub(crate) stiffness: Option<f64>,
 }
 
-impl<V: Signal> Meters<V> {
-    /// Meters of runs at `rate` Hz about the place `rest` with a band, m, whose devices take `damper` N/m.
-    pub(super) fn new(rate: f64, damper: V::Scalar, (rest, band): (V::Scalar, V::Scalar)) -> Self {
+impl<V: Signal> Meter<V> for Meters<V> {
+    type Reading = Measures;
+
+    fn new(rate: f64, damper: V::Scalar, (rest, band): (V::Scalar, V::Scalar)) -> Self {
         Self {
             peak: V::Scalar::of(0.0),
             active: V::Scalar::of(0.0),
@@ -72,7 +111,7 @@ impl<V: Signal> Meters<V> {
     }
 
     #[inline(always)]
-    pub(super) fn add(&mut self, at: &Instant<V>) {
+    fn add(&mut self, at: &Instant<V>) {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
         let ([force, environment], [depth, against]) = (at.magnitudes, at.pressed);
         self.peak = force.larger(self.peak);
@@ -87,8 +126,7 @@ impl<V: Signal> Meters<V> {
         }
     }
 
-    /// Measures of a lane.
-    pub(super) fn read(&self, lane: usize, ran: Ran) -> Measures {
+    fn read(&self, lane: usize, ran: Ran) -> Measures {
         let chatter = self.chatter.as_ref().and_then(Chatter::root_mean_square);
         let millijoules = |energy: V::Scalar| Some(1e3 * energy.lane(lane));
         let felt = self.stiffness_felt.stiffness(lane).zip(ran.stiffness);
