@@ -1,6 +1,5 @@
 //! Ensemble: many runs at once, on lanes and cores.
 
-use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
     DampingLimit, Lolc, LyapunovCandidate, Observer, OnePort, ParameterError, Plant, PortEnergy,
     PortSample, Sampled, Scalar, Stabilizer, Work,
@@ -10,11 +9,13 @@ use lyapunov::{
     environments::Wall,
     stabilizers::NoStabilizer,
 };
+use pulp::NullaryFnOnce;
 use rayon::prelude::*;
 
 use super::measures::{Measures, WINDOW};
 use super::member::Member;
 use super::trace::{Point, Trace};
+use crate::simulate::{F64x8, Instructions};
 
 /// Stabilizer at the port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +100,7 @@ fn traced<R: Send>(
     Ok(readings.into_iter().map(|(_, reading)| reading).collect())
 }
 
-type Lanes = AutoF64x8;
+type Lanes = F64x8;
 
 /// The traces of runs at the same rate, no more than there are lanes.
 fn lanes(looped: Loop, runs: &[Run<'_>], duration: f64) -> Result<Vec<Trace>, ParameterError> {
@@ -113,13 +114,13 @@ fn lanes(looped: Loop, runs: &[Run<'_>], duration: f64) -> Result<Vec<Trace>, Pa
     let (work, with_credit) = (Observer::of(PortEnergy), Observer::of(credited));
     let sampled = work.booking::<Sampled, Plain<Lanes>, Lanes>();
     let sampled_credit = with_credit.booking::<Sampled, Plain<Lanes>, Lanes>();
-    let rollout = Rollout { runs, duration, plant: body };
+    let start = Start { runs, duration, plant: body };
     Ok(match (looped.control, looped.steps) {
-        (Control::None, _) => rollout.traces(port, NoStabilizer, work),
-        (Control::Popc, Steps::Ours) => rollout.traces(port, popc, work),
-        (Control::Popc, Steps::Printed) => rollout.traces(port, popc.sampled(), sampled),
-        (Control::Lolc, Steps::Ours) => rollout.traces(port, lolc, with_credit),
-        (Control::Lolc, Steps::Printed) => rollout.traces(port, lolc.sampled(), sampled_credit),
+        (Control::None, _) => start.traces(port, NoStabilizer, work),
+        (Control::Popc, Steps::Ours) => start.traces(port, popc, work),
+        (Control::Popc, Steps::Printed) => start.traces(port, popc.sampled(), sampled),
+        (Control::Lolc, Steps::Ours) => start.traces(port, lolc, with_credit),
+        (Control::Lolc, Steps::Printed) => start.traces(port, lolc.sampled(), sampled_credit),
     })
 }
 
@@ -149,24 +150,50 @@ fn parts(steps: Steps, runs: &[Run<'_>], period: Lanes) -> Result<Parts, Paramet
     Ok((body, wall, limit))
 }
 
-/// Runs side by side.
-struct Rollout<'a> {
+/// Runs side by side before their first tick.
+struct Start<'a> {
     runs: &'a [Run<'a>],
     duration: f64,
     plant: Body<Lanes>,
 }
 
-impl Rollout<'_> {
+impl Start<'_> {
+    /// The traces, on the best instructions that the processor has.
     fn traces<C: LyapunovCandidate<Lanes>, W: Work>(
-        mut self,
-        mut port: impl OnePort<Lanes>,
-        mut stabilizer: impl Stabilizer<Lanes>,
-        mut observer: Observer<C, W, Plain<Lanes>>,
+        self,
+        port: impl OnePort<Lanes>,
+        stabilizer: impl Stabilizer<Lanes>,
+        observer: Observer<C, W, Plain<Lanes>>,
     ) -> Vec<Trace> {
+        Instructions::best().run(Rollout { start: self, port, stabilizer, observer })
+    }
+}
+
+/// Runs side by side in front of a port.
+struct Rollout<'a, P, S, O> {
+    start: Start<'a>,
+    port: P,
+    stabilizer: S,
+    observer: O,
+}
+
+impl<P, S, C, W> NullaryFnOnce for Rollout<'_, P, S, Observer<C, W, Plain<Lanes>>>
+where
+    P: OnePort<Lanes>,
+    S: Stabilizer<Lanes>,
+    C: LyapunovCandidate<Lanes>,
+    W: Work,
+{
+    type Output = Vec<Trace>;
+
+    #[inline(always)]
+    fn call(self) -> Vec<Trace> {
+        let Self { start, mut port, mut stabilizer, mut observer } = self;
+        let Start { runs, duration, mut plant } = start;
         let blank = |run: &Run<'_>| Trace::new(run.member.scene.period(), run.member.start);
-        let mut traces: Vec<Trace> = self.runs.iter().map(blank).collect();
-        let ticks = traces.first().map_or(0, |trace| trace.ticks(self.duration));
-        let mut sample = self.plant.start();
+        let mut traces: Vec<Trace> = runs.iter().map(blank).collect();
+        let ticks = traces.first().map_or(0, |trace| trace.ticks(duration));
+        let mut sample = plant.start();
         for _ in 0..=ticks {
             let velocity = sample.displacement / sample.period;
             let seen = PortSample { velocity, ..sample };
@@ -186,7 +213,7 @@ impl Rollout<'_> {
             if traces.iter().all(Trace::is_decided) {
                 break;
             }
-            sample = self.plant.advance(correction.effort);
+            sample = plant.advance(correction.effort);
         }
         traces
     }
