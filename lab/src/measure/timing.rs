@@ -4,9 +4,10 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use lyapunov::{ParameterError, Plant};
+use pulp::NullaryFnOnce;
 
 use crate::files::Scene;
-use crate::simulate::{Assembly, Space};
+use crate::simulate::{Assembly, Instructions, Scenes, Space};
 
 /// Durations of several things, ns, by rounds.
 #[derive(Debug)]
@@ -69,26 +70,44 @@ pub(crate) fn count_for(long: Duration, one: Duration) -> u32 {
     long.div_duration_f64(one).ceil().clamp(1.0, MOST.into()) as u32
 }
 
-/// The time that the loop of `scene` takes for `count` runs of `ticks` each; making the runs is not timed.
+/// The time that the loop of `scene` takes on `instructions` for `count` runs of `ticks` each; making the runs is not
+/// timed.
 ///
 /// # Errors
 /// A parameter out of the range of the scalar.
 pub(crate) fn runs<V: Space>(
     scene: &Scene,
+    instructions: Instructions,
     ticks: usize,
     count: u32,
 ) -> Result<Duration, ParameterError> {
-    let fresh = (0..count).map(|_| Assembly::<V>::of(scene));
+    let scenes = Scenes::on(std::slice::from_ref(scene), instructions);
+    let fresh = (0..count).map(|_| Assembly::<V>::on(scenes));
     let mut fresh = fresh.collect::<Result<Vec<_>, _>>()?;
     let start = Instant::now();
-    for run in black_box(&mut fresh) {
-        let mut sample = run.plant.start();
-        for _ in 0..ticks {
-            run.tick(&mut sample);
-        }
-        black_box(sample);
-    }
+    V::run(instructions, Fresh { runs: &mut fresh, ticks });
     Ok(start.elapsed())
+}
+
+/// Fresh runs, to be run over some ticks.
+struct Fresh<'a, V: Space> {
+    runs: &'a mut [Assembly<V>],
+    ticks: usize,
+}
+
+impl<V: Space> NullaryFnOnce for Fresh<'_, V> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        for run in black_box(self.runs) {
+            let mut sample = run.plant.start();
+            for _ in 0..self.ticks {
+                run.tick(&mut sample);
+            }
+            black_box(sample);
+        }
+    }
 }
 
 #[cfg(test)]

@@ -34,7 +34,16 @@ impl<V: Space> Assembly<V> {
     /// # Errors
     /// A parameter that is right by itself but out of the range of the scalar, alone or with others.
     pub fn of(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::put_together(Scenes::of(scene), None, Fitted::of(scene)?)
+        Self::on(Scenes::of(scene))
+    }
+
+    /// The loop of the scenes, alike in all but numbers, with the stabilizers they name.
+    ///
+    /// # Errors
+    /// As [`Assembly::of`].
+    pub(crate) fn on(scenes: Scenes<'_>) -> Result<Self, ParameterError> {
+        let tables: Vec<_> = scenes.values().iter().map(|scene| scene.stabilizer).collect();
+        Self::put_together(scenes, None, Fitted::on(scenes, &tables)?)
     }
 
     /// The same loop, with `seen` recording what the stabilizer and the port do.

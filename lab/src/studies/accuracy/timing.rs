@@ -9,6 +9,7 @@ use super::setting::{Number, Setting};
 use super::trace::Progress;
 use crate::files::Scene;
 use crate::measure::timing::{Rounds, count_for, runs};
+use crate::simulate::Instructions;
 
 /// Rounds over all loops, at most and at least.
 const ROUNDS: (f64, f64) = (31.0, 5.0);
@@ -70,7 +71,9 @@ fn lap(
     count: u32,
 ) -> Result<Duration, ParameterError> {
     match setting.number {
-        Number::F64 => runs::<f64>(scene, ticks, count),
-        Number::F32 | Number::F32WithWideLedger => runs::<f32>(scene, ticks, count),
+        Number::F64 => runs::<f64>(scene, Instructions::Base, ticks, count),
+        Number::F32 | Number::F32WithWideLedger => {
+            runs::<f32>(scene, Instructions::Base, ticks, count)
+        }
     }
 }

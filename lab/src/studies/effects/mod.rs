@@ -9,13 +9,13 @@ mod timing;
 use std::fmt;
 use std::ops::ControlFlow;
 
-use lyapunov::ParameterError;
+use lyapunov::{ParameterError, Scalar};
 use serde::Serialize;
 
 use crate::files::Scene;
 use crate::files::scene::{Conflict, Diagnostic};
 use crate::measure::timing::Rounds;
-use crate::simulate::F64x8;
+use crate::simulate::{F64x8, Instructions};
 use calls::Calls;
 
 /// The costs of all effects, in nanoseconds per step on this machine; docs/effects/costs.md explains how to read
@@ -40,6 +40,8 @@ struct Column {
     scalar: &'static str,
     /// The rollouts that one step advances.
     rollouts: usize,
+    /// The set of vector instructions.
+    instructions: &'static str,
     bare_ns_per_step: f64,
     effects: Vec<Cost>,
 }
@@ -91,10 +93,13 @@ impl Costs {
         calls: &Calls,
         watch: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Self, CostsError> {
-        let one = timing::times::<f64>(&calls.all, watch)?;
-        let eight = timing::times::<F64x8>(&calls.all, watch)?;
-        let scalars =
-            vec![Column::of("f64", 1, calls, &one), Column::of("f64x8", 8, calls, &eight)];
+        let (base, best) = (Instructions::Base, Instructions::best());
+        let one = timing::times::<f64>(&calls.all, base, watch)?;
+        let eight = timing::times::<F64x8>(&calls.all, best, watch)?;
+        let scalars = vec![
+            Column::of(("f64", 1, base), calls, &one),
+            Column::of(("f64x8", F64x8::LANES, best), calls, &eight),
+        ];
         Ok(Self {
             scene,
             not_deterministic: ["bare_ns_per_step", "ns_per_step", "spread_ns", "ratio"],
@@ -130,7 +135,12 @@ impl Costs {
 }
 
 impl Column {
-    fn of(scalar: &'static str, rollouts: usize, calls: &Calls, times: &Rounds) -> Self {
+    /// The costs by the `times` of numbers with this name, so many rollouts at once, on these instructions.
+    fn of(
+        (scalar, rollouts, instructions): (&'static str, usize, Instructions),
+        calls: &Calls,
+        times: &Rounds,
+    ) -> Self {
         let difference = |[without, with]: [usize; 2]| Difference::of(times, without, with);
         let effects = calls.effects.iter().map(|effect| Cost {
             effect: effect.name,
@@ -138,7 +148,8 @@ impl Column {
             composed: difference(effect.composed),
         });
         let [_, bare_ns_per_step, _] = times.quartiles(calls.bare);
-        Self { scalar, rollouts, bare_ns_per_step, effects: effects.collect() }
+        let (instructions, effects) = (instructions.name(), effects.collect());
+        Self { scalar, rollouts, instructions, bare_ns_per_step, effects }
     }
 }
 
@@ -147,6 +158,11 @@ impl Difference {
         let [lower, median, upper] = times.compared(with, without, |with, without| with - without);
         let [_, ratio, _] = times.compared(with, without, |with, without| with / without);
         Self { ns_per_step: median, spread_ns: upper - lower, ratio }
+    }
+
+    /// Whether it can be told from zero.
+    fn is_told(&self) -> bool {
+        self.ns_per_step > self.spread_ns.max(0.0)
     }
 }
 

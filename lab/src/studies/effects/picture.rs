@@ -18,7 +18,7 @@ impl Costs {
             .with_columns(2)
             .with_panel_height((ROW * rows as f64).max(4.0 * ROW));
         let costs = self.scalars.iter().flat_map(|column| &column.effects);
-        let told = costs.flat_map(|cost| [cost.alone, cost.composed]).filter(is_told);
+        let told = costs.flat_map(|cost| [cost.alone, cost.composed]).filter(Difference::is_told);
         let exponents: Vec<f64> = told.map(|cost| cost.ns_per_step.log10()).collect();
         let low = exponents.iter().copied().fold(0.0, f64::min).floor();
         let high = exponents.iter().copied().fold(1.0, f64::max).ceil();
@@ -27,16 +27,11 @@ impl Costs {
     }
 }
 
-/// Whether a cost can be told from zero.
-fn is_told(cost: &Difference) -> bool {
-    cost.ns_per_step > cost.spread_ns.max(0.0)
-}
-
 fn panel(column: &Column) -> Panel {
     let dots = |of: fn(&Cost) -> Difference| -> Vec<(f64, f64)> {
         let rows = column.effects.iter().enumerate();
         let told = rows.map(|(row, cost)| (of(cost), -(row as f64)));
-        let told = told.filter(|(cost, _)| is_told(cost));
+        let told = told.filter(|(cost, _)| cost.is_told());
         told.map(|(cost, row)| (cost.ns_per_step.log10(), row)).collect()
     };
     let names = column.effects.iter().map(|cost| cost.effect.to_owned()).collect();

@@ -3,7 +3,7 @@
 use maud::html;
 
 use super::Costs;
-use super::table::table;
+use super::table::{prices, table};
 use crate::show::beside::beside;
 use crate::show::csv::{self, Field};
 use crate::show::html;
@@ -25,6 +25,8 @@ impl Costs {
                     "Logarithmic; an effect whose cost is within its spread has no dot."
                 }))
             }
+            h2 { "Price list" }
+            (prices(self).to_html("short"))
             @for column in &self.scalars {
                 h2 { (column.bare()) }
                 @if !column.effects.is_empty() { (table(column).to_html("short")) }

@@ -9,6 +9,7 @@ pub(super) fn write(costs: &Costs, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if let Some(scene) = &costs.scene {
         writeln!(f, "{scene}\n")?;
     }
+    writeln!(f, "{}", prices(costs))?;
     for (index, column) in costs.scalars.iter().enumerate() {
         if index > 0 {
             writeln!(f)?;
@@ -36,13 +37,40 @@ impl Costs {
 impl Column {
     /// The time of a step without effects, in words.
     pub(super) fn bare(&self) -> String {
-        let Self { scalar, rollouts, bare_ns_per_step, .. } = self;
+        let Self { scalar, rollouts, instructions, bare_ns_per_step, .. } = self;
         let what = match rollouts {
             1 => String::from("one rollout"),
             several => format!("{several} rollouts at once"),
         };
-        format!("{scalar}, {what}: {bare_ns_per_step:.1} ns per step without effects")
+        format!(
+            "{scalar}, {what} ({instructions}): {bare_ns_per_step:.1} ns per step without effects"
+        )
     }
+}
+
+/// The price of each effect alone for one rollout, by itself and as one of several on lanes: of the first kind of number
+/// and of the last.
+pub(super) fn prices(costs: &Costs) -> Table {
+    let headings = [
+        Heading::word("effect"),
+        Heading::number("by itself\nns a rollout"),
+        Heading::number("on lanes\nns a rollout"),
+        Heading::number("times\nless"),
+    ];
+    let [Some(one), Some(lanes)] = [costs.scalars.first(), costs.scalars.last()] else {
+        return Table::new(headings);
+    };
+    let share = |ns: f64| ns / lanes.rollouts as f64;
+    let row = |name: &'static str, [one, lanes]: [f64; 2], told: bool| {
+        let gain = if told { tenths(one / lanes) } else { "-".to_owned() };
+        [name.into(), tenths(one).into(), format!("{lanes:.2}").into(), gain.into()]
+    };
+    let bare = [one.bare_ns_per_step, share(lanes.bare_ns_per_step)];
+    let rows = one.effects.iter().zip(&lanes.effects).map(|(one, lanes)| {
+        let told = one.alone.is_told() && lanes.alone.is_told();
+        row(one.effect, [one.alone.ns_per_step, share(lanes.alone.ns_per_step)], told)
+    });
+    Table::new(headings).with_rows(std::iter::once(row("(the loop)", bare, true)).chain(rows))
 }
 
 /// The costs of each effect for one kind of number.
@@ -79,7 +107,13 @@ mod tests {
         let long = Difference { ns_per_step: -1234567.8, spread_ns: 1234567.8, ratio: 12345.67 };
         let cost = Cost { effect: "mass-spring-damper", alone: long, composed: long };
         let effects = vec![cost];
-        let column = Column { scalar: "f64x8", rollouts: 8, bare_ns_per_step: 1234.5, effects };
+        let column = Column {
+            scalar: "f64x8",
+            rollouts: 8,
+            instructions: "avx512",
+            bare_ns_per_step: 1234.5,
+            effects,
+        };
         let scalars = vec![column.clone(), column];
         let costs =
             Costs { scene: None, not_deterministic: [""; 4], rounds: 41, ticks: 250, scalars };
