@@ -4,7 +4,7 @@ use lyapunov::{Correction, OnePort, PortSample, Scalar, accumulators::DoubleDoub
 
 use super::AccuracyError;
 use super::reference::{References, Second, exact, off};
-use super::trace::{Progress, trace};
+use super::trace::{Progress, trace_until};
 use crate::files::Scene;
 use crate::simulate::{Assembly, Port};
 
@@ -43,6 +43,55 @@ struct Sizes {
     large: f64,
 }
 
+impl Sizes {
+    /// Whether a deviation of this size tells of its growth.
+    fn are_usable(&self, apart: f64, reach: f64) -> bool {
+        apart > self.lost * reach && apart < self.large * reach
+    }
+}
+
+/// Small push on the plant at a tick.
+struct Push<'a> {
+    scene: &'a Scene,
+    references: &'a References,
+    sizes: &'a Sizes,
+    from: usize,
+}
+
+impl Push<'_> {
+    /// The pushed motion, up to where its deviation tells nothing any more; where `grown` is asked for, also up to where
+    /// that has grown so much that errors say nothing about the method.
+    fn followed(
+        &self,
+        grown: bool,
+        progress: Progress<'_>,
+    ) -> Result<Vec<[DoubleDouble; 2]>, AccuracyError> {
+        let Self { scene, references, sizes, from } = *self;
+        let reach = references.reach();
+        let force = sizes.made * reach * scene.port_mass() / scene.period().powi(2);
+        let (mut first, mut has_grown, mut is_over) = (0.0, !grown, false);
+        let enough = |tick: usize, state| {
+            if tick <= from {
+                return false;
+            }
+            let apart = self.apart(tick, state);
+            if tick == from + 1 {
+                first = apart;
+            }
+            has_grown |= apart > GROWN * first;
+            is_over |= tick > from + 1 && !sizes.are_usable(apart, reach);
+            has_grown && is_over
+        };
+        trace_until(pushed(scene, from, force)?, references.first.len(), progress, enough)
+    }
+
+    /// The distance of `state` from the reference, with that of the velocities over a period, m.
+    fn apart(&self, tick: usize, state: [DoubleDouble; 2]) -> f64 {
+        let reference = self.references.first[tick];
+        off(reference[0], state[0]) + self.scene.period() * off(reference[1], state[1])
+    }
+}
+
 impl Growth {
     /// Follows a reference and the same motion with a small push, renewed wherever the deviation has grown large or
     /// died away.
@@ -63,18 +112,15 @@ impl Growth {
             }
             let part = progress
                 .part(segment as f64 / SEGMENTS as f64, (segment + 1) as f64 / SEGMENTS as f64);
-            let force = sizes.made * reach * scene.port_mass() / scene.period().powi(2);
-            let pushed = trace(pushed(scene, from, force)?, ticks, part)?;
-            let apart = |tick: usize| -> f64 {
-                let (one, other) = (references.first[tick], pushed[tick]);
-                off(one[0], other[0]) + scene.period() * off(one[1], other[1])
-            };
+            let push = Push { scene, references, sizes: &sizes, from };
+            let pushed = push.followed(segment == 0, part)?;
+            let apart = |tick: usize| push.apart(tick, pushed[tick]);
             let (end, first) = (pushed.len(), apart(from + 1));
-            let usable = |size: f64| size > sizes.lost * reach && size < sizes.large * reach;
             if segment == 0 {
                 grown_at = (1..end).find(|&tick| apart(tick) > GROWN * first).unwrap_or(end);
             }
-            let last = (from + 2..end).find(|&tick| !usable(apart(tick))).unwrap_or(end - 1);
+            let is_over = |tick: &usize| !sizes.are_usable(apart(*tick), reach);
+            let last = (from + 2..end).find(is_over).unwrap_or(end - 1);
             let grown = apart(last) / first;
             if grown > 0.0 && grown.is_finite() {
                 logarithm += grown.ln();

@@ -39,21 +39,14 @@ impl References {
         progress: Progress<'_>,
     ) -> Result<Self, AccuracyError> {
         let scene = exact(scene)?;
-        let first = trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress.part(0.0, 0.3))?;
-        let (second, progress) = (Second::on(&scene), progress.part(0.3, 1.0));
-        let other = match second {
-            Second::Extrapolation => {
-                trace::<DoubleDouble>(Assembly::moved_by(&scene, Extrapolation)?, ticks, progress)?
-            }
-            Second::Adaptive => {
-                let scene = Draft { integrator: adaptive(), ..scene.to_draft() }.check()?;
-                trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress)?
-            }
-            Second::Double => {
-                let run = trace::<f64>(Assembly::of(&scene)?, ticks, progress)?;
-                run.into_iter().map(|state| state.map(DoubleDouble::of)).collect()
-            }
-        };
+        let second = Second::on(&scene);
+        // The second takes longer, so it alone tells of progress.
+        let still = progress.part(0.0, 0.0);
+        let (first, other) = rayon::join(
+            || trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, still),
+            || second.trace(&scene, ticks, progress),
+        );
+        let (first, other) = (first?, other?);
         let apart = |(one, other): (&[DoubleDouble; 2], &[DoubleDouble; 2])| off(one[0], other[0]);
         let distances: Vec<f64> = first.iter().zip(&other).map(apart).collect();
         let first = first[..distances.len()].to_vec();
@@ -93,6 +86,28 @@ impl Second {
             (false, false) => Self::Extrapolation,
             (true, false) if scene.link.is_none() => Self::Adaptive,
             _ => Self::Double,
+        }
+    }
+
+    /// The motion of `scene` by this reference.
+    fn trace(
+        self,
+        scene: &Scene,
+        ticks: usize,
+        progress: Progress<'_>,
+    ) -> Result<Vec<[DoubleDouble; 2]>, AccuracyError> {
+        match self {
+            Self::Extrapolation => {
+                trace::<DoubleDouble>(Assembly::moved_by(scene, Extrapolation)?, ticks, progress)
+            }
+            Self::Adaptive => {
+                let scene = Draft { integrator: adaptive(), ..scene.to_draft() }.check()?;
+                trace::<DoubleDouble>(Assembly::of(&scene)?, ticks, progress)
+            }
+            Self::Double => {
+                let run = trace::<f64>(Assembly::of(scene)?, ticks, progress)?;
+                Ok(run.into_iter().map(|state| state.map(DoubleDouble::of)).collect())
+            }
         }
     }
 }

@@ -1,8 +1,10 @@
 //! Study of all settings of one scene.
 
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use lyapunov::{Scalar, accumulators::DoubleDouble};
+use rayon::prelude::*;
 
 use super::horizon::{BELIEVED, Growth};
 use super::ledger::{self, LedgerRow};
@@ -76,7 +78,7 @@ impl Study {
     pub fn watched(
         name: &str,
         scene: &Scene,
-        watch: &dyn Fn(f64) -> ControlFlow<()>,
+        watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, AccuracyError> {
         if scene.dimensions() > 1 {
             return Err(AccuracyError::Space { scene: name.to_owned() });
@@ -92,16 +94,18 @@ impl Study {
         let window = growth.grown_at;
         let (believed, settings) = (BELIEVED * references.reach(), Setting::all(scene));
         let distance = references.distance(window);
-        let mut rows = Vec::new();
-        for (index, (setting, scene)) in settings.iter().enumerate() {
-            let part = index as f64 / settings.len() as f64;
+        let done = AtomicUsize::new(0);
+        let row = |(setting, scene): &(Setting, Scene)| -> Result<Row, AccuracyError> {
+            let part = done.load(Relaxed) as f64 / settings.len() as f64;
             let part = progress.part(0.25, 0.45).part(part, part);
             let errors = errors(scene, setting.number, &references, part)?;
+            done.fetch_add(1, Relaxed);
             let max_error = largest(&errors, window);
             let left = errors.iter().position(|error| error.is_nan() || *error > believed);
             let horizon = left.map(|tick| tick as f64 * scene.period());
-            rows.push(Row::untimed(*setting, max_error, SURE * distance, horizon));
-        }
+            Ok(Row::untimed(*setting, max_error, SURE * distance, horizon))
+        };
+        let mut rows = settings.par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
         let (times, rounds) = timing::times(&settings, ticks, progress.part(0.45, 0.85))?;
         let ledger = ledger::rows(progress.part(0.85, 1.0))?;
         for (row, time) in rows.iter_mut().zip(times) {

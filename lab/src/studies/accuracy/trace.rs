@@ -10,11 +10,24 @@ use crate::simulate::{Assembly, Space};
 /// Ticks between two calls of the watch.
 const BREATH: usize = 4096;
 
+/// Receiver of progress, which may end a study.
+pub(super) type Watch<'a> = dyn Fn(f64) -> ControlFlow<()> + Sync + 'a;
+
 /// The plant's true position and velocity at every tick, as long as both are finite.
 pub(super) fn trace<T: Space + Scalar>(
+    run: Assembly<T>,
+    ticks: usize,
+    progress: Progress<'_>,
+) -> Result<Vec<[T::Real; 2]>, AccuracyError> {
+    trace_until(run, ticks, progress, |_, _| false)
+}
+
+/// The same up to the first tick whose number and state are `enough`.
+pub(super) fn trace_until<T: Space + Scalar>(
     mut run: Assembly<T>,
     ticks: usize,
     progress: Progress<'_>,
+    mut enough: impl FnMut(usize, [T::Real; 2]) -> bool,
 ) -> Result<Vec<[T::Real; 2]>, AccuracyError> {
     let mut sample = run.plant.start();
     let mut trace = Vec::with_capacity(ticks);
@@ -22,7 +35,11 @@ pub(super) fn trace<T: Space + Scalar>(
         if !(sample.position.lane(0).is_finite() && sample.velocity.lane(0).is_finite()) {
             break;
         }
-        trace.push([sample.position.real(0), sample.velocity.real(0)]);
+        let state = [sample.position.real(0), sample.velocity.real(0)];
+        trace.push(state);
+        if enough(tick, state) {
+            break;
+        }
         run.tick(&mut sample);
         if tick % BREATH == 0 {
             progress.tell(tick, ticks)?;
@@ -34,14 +51,14 @@ pub(super) fn trace<T: Space + Scalar>(
 /// Part of the whole progress, reported to a watch.
 #[derive(Clone, Copy)]
 pub(super) struct Progress<'a> {
-    watch: &'a dyn Fn(f64) -> ControlFlow<()>,
+    watch: &'a Watch<'a>,
     from: f64,
     to: f64,
 }
 
 impl<'a> Progress<'a> {
     /// The whole progress.
-    pub(super) fn new(watch: &'a dyn Fn(f64) -> ControlFlow<()>) -> Self {
+    pub(super) fn new(watch: &'a Watch<'a>) -> Self {
         Self { watch, from: 0.0, to: 1.0 }
     }
 
