@@ -2,6 +2,9 @@
 
 import json
 import re
+import subprocess
+
+import history
 
 SCALARS = ["f64", "f32"]
 FINEST = [
@@ -167,6 +170,8 @@ def fenced(file):
 
 def write(root, results, measured, parts):
     """Writes the tables of `parts`; returns what could not be written, and why."""
+    rust = subprocess.run(["rustc", "--version"], check=True, capture_output=True, text=True).stdout
+    place = f"On {history.machine()}, with {' '.join(rust.split()[:2])}:"
     skipped = []
     for part in parts:
         if part not in PARTS:
@@ -174,6 +179,7 @@ def write(root, results, measured, parts):
         for page, blocks in PARTS[part](measured, results).items():
             text = (root / page).read_text()
             for name, block in blocks.items():
+                block = f"{place}\n\n{block}"
                 pattern = rf"(<!-- measured: {name} -->\n\n).*?(\n\n<!-- end -->)"
                 text, count = re.subn(pattern, lambda found: found[1] + block + found[2], text, flags=re.DOTALL)
                 if count == 0:
