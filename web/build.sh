@@ -9,16 +9,13 @@ out=${1:-$target/web/index.html}
 tools=$target/web/tools
 
 rustup target add wasm32-unknown-unknown >/dev/null 2>&1 || true
-if [ ! -d "$tools/node_modules/esbuild" ] || [ ! -d "$tools/node_modules/binaryen" ]; then
+if [ ! -d "$tools/node_modules/axe-core" ]; then
     mkdir -p "$tools"
-    (cd "$tools" && npm install --silent --no-audit --no-fund --no-save esbuild@0.28 binaryen@132 axe-core@4)
+    (cd "$tools" && npm install --silent --no-audit --no-fund --no-save esbuild@0.28 axe-core@4)
 fi
 
 # Browsers that can inflate the module (DecompressionStream) have simd128 as well.
 RUSTFLAGS="-C target-feature=+simd128" cargo build --quiet --release --manifest-path "$here/Cargo.toml" \
     --target wasm32-unknown-unknown --target-dir "$target/web/cargo" --lib
 built=$target/web/cargo/wasm32-unknown-unknown/release/lyapunov_web.wasm
-"$tools/node_modules/.bin/wasm-opt" -O3 --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals \
-    --enable-nontrapping-float-to-int --enable-reference-types --enable-multivalue --strip-debug --strip-producers \
-    "$built" -o "$target/web/lyapunov.wasm"
-node "$here/build.mjs" "$target/web/lyapunov.wasm" "$tools/node_modules/esbuild" "$out"
+node "$here/build.mjs" "$built" "$tools/node_modules/esbuild" "$out"

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Builds the page and looks at it in a headless Chromium; says SKIPPED where one of the tools cannot be had.
+# Builds the page and the book and looks at both in a headless Chromium; says SKIPPED where one of the tools cannot be had.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
 target=${CARGO_TARGET_DIR:-$root/target}
+mkdir -p "$target"
+target=$(cd "$target" && pwd)
 
 skipped() { printf 'SKIPPED: the page: %s\n' "$*"; exit 0; }
 command -v node >/dev/null && command -v npm >/dev/null || skipped "it needs node and npm"
@@ -15,4 +17,8 @@ sysroot=$(rustc --print sysroot)
 cargo fmt --manifest-path "$here/Cargo.toml" --check
 "$here/build.sh"
 (cd "$root" && cargo build --quiet -p lyapunov-cli)
+book=$root/docs/book
+cargo fmt --manifest-path "$book/Cargo.toml" --check
+CARGO_TARGET_DIR=$target cargo test --quiet --manifest-path "$book/Cargo.toml" --doc
+"$book/build.sh"
 node "$here/test.mjs" "$target/web/index.html" "$target/debug/lyapunov" "$chromium" "$target/web/tools"
