@@ -5,7 +5,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -173,6 +173,11 @@ async function shared(browser) {
   const dropped = join(folder, "dropped.toml");
   writeFileSync(dropped, await other.value("lyapunov.scene()"));
   assert.equal(lyapunov("run", dropped, "--csv", "-", "--quiet"), lyapunov("run", join(root, "scenes/friction.toml"), "--csv", "-", "--quiet"));
+  const log = "scenes/logs/mujoco-wall.csv";
+  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(readFileSync(join(root, log), "utf8"))}], ${JSON.stringify(log)}));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await other.until("document.querySelector('#done').textContent.includes('is a log')");
+  assert.equal((await other.value("document.querySelector('#code').textContent")).trim(), lyapunov("observe", log).trim());
   await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File(["duration = -1"], "bad.toml"));
     document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
   await other.until("document.querySelector('#done').textContent.includes('duration')");
@@ -192,29 +197,42 @@ async function paper(browser) {
   await closed(page);
 }
 
-/** Lines that the page offers for each stabilizer: they compile without a warning. */
+/** Lines that the page offers in a language, under no stabilizer, POPC and LOLC with each candidate. */
+async function offered(page, language) {
+  const all = [];
+  const copied = `(() => { [...document.querySelectorAll('#lines button')].find((it) => it.textContent.includes(" ${language} ")).click(); return document.querySelector('#code').textContent; })()`;
+  await page.value("document.querySelector('#candidate').value = 'lolc-mass-spring-damper'; document.querySelector('#candidate').dispatchEvent(new Event('change'))");
+  for (const index of [0, 1, 2]) {
+    await page.value(`document.querySelector('#why-of button[data-index="${index}"]').click()`);
+    all.push(await page.value(copied));
+  }
+  for (const name of ["lolc-device-damping", "lolc-spring"]) {
+    await page.value(`document.querySelector('#candidate').value = "${name}"; document.querySelector('#candidate').dispatchEvent(new Event("change"))`);
+    all.push(await page.value(copied));
+  }
+  assert.ok(new Set(all).size >= 4, `${language}: too few different loops`);
+  return all;
+}
+
+/** Lines that the page offers: they compile without a warning. */
 async function lines(browser) {
   const page = await opened(browser);
   const crate = join(folder, "lines");
   mkdirSync(join(crate, "src"), { recursive: true });
   writeFileSync(join(crate, "Cargo.toml"), `[workspace]\n[package]\nname = "lines"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\nlyapunov = { path = ${JSON.stringify(root)} }\n`);
-  const modules = [];
-  const say = async (text) => {
-    modules.push(`mod it${modules.length} {\n${text}}\n`);
-  };
-  for (const index of [0, 1, 2]) {
-    await page.value(`document.querySelector('#why-of button[data-index="${index}"]').click()`);
-    await page.value("document.querySelector('#lines button').click()");
-    await say(await page.value("document.querySelector('#code').textContent"));
-  }
-  for (const name of ["lolc-device-damping", "lolc-spring"]) {
-    await page.value(`(() => { const it = document.querySelector('#candidate'); it.value = "${name}"; it.dispatchEvent(new Event("change")); document.querySelector('#lines button').click(); })()`);
-    await say(await page.value("document.querySelector('#code').textContent"));
-  }
-  assert.equal(new Set(modules.map((it) => it.replace(/^mod it\d+/, ""))).size, 5);
+  const modules = (await offered(page, "Rust")).map((text, index) => `mod it${index} {\n${text}}\n`);
   writeFileSync(join(crate, "src/lib.rs"), `//! Lines from the page.\n#![allow(dead_code)]\n${modules.join("")}`);
   const env = { ...process.env, RUSTFLAGS: "-D warnings", CARGO_TARGET_DIR: process.env.CARGO_TARGET_DIR ?? join(root, "target") };
   execFileSync("cargo", ["check", "--quiet", "--manifest-path", join(crate, "Cargo.toml")], { env, stdio: "inherit" });
+
+  const header = process.env.LYAPUNOV_H ?? join(root, "bindings/c/include");
+  for (const [index, text] of (await offered(page, "C")).entries()) {
+    const source = join(folder, `control-${index}.c`);
+    writeFileSync(source, text);
+    if (existsSync(join(header, "lyapunov.h"))) execFileSync("cc", ["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I", header, source], { stdio: "inherit" });
+    else if (index === 0) console.log("SKIPPED: the C lines: there is no bindings/c/include/lyapunov.h");
+  }
+  for (const text of await offered(page, "Python")) execFileSync("python3", ["-c", "import sys; compile(sys.stdin.read(), 'control.py', 'exec')"], { input: text });
   await closed(page);
 }
 

@@ -318,8 +318,10 @@ function start(preset) {
 
 function open(name, text) {
   try {
-    if (/^\s*[#"']?\s*t\w*\W/i.test(text) && !/^\s*duration\s*=/m.test(text)) {
-      $("done").textContent = "A log: lay it over a run with the command `lyapunov observe`.";
+    if (!/^\s*duration\s*=/m.test(text) && /[,;\t]/.test(text.split("\n", 1)[0])) {
+      $("code").hidden = false;
+      $("code").textContent = engine.text("observed", `${name}\n${text}`);
+      $("done").textContent = `${name} is a log: below is what the observer says of it.`;
       return;
     }
     state.tree = bare(JSON.parse(engine.text("read", `\n${text}`)));

@@ -4,5 +4,6 @@ mod exchange;
 mod explain;
 mod live;
 mod map;
+mod observe;
 mod run;
 mod scene;
