@@ -1,4 +1,4 @@
-// Looks at the page in a headless Chromium: `node web/test.mjs PAGE LYAPUNOV CHROMIUM TOOLS`, from anywhere.
+// Looks at the page in a headless Chromium: `node web/test.mjs PAGE LYAPUNOV CHROMIUM TOOLS [CHECK…]`, from anywhere.
 //
 // The page has to compute what the command LYAPUNOV computes, bit for bit, and to be usable: without a mouse, on a narrow
 // screen, in light and dark, without a request, an error or a serious finding of axe-core.
@@ -12,7 +12,7 @@ import { fileURLToPath } from "node:url";
 
 import { Browser } from "../scripts/chromium.mjs";
 
-const [file, program, chromium, tools] = process.argv.slice(2);
+const [file, program, chromium, tools, ...only] = process.argv.slice(2);
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 const url = `file://${file}`;
 const folder = mkdtempSync(join(tmpdir(), "lyapunov-web-"));
@@ -117,7 +117,7 @@ async function reasons(browser) {
     const line = text.split("\n").find((it) => it.includes(words));
     assert.ok(line, `${name} is not in\n${text}`);
     mJ(line).forEach((known, index) => {
-      const here = Number(energies[index].replace("−", "-"));
+      const here = Number(energies[index].replaceAll("−", "-"));
       assert.ok(Math.abs(here - known) <= 6e-3 * Math.abs(known) || Math.abs(here) < 1e-6, `${name}: ${here} instead of ${known}`);
     });
   }
@@ -268,6 +268,7 @@ async function book(browser) {
 const browser = new Browser(chromium);
 try {
   for (const check of [words, rows, maps, reasons, hand, frames, shared, paper, lines, looks, book]) {
+    if (only.length && !only.includes(check.name)) continue;
     const began = performance.now();
     await check(browser);
     console.log(`${check.name}: done in ${((performance.now() - began) / 1e3).toFixed(1)} s`);

@@ -125,5 +125,6 @@ function arrow(c, x, y, lane, colours) {
   if (Math.abs(lane.peak) < 0.005) return;
   c.fillStyle = colours.ink;
   c.textAlign = "right";
-  c.fillText(`${Math.abs(lane.peak).toFixed(Math.abs(lane.peak) < 10 ? 1 : 0)} N`, Math.min(x, x - long(lane.peak)) - 6, y + 4);
+  const said = `${Math.abs(lane.peak).toFixed(Math.abs(lane.peak) < 10 ? 1 : 0)} N`;
+  c.fillText(said, Math.max(c.measureText(said).width + 4, Math.min(x, x - long(lane.peak)) - 6), y + 4);
 }

@@ -17,7 +17,7 @@ const cell = (row, text, tag = "td") => {
   return it;
 };
 
-const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replace("-", "−");
+const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replaceAll("-", "−");
 
 /** The sentence on a run, where the hint of the command has none. */
 function sentence(hint, told) {
