@@ -108,7 +108,7 @@ class Page {
   faults() {
     const own = this.browser.heard.filter((message) => message.sessionId === this.session);
     const told = (method, words) => own.filter((message) => message.method === method).map((message) => words(message.params));
-    const requests = told("Network.requestWillBeSent", ({ request, type }) => (type === "Document" || request.url.startsWith("data:") ? "" : `request: ${request.url}`));
+    const requests = told("Network.requestWillBeSent", ({ request, type }) => (type === "Document" || /^(data|blob):/.test(request.url) ? "" : `request: ${request.url}`));
     return [
       ...told("Runtime.exceptionThrown", ({ exceptionDetails }) => exceptionDetails.exception?.description ?? exceptionDetails.text),
       ...told("Log.entryAdded", ({ entry }) => `${entry.level}: ${entry.text}`),

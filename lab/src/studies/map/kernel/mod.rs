@@ -127,6 +127,21 @@ impl Kernel {
         self.run(Run { kernel: self, basic_name, cells, go_on }, Judge)
     }
 
+    /// The same for a scene in `f64`, always on lanes. It is compiled for the caller's crate, so that a program that is built
+    /// for size can have this one loop built for speed.
+    ///
+    /// # Errors
+    /// Those of [`Kernel::verdicts`].
+    #[inline]
+    pub fn verdicts_in_f64(
+        &self,
+        basic_name: BasicName,
+        cells: &[u64],
+    ) -> Result<Vec<(Verdict, Yardstick)>, ParameterError> {
+        let run = Run { kernel: self, basic_name, cells, go_on: &|| true };
+        Ok(run.on::<Aligned<AutoF64x8>, Judge>(Judge)?.unwrap_or_default())
+    }
+
     /// Measures of the runs of `cells` under `basic_name`.
     ///
     /// Polls `go_on` now and then; none if it returned false.

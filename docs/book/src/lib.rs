@@ -1,0 +1,10 @@
+//! The listings of the book, each a documentation test.
+
+#[doc = include_str!("../chapters/candidate.md")]
+pub mod candidate {}
+
+#[doc = include_str!("../chapters/ledger.md")]
+pub mod ledger {}
+
+#[doc = include_str!("../chapters/port.md")]
+pub mod port {}

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Builds the page and the book and looks at both in a headless Chromium; says SKIPPED where one of the tools cannot be had.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/.." && pwd)
+target=${CARGO_TARGET_DIR:-$root/target}
+mkdir -p "$target"
+target=$(cd "$target" && pwd)
+
+skipped() { printf 'SKIPPED: the page: %s\n' "$*"; exit 0; }
+command -v node >/dev/null && command -v npm >/dev/null || skipped "it needs node and npm"
+chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skipped "it needs chromium"
+sysroot=$(rustc --print sysroot)
+[ -d "$sysroot/lib/rustlib/wasm32-unknown-unknown" ] || rustup target add wasm32-unknown-unknown >/dev/null 2>&1 ||
+    skipped "the target wasm32-unknown-unknown cannot be had here (rustup target add failed)"
+
+cargo fmt --manifest-path "$here/Cargo.toml" --check
+"$here/build.sh"
+(cd "$root" && cargo build --quiet -p lyapunov-cli)
+book=$root/docs/book
+cargo fmt --manifest-path "$book/Cargo.toml" --check
+CARGO_TARGET_DIR=$target cargo test --quiet --manifest-path "$book/Cargo.toml" --doc
+"$book/build.sh"
+node "$here/test.mjs" "$target/web/index.html" "$target/debug/lyapunov" "$chromium" "$target/web/tools"

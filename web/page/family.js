@@ -1,0 +1,76 @@
+// All stabilizers that fit a setting, each with a small picture of its run.
+
+import { RUN } from "./engine.js";
+import { ink, path, sheet } from "./paint.js";
+
+const WORD = ["settles", "swinging", "grows", "short"];
+
+export class Family {
+  constructor(table, words) {
+    Object.assign(this, { table, words });
+    this.begin();
+  }
+
+  begin() {
+    this.runs = [];
+    this.fresh = true;
+  }
+
+  hear({ run, ends, refused }) {
+    if (refused || ends) return;
+    if (this.fresh) {
+      const head = document.createElement("thead");
+      const row = head.insertRow();
+      for (const name of ["stabilizer", "verdict", "rests after", "largest force", "position"]) {
+        const it = document.createElement("th");
+        Object.assign(it, { textContent: name, scope: "col" });
+        row.append(it);
+      }
+      this.table.replaceChildren(head, document.createElement("tbody"));
+      this.fresh = false;
+    }
+    this.row(run);
+  }
+
+  row(run) {
+    const row = this.table.tBodies[0].insertRow();
+    const name = document.createElement("th");
+    Object.assign(name, { scope: "row", textContent: run.name });
+    row.append(name);
+    if (run.refused) {
+      const it = row.insertCell();
+      Object.assign(it, { colSpan: 4, textContent: run.refused.split("\n")[0] });
+      return;
+    }
+    const word = document.createElement("b");
+    Object.assign(word, { className: `word ${WORD[run.verdict]}`, textContent: this.words[run.verdict] });
+    row.insertCell().append(word);
+    row.insertCell().textContent = Number.isNaN(run.settled) || run.verdict > 0 ? "–" : `${run.settled.toFixed(2)} s`;
+    row.insertCell().textContent = run.verdict === 2 ? "–" : `${run.peak.toPrecision(3)} N`;
+    const canvas = document.createElement("canvas");
+    canvas.className = "spark";
+    canvas.setAttribute("aria-hidden", "true");
+    row.insertCell().append(canvas);
+    this.runs.push([canvas, run]);
+    spark(canvas, run);
+  }
+
+  draw() {
+    for (const [canvas, run] of this.runs) spark(canvas, run);
+  }
+}
+
+function spark(canvas, { rows, verdict }) {
+  const { context, width, height } = sheet(canvas);
+  const colours = ink();
+  const many = rows.length / RUN.width;
+  const most = Math.max(...Array.from({ length: Math.min(many, 40) }, (_, index) => Math.abs(rows[index * RUN.width + RUN.x])), 1e-6);
+  const points = [];
+  const by = Math.max(1, Math.floor(many / 400));
+  for (let at = 0; at < many; at += by) {
+    const y = rows[at * RUN.width + RUN.x] / most;
+    points.push([(at / many) * width, height / 2 - Math.max(-1.2, Math.min(1.2, y)) * height * 0.4]);
+  }
+  path(context, [[0, height / 2], [width, height / 2]], colours.line, 1);
+  path(context, points, colours[WORD[verdict]], 1.2);
+}

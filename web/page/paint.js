@@ -1,0 +1,46 @@
+// Drawing on canvases in the page's colours.
+
+let colours = null;
+
+/** The page's colours by name, as the style sheet gives them for light or dark. */
+export function ink() {
+  if (colours) return colours;
+  const style = getComputedStyle(document.documentElement);
+  const names = ["paper", "card", "ink", "soft", "line", "none", "popc", "lolc", "settles", "swinging", "grows", "short", "wall"];
+  colours = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+  return colours;
+}
+
+/** Calls `then` whenever light and dark change. */
+export function onScheme(then) {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    colours = null;
+    then();
+  });
+}
+
+/** The context of a canvas that fills its box with whole pixels of the screen, and the box in CSS pixels. */
+export function sheet(canvas) {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const ratio = Math.min(devicePixelRatio || 1, 3);
+  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+  if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, height);
+  context.lineJoin = context.lineCap = "round";
+  return { context, width, height };
+}
+
+export function font(context, size, weight = 400) {
+  context.font = `${weight} ${size}px system-ui, sans-serif`;
+}
+
+/** A line through points. */
+export function path(context, points, colour, thick = 1.5) {
+  context.beginPath();
+  points.forEach(([x, y], index) => (index ? context.lineTo(x, y) : context.moveTo(x, y)));
+  context.strokeStyle = colour;
+  context.lineWidth = thick;
+  context.stroke();
+}

@@ -1,0 +1,53 @@
+// What one takes along: the address, the scene, its rows, lines for a loop of one's own.
+
+import { LANGUAGES } from "./lines.js";
+import { bare, toml } from "./scene.js";
+
+function save(name, text) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
+}
+
+/** Wires the buttons; `now` tells the scene and the stabilizer, `open` takes a dropped text. */
+export function wire({ $, engine, now, open }) {
+  const done = (text) => ($("done").textContent = text);
+  const copy = async (text, what) => {
+    try {
+      await navigator.clipboard.writeText(text);
+      done(`${what} copied.`);
+    } catch {
+      done(`${what}: select and copy it below.`);
+    }
+  };
+  const scene = () => {
+    const { tree, name } = now();
+    return toml(bare(JSON.parse(engine.text("read", `${name}\n${toml(tree)}`))));
+  };
+  $("copy-address").addEventListener("click", () => copy(location.href, "The address"));
+  $("download").addEventListener("click", () => {
+    save("scene.toml", scene());
+    done("The scene is in scene.toml: lyapunov run scene.toml");
+  });
+  $("download-rows").addEventListener("click", () => save("rows.csv", engine.text("rows", scene())));
+  for (const { name, lines } of LANGUAGES) {
+    const button = document.createElement("button");
+    Object.assign(button, { type: "button", textContent: `copy the ${name} lines` });
+    button.addEventListener("click", () => {
+      const text = lines(now().tree, now().name);
+      $("code").hidden = false;
+      $("code").textContent = text;
+      copy(text, `The ${name} lines`);
+    });
+    $("lines").append(button);
+  }
+  const read = async (file) => file && open(file.name, await file.text());
+  $("open").addEventListener("change", () => read($("open").files[0]));
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    read(event.dataTransfer.files[0]);
+  });
+}

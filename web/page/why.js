@@ -1,0 +1,72 @@
+// The explanation of a run: its sentence, its energies, its remedies as buttons.
+
+/** The parts of a balance in the words of the command, in its order. */
+const PARTS = [
+  ["hold", "in", "through the hold"], ["delay", "in", "through the delay"], ["filter", "in", "through the filter"],
+  ["encoder", "in", "through the encoder"], ["saturation", "in", "through the saturation"],
+  ["hand", "in", "from the hand that moves"], ["push", "in", "from load and pulse"],
+  ["device", "out", "into the device's damper"], ["operator", "out", "into the operator's damper"],
+  ["link", "out", "into the link's damper"], ["friction", "out", "into friction"], ["wall", "out", "into the wall, by its law"],
+  ["controller", "out", "into the controller"], ["gained", "kept", "in masses and springs"], ["closing", "left", "to rounding"],
+];
+
+const cell = (row, text, tag = "td") => {
+  const it = document.createElement(tag);
+  it.textContent = text;
+  row.append(it);
+  return it;
+};
+
+const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replaceAll("-", "−");
+
+/** The sentence on a run, where the hint of the command has none. */
+function sentence(hint, told) {
+  if (hint) return hint.replace(/^why\s+/, "").replace(/^./, (first) => first.toUpperCase()) + ".";
+  const radius = told.spectral_radius;
+  const linear = radius === null ? "" : radius < 1 ? " The loop alone is stable in contact." : " The loop alone is not stable in contact; the stabilizer holds it.";
+  return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[told.verdict] + linear;
+}
+
+export function tell(parts, { sentence: hint, told }, take) {
+  parts.said.textContent = sentence(hint, told);
+  const { first_contact: first, whole_run: whole } = told;
+  const table = parts.energies;
+  table.replaceChildren();
+  if (first) {
+    const head = table.createTHead().insertRow();
+    const seconds = (it) => `${digits(it.from_s)} to ${digits(it.to_s)} s`;
+    for (const text of ["energy, mJ", `first contact, ${seconds(first)}`, `whole run, ${seconds(whole)}`]) cell(head, text, "th").scope = "col";
+    const body = table.createTBody();
+    for (const [key, way, name] of PARTS) {
+      if (first[key] === 0 && whole[key] === 0) continue;
+      const row = body.insertRow();
+      cell(row, `${way} ${name}`, "th").scope = "row";
+      for (const it of [first, whole]) cell(row, digits(1e3 * it[key]));
+    }
+  } else {
+    cell(table.createTBody().insertRow(), "The wall is never touched.");
+  }
+  remedies(parts.remedies, told, take);
+}
+
+function remedies(place, told, take) {
+  place.replaceChildren();
+  const note = document.createElement("p");
+  place.append(note);
+  if (!told.remedies.length) {
+    note.textContent = told.verdict === "grows" ? "Nothing that was tried helps." : "Nothing needs to: the run does not grow.";
+    return;
+  }
+  note.textContent = "Each by itself; all were run, and none grows.";
+  for (const { set, verdict, peak_force_n: peak, force_error_rms_n: error } of told.remedies) {
+    const [button, what] = [document.createElement("button"), document.createElement("span")];
+    button.type = "button";
+    button.className = "remedy";
+    const name = document.createElement("b");
+    name.textContent = Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
+    what.textContent = `${verdict}: peak force ${digits(peak)} N, off the wall's own force by ${digits(error)} N`;
+    button.append(name, what);
+    button.addEventListener("click", () => take(set));
+    place.append(button);
+  }
+}

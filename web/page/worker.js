@@ -1,0 +1,71 @@
+// What takes longer than a frame: the family, explanations, maps. Each kind of job drops the one before it.
+
+import { Engine } from "./engine.js";
+
+/** Cells of a map between two looks at the messages, and points of the curve of the exact limit. */
+const BAND = 4096;
+
+let engine = null;
+const newest = {};
+const breath = () => new Promise((done) => setTimeout(done));
+
+const jobs = {
+  /** The runs under all stabilizers that fit. */
+  async family({ scene }, tell, goes) {
+    for (const name of engine.lines("names", scene)) {
+      if (!goes()) return;
+      try {
+        tell({ run: engine.run(name, scene) });
+      } catch (error) {
+        tell({ run: { name, refused: error.message } });
+      }
+      await breath();
+    }
+    tell({ ends: true });
+  },
+
+  /** The explanation of the run under one stabilizer. */
+  async explain({ scene, name }, tell) {
+    const text = engine.text("explain", `${name}\n${scene}`);
+    const at = text.indexOf("\n");
+    tell({ sentence: text.slice(0, at), told: JSON.parse(text.slice(at + 1)) });
+  },
+
+  /** The verdicts over two axes, and the exact limit where the stiffness is one of them. */
+  async map({ scene, x, y, name, count, curve }, tell, goes) {
+    engine.bytes("chart", `${x}\n${y}\n${name}\n${scene}`);
+    const began = performance.now();
+    for (let first = 0; first < count * count; first += BAND) {
+      const cells = engine.bytes("band", "", first, Math.min(BAND, count * count - first)).slice();
+      tell({ first, cells });
+      await breath();
+      if (!goes()) return;
+    }
+    tell({ took: performance.now() - began });
+    const limits = curve.map((it) => engine.numbers("limits", it)[3]);
+    tell({ limits });
+  },
+};
+
+export function work() {
+  const waiting = [];
+  const take = async ({ data }) => {
+    if (data.module) {
+      engine = await Engine.of(data.module);
+      waiting.splice(0).forEach((it) => take({ data: it }));
+      return;
+    }
+    newest[data.kind] = data.id;
+    if (!engine) return void waiting.push(data);
+    const goes = () => newest[data.kind] === data.id;
+    const tell = (told) => goes() && postMessage({ id: data.id, kind: data.kind, ...told });
+    try {
+      await jobs[data.kind](data, tell, goes);
+    } catch (error) {
+      tell({ refused: error.message });
+      // A trap leaves the instance as it was in the middle of a call.
+      if (error instanceof WebAssembly.RuntimeError) engine = await Engine.of(engine.module);
+    }
+  };
+  addEventListener("message", take);
+}

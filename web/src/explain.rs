@@ -1,0 +1,43 @@
+//! Reasons for a verdict, and limits by formula.
+
+use lyapunov_lab::bound::Limits;
+use lyapunov_lab::explain::{Explanation, Hint};
+use lyapunov_lab::scene::Scene;
+use lyapunov_lab::{Rollout, Summary};
+
+use crate::exchange::{answer, bytes};
+use crate::run::in_double;
+use crate::scene::{parsed, stabilized};
+
+/// Explains a scene under the stabilizer in the first line of the input: the output is the hint of `run` on a line, then
+/// the JSON of `explain`.
+#[unsafe(no_mangle)]
+pub extern "C" fn explain() -> u32 {
+    answer(|text| {
+        let scene = stabilized(text)?;
+        explained(&scene)
+    })
+}
+
+fn explained(scene: &Scene) -> Result<Vec<u8>, String> {
+    in_double(scene)?;
+    let rollout = Rollout::<f64>::of(scene).map_err(|error| error.to_string())?;
+    let summary = Summary::of(scene, rollout);
+    let hint = Hint::of(&summary).to_string();
+    let sentence = hint.lines().next().unwrap_or_default().trim();
+    let explanation = Explanation::of::<f64>(scene).map_err(|error| error.to_string())?;
+    let json = explanation.to_json("page").map_err(|error| error.to_string())?;
+    Ok(format!("{sentence}\n{json}").into_bytes())
+}
+
+/// The limits of a scene's stiffness: passive, Gil's rule, exact from and to, spectral radius; NaN where one does not
+/// apply.
+#[unsafe(no_mangle)]
+pub extern "C" fn limits() -> u32 {
+    answer(|text| {
+        let limits = Limits::of(&parsed(text)?);
+        let Limits { passive, gil, exact_from, exact, spectral_radius, .. } = limits;
+        let numbers = [passive, gil, exact_from, exact, spectral_radius];
+        Ok(bytes(numbers.map(|it| it.unwrap_or(f64::NAN))))
+    })
+}

@@ -1,0 +1,82 @@
+//! Runs of a scene from its start.
+
+use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::{Csv, Rollout, Row, Summary, Verdict};
+
+use crate::exchange::{answer, bytes};
+use crate::scene::{parsed, stabilized};
+
+/// Refuses a scene that the page has no loop for: other signals at the port would take as many bytes again, each.
+pub(crate) fn in_double(scene: &Scene) -> Result<(), String> {
+    match (scene.scalar, scene.dimensions()) {
+        (Scalar::F64, 1) => Ok(()),
+        (Scalar::F32, _) => Err("the page computes in f64: leave `scalar` out".to_owned()),
+        _ => Err("the page has one axis: run a scene in a space with the command".to_owned()),
+    }
+}
+
+/// Runs a scene; the output is its rows, as the command `run` writes them.
+#[unsafe(no_mangle)]
+pub extern "C" fn rows() -> u32 {
+    answer(|text| {
+        let scene = parsed(text)?;
+        csv(&scene)
+    })
+}
+
+fn csv(scene: &Scene) -> Result<Vec<u8>, String> {
+    in_double(scene)?;
+    let rollout = Rollout::<f64>::of(scene).map_err(|error| error.to_string())?;
+    let written = || -> std::io::Result<Vec<u8>> {
+        let mut csv = Csv::of(Vec::new(), scene)?;
+        for tick in rollout {
+            csv.write(&tick)?;
+        }
+        csv.into_inner()
+    };
+    written().map_err(|error| error.to_string())
+}
+
+/// Runs a scene under the stabilizer in the first line of the input.
+///
+/// The output is numbers: the verdict's place among all, the time since which the run has settled (NaN if it has not), the largest
+/// force on the plant, the energy that the controller set out to dissipate, the least observed energy, the share of active
+/// ticks, the number of rows that follow; then each row: time, position, force of the environment, force of the controller,
+/// force on the plant, observed energy.
+#[unsafe(no_mangle)]
+pub extern "C" fn trace() -> u32 {
+    answer(|text| {
+        let scene = stabilized(text)?;
+        traced(&scene)
+    })
+}
+
+fn traced(scene: &Scene) -> Result<Vec<u8>, String> {
+    in_double(scene)?;
+    let mut summary = Summary::new(scene);
+    let mut rows = Vec::new();
+    for tick in Rollout::<f64>::of(scene).map_err(|error| error.to_string())? {
+        summary.add(&tick);
+        let Row { t, x, f_env, f_ctl, f_act, observed_energy, .. } = Row::of(&tick);
+        rows.extend([t, x, f_env, f_ctl, f_act, observed_energy]);
+    }
+    let verdict = summary.verdict();
+    let place = Verdict::ALL.iter().position(|it| *it == verdict).unwrap_or_default();
+    let active = summary.active as f64 / summary.rows.max(1) as f64;
+    let head = [
+        place as f64,
+        summary.settled.unwrap_or(f64::NAN),
+        summary.acting_peak,
+        summary.injected,
+        summary.observed_energy_least,
+        active,
+        summary.rows as f64,
+    ];
+    Ok(bytes(head.into_iter().chain(rows)))
+}
+
+/// The words of the verdicts, in their order, one on a line.
+#[unsafe(no_mangle)]
+pub extern "C" fn verdicts() -> u32 {
+    answer(|_| Ok(Verdict::ALL.map(Verdict::word).join("\n").into_bytes()))
+}

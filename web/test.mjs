@@ -1,0 +1,279 @@
+// Looks at the page in a headless Chromium: `node web/test.mjs PAGE LYAPUNOV CHROMIUM TOOLS [CHECK…]`, from anywhere.
+//
+// The page has to compute what the command LYAPUNOV computes, bit for bit, and to be usable: without a mouse, on a narrow
+// screen, in light and dark, without a request, an error or a serious finding of axe-core.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { Browser } from "../scripts/chromium.mjs";
+
+const [file, program, chromium, tools, ...only] = process.argv.slice(2);
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const url = `file://${file}`;
+const folder = mkdtempSync(join(tmpdir(), "lyapunov-web-"));
+const axe = readFileSync(join(tools, "node_modules/axe-core/axe.min.js"), "utf8");
+const lyapunov = (...words) => execFileSync(program, words, { encoding: "utf8", cwd: root, maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "inherit"] });
+
+const opened = async (browser, about = {}, hash = "") => {
+  const page = await browser.open(url + hash, about);
+  await page.until("document.documentElement.dataset.ready === 'yes'");
+  return page;
+};
+/** The words on the three loops. */
+const verdicts = (page) => page.value("[...document.querySelectorAll('#verdicts .word')].map((it) => it.textContent)");
+const mapped = (page) => page.until("document.querySelector('#map-said').textContent.includes('runs in')", 60);
+const closed = async (page) => {
+  assert.deepEqual(page.faults(), []);
+  await page.close();
+};
+/** Moves a slider as a person does: to a place from 0 to 1. */
+const slide = (page, key, place) =>
+  page.value(`(() => { const it = document.querySelector('input[name="${key}"]'); it.value = ${place} * it.max; it.dispatchEvent(new Event("input")); })()`);
+
+/** Scenes whose rows the page does not compute, each with the reason. */
+const SPACE = "the page has one axis";
+const LEFT_OUT = { "motion-file.toml": "a page has no file beside a scene", "box.toml": SPACE, "plane.toml": SPACE, "sphere.toml": SPACE };
+
+/** Every shipped scene: the rows of the page's own engine are those of the command, byte for byte. */
+async function rows(browser) {
+  const page = await opened(browser);
+  const scenes = readdirSync(join(root, "scenes")).filter((name) => name.endsWith(".toml"));
+  let compared = 0;
+  for (const name of scenes) {
+    if (LEFT_OUT[name]) {
+      console.log(`SKIPPED: rows of scenes/${name}: ${LEFT_OUT[name]}`);
+      continue;
+    }
+    const path = join(root, "scenes", name);
+    const here = await page.value(`lyapunov.engine.text("rows", ${JSON.stringify(readFileSync(path, "utf8"))})`);
+    const there = lyapunov("run", path, "--csv", "-", "--quiet");
+    assert.ok(here === there, `scenes/${name}: the rows differ`);
+    compared += 1;
+  }
+  assert.ok(compared >= scenes.length - Object.keys(LEFT_OUT).length && compared > 20, `${compared} scenes`);
+  console.log(`rows of ${compared} shipped scenes are those of the command, byte for byte`);
+  await closed(page);
+}
+
+/** Maps under each basic stabilizer: every verdict is the command's. */
+async function maps(browser) {
+  const page = await opened(browser);
+  const axes = ["environment.wall.stiffness=100..200000:24:log", "environment.wall.damping=0..100:16"];
+  const text = readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8").replace("servo_rate = 100.0", "servo_rate = 1000.0").replace("duration = 10.0", "duration = 2.0");
+  const scene = join(folder, "map.toml");
+  writeFileSync(scene, text);
+  const names = ["none", "popc", "lolc-spring", "lolc-device-damping", "lolc-mass-spring-damper"];
+  const out = join(folder, "map");
+  lyapunov("map", scene, "--x", axes[0], "--y", axes[1], "--stabilizers", names.join(","), "--out", out, "--quiet");
+  const lines = readFileSync(join(out, "map.csv"), "utf8").split("\n").filter((line) => line && !line.startsWith("#"));
+  const head = lines[0].split(",");
+  const [who, word] = ["stabilizer", "verdict"].map((name) => head.indexOf(name));
+  for (const name of names) {
+    const there = lines.slice(1).map((line) => line.split(",")).filter((it) => it[who] === name).map((it) => it[word]);
+    assert.equal(there.length, 24 * 16);
+    const asked = JSON.stringify(`${axes[0]}\n${axes[1]}\n${name}\n${text}`);
+    const here = await page.value(`(() => { const { engine } = lyapunov; const words = engine.lines("verdicts"); engine.bytes("chart", ${asked});
+      return [...engine.bytes("band", "", 0, ${24 * 16})].map((it) => words[it]); })()`);
+    assert.deepEqual(here, there, `the map under ${name}`);
+    if (name === "none") assert.equal(new Set(there).size, 3, "a map with one word shows nothing");
+  }
+  await closed(page);
+}
+
+/** Sliders change the words, and the words are those of `compare` on the same scene. */
+async function words(browser) {
+  const page = await opened(browser);
+  const seen = new Set();
+  for (const [key, place] of [["environment.wall.stiffness", 0.2], ["environment.wall.stiffness", 0.95], ["servo_rate", 0.3], ["effects.delay.ticks", 0.2], ["effects.encoder.resolution", 0.7], ["device.mass", 0.9]]) {
+    await slide(page, key, place);
+    const shown = await verdicts(page);
+    const names = await page.value("[...document.querySelectorAll('#verdicts .card')].map((it) => it.dataset.name)");
+    const [scene, path] = [await page.value("lyapunov.scene()"), join(folder, "scene.toml")];
+    writeFileSync(path, scene);
+    const { rows: told } = JSON.parse(lyapunov("compare", path, "--stabilizers", names.join(","), "--json"));
+    assert.deepEqual(shown, told.map((it) => it.verdict), `${key} at ${place}\n${scene}`);
+    shown.forEach((word) => seen.add(word));
+  }
+  assert.ok(seen.has("grows") && seen.has("settles"), [...seen].join());
+  await closed(page);
+}
+
+/** The explanation that the page shows is the one of `explain`; a remedy's button does what it says. */
+async function reasons(browser) {
+  const page = await opened(browser);
+  await page.until("document.querySelectorAll('#energies tbody tr').length > 3 && document.querySelector('.remedy')");
+  const path = join(folder, "why.toml");
+  writeFileSync(path, await page.value("lyapunov.scene()"));
+  const text = lyapunov("explain", path);
+  const shown = await page.value("[...document.querySelectorAll('#energies tbody tr')].map((it) => [...it.cells].map((cell) => cell.textContent))");
+  const mJ = (line) => line.trim().split(/\s{2,}/).slice(-2).map(Number);
+  for (const [name, ...energies] of shown) {
+    const words = name.replace(/^\w+ /, "");
+    const line = text.split("\n").find((it) => it.includes(words));
+    assert.ok(line, `${name} is not in\n${text}`);
+    mJ(line).forEach((known, index) => {
+      const here = Number(energies[index].replaceAll("−", "-"));
+      assert.ok(Math.abs(here - known) <= 6e-3 * Math.abs(known) || Math.abs(here) < 1e-6, `${name}: ${here} instead of ${known}`);
+    });
+  }
+  const remedies = JSON.parse(lyapunov("explain", path, "--json")).remedies;
+  const sets = await page.value("[...document.querySelectorAll('.remedy b')].map((it) => it.textContent)");
+  assert.deepEqual(sets, remedies.map(({ set }) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ")));
+  await page.value("document.querySelector('.remedy').click()");
+  assert.equal((await verdicts(page))[0], remedies[0].verdict);
+  await closed(page);
+}
+
+/** The hand by mouse and by keys, and the loops under it. */
+async function hand(browser) {
+  const page = await opened(browser);
+  const at = () => page.value("Number(document.querySelector('#wall').getAttribute('aria-valuenow'))");
+  const wall = await page.place("#wall");
+  await page.mouse("mouseMoved", wall.x, wall.y);
+  await page.mouse("mousePressed", wall.x, wall.y, { button: "left", buttons: 1, clickCount: 1 });
+  await page.mouse("mouseMoved", wall.x + 100, wall.y, { button: "left", buttons: 1 });
+  await page.mouse("mouseReleased", wall.x + 100, wall.y, { button: "left", clickCount: 1 });
+  const pressed = await at();
+  assert.ok(Math.abs(pressed - (-6 + (100 / wall.width) * 50)) < 0.2, `${pressed} mm`);
+  await page.value("document.querySelector('#wall').focus()");
+  await page.key("ArrowLeft");
+  assert.ok(Math.abs((await at()) - pressed + 0.5) < 0.11, `${await at()} mm`);
+  await page.until("lyapunov.lane(0).peak !== 0", 10);
+  await closed(page);
+}
+
+/** Frames a second with three loops at 1 kHz, as the browser counts them; told, and asserted only to be alive. */
+async function frames(browser) {
+  const page = await opened(browser);
+  const many = await page.value("new Promise((done) => { let n = 0; const began = performance.now(); const one = (now) => { n += 1; if (now - began > 2000) done(n / ((now - began) / 1e3)); else requestAnimationFrame(one); }; requestAnimationFrame(one); })");
+  const cost = await page.value("lyapunov.cost()");
+  console.log(`${many.toFixed(0)} frames a second here, ${cost.toFixed(2)} ms of work in each`);
+  assert.ok(many > 5);
+  await closed(page);
+}
+
+/** A scene goes into the address, a file and back. */
+async function shared(browser) {
+  const page = await opened(browser);
+  await slide(page, "environment.wall.stiffness", 0.4);
+  await slide(page, "effects.delay.ticks", 0.25);
+  const scene = await page.value("lyapunov.scene()");
+  await page.until("location.hash.includes('delay')");
+  const other = await opened(browser, {}, await page.value("location.hash"));
+  assert.equal(await other.value("lyapunov.scene()"), scene);
+  const tour = readFileSync(join(root, "scenes/friction.toml"), "utf8");
+  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(tour)}], "friction.toml"));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await other.until("document.querySelector('#done').textContent.includes('friction.toml')");
+  const dropped = join(folder, "dropped.toml");
+  writeFileSync(dropped, await other.value("lyapunov.scene()"));
+  assert.equal(lyapunov("run", dropped, "--csv", "-", "--quiet"), lyapunov("run", join(root, "scenes/friction.toml"), "--csv", "-", "--quiet"));
+  const log = "scenes/logs/mujoco-wall.csv";
+  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(readFileSync(join(root, log), "utf8"))}], ${JSON.stringify(log)}));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await other.until("document.querySelector('#done').textContent.includes('is a log')");
+  assert.equal((await other.value("document.querySelector('#code').textContent")).trim(), lyapunov("observe", log).trim());
+  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File(["duration = -1"], "bad.toml"));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await other.until("document.querySelector('#done').textContent.includes('duration')");
+  await closed(other);
+  await closed(page);
+}
+
+/** The presets of the paper: the verdicts and the numbers that the page says. */
+async function paper(browser) {
+  const page = await opened(browser);
+  for (const [id, stem] of [["figure-6", "paper-8k"], ["figure-8", "paper-50k"]]) {
+    await page.value(`document.querySelector("#${id}").click()`);
+    const shown = await verdicts(page);
+    const known = ["none", "popc", "lolc"].map((name) => JSON.parse(lyapunov("run", `scenes/${stem}-${name}.toml`, "--json")).verdict);
+    assert.deepEqual(shown, known, id);
+  }
+  await closed(page);
+}
+
+/** Lines that the page offers in a language, under no stabilizer, POPC and LOLC with each candidate. */
+async function offered(page, language) {
+  const all = [];
+  const copied = `(() => { [...document.querySelectorAll('#lines button')].find((it) => it.textContent.includes(" ${language} ")).click(); return document.querySelector('#code').textContent; })()`;
+  await page.value("document.querySelector('#candidate').value = 'lolc-mass-spring-damper'; document.querySelector('#candidate').dispatchEvent(new Event('change'))");
+  for (const index of [0, 1, 2]) {
+    await page.value(`document.querySelector('#why-of button[data-index="${index}"]').click()`);
+    all.push(await page.value(copied));
+  }
+  for (const name of ["lolc-device-damping", "lolc-spring"]) {
+    await page.value(`document.querySelector('#candidate').value = "${name}"; document.querySelector('#candidate').dispatchEvent(new Event("change"))`);
+    all.push(await page.value(copied));
+  }
+  assert.ok(new Set(all).size >= 4, `${language}: too few different loops`);
+  return all;
+}
+
+/** Lines that the page offers: they compile without a warning. */
+async function lines(browser) {
+  const page = await opened(browser);
+  const crate = join(folder, "lines");
+  mkdirSync(join(crate, "src"), { recursive: true });
+  writeFileSync(join(crate, "Cargo.toml"), `[workspace]\n[package]\nname = "lines"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\nlyapunov = { path = ${JSON.stringify(root)} }\n`);
+  const modules = (await offered(page, "Rust")).map((text, index) => `mod it${index} {\n${text}}\n`);
+  writeFileSync(join(crate, "src/lib.rs"), `//! Lines from the page.\n#![allow(dead_code)]\n${modules.join("")}`);
+  const env = { ...process.env, RUSTFLAGS: "-D warnings", CARGO_TARGET_DIR: process.env.CARGO_TARGET_DIR ?? join(root, "target") };
+  execFileSync("cargo", ["check", "--quiet", "--manifest-path", join(crate, "Cargo.toml")], { env, stdio: "inherit" });
+
+  const header = process.env.LYAPUNOV_H ?? join(root, "bindings/c/include");
+  for (const [index, text] of (await offered(page, "C")).entries()) {
+    const source = join(folder, `control-${index}.c`);
+    writeFileSync(source, text);
+    if (existsSync(join(header, "lyapunov.h"))) execFileSync("cc", ["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I", header, source], { stdio: "inherit" });
+    else if (index === 0) console.log("SKIPPED: the C lines: there is no bindings/c/include/lyapunov.h");
+  }
+  for (const text of await offered(page, "Python")) execFileSync("python3", ["-c", "import sys; compile(sys.stdin.read(), 'control.py', 'exec')"], { input: text });
+  await closed(page);
+}
+
+/** Wide and narrow, light and dark: nothing sticks out, nothing is asked for, axe-core finds nothing serious. */
+async function looks(browser) {
+  for (const width of [1280, 360]) {
+    for (const scheme of ["light", "dark"]) {
+      const page = await opened(browser, { width, scheme, height: 900 });
+      await mapped(page);
+      await page.until("document.querySelectorAll('#members tbody tr').length > 10", 60);
+      const [wide, shown] = await page.value("[document.documentElement.scrollWidth, document.documentElement.clientWidth]");
+      assert.ok(wide <= shown, `${wide} pixels wide on ${shown}`);
+      await page.value(`${axe}; 0`);
+      const findings = await page.value("axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'best-practice'] }).then(({ violations }) => violations.filter((it) => ['serious', 'critical'].includes(it.impact)).map((it) => `${it.id}: ${it.help}: ${it.nodes.map((node) => node.html).slice(0, 4).join(' | ')}`))");
+      assert.deepEqual(findings, [], `${width} ${scheme}`);
+      await closed(page);
+    }
+  }
+}
+
+/** The chapters of the book: equations are drawn, the page runs inside, nothing fails, nothing comes from elsewhere. */
+async function book(browser) {
+  for (const chapter of ["index", "port", "ledger", "candidate"]) {
+    const page = await browser.open(`file://${join(dirname(dirname(file)), "book", `${chapter}.html`)}`, { width: 1100, height: 3000 });
+    await page.until("document.querySelector('iframe') !== null");
+    if (chapter !== "index") assert.ok(await page.value("document.querySelectorAll('math').length >= 4 && !document.querySelector('main, [role=main]').textContent.includes('$')"), chapter);
+    const faults = page.faults().filter((it) => !it.startsWith("request: file://"));
+    assert.deepEqual(faults, [], chapter);
+    await page.close();
+  }
+}
+
+const browser = new Browser(chromium);
+try {
+  for (const check of [words, rows, maps, reasons, hand, frames, shared, paper, lines, looks, book]) {
+    if (only.length && !only.includes(check.name)) continue;
+    const began = performance.now();
+    await check(browser);
+    console.log(`${check.name}: done in ${((performance.now() - began) / 1e3).toFixed(1)} s`);
+  }
+} finally {
+  await browser.close();
+  rmSync(folder, { recursive: true, force: true });
+}
