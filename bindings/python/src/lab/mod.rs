@@ -1,0 +1,21 @@
+//! The lab: scenes, and a function for each study.
+
+pub(crate) mod accuracy;
+pub(crate) mod bound;
+mod columns;
+pub(crate) mod compare;
+pub(crate) mod ensemble;
+pub(crate) mod explain;
+pub(crate) mod map;
+pub(crate) mod observe;
+pub(crate) mod run;
+mod scene;
+mod shard;
+mod told;
+pub(crate) mod tune;
+mod work;
+
+pub(crate) use scene::Scene;
+pub(crate) use shard::{map_merge, map_shard, shard_head};
+pub(crate) use told::Told;
+pub(crate) use work::pool;
