@@ -87,10 +87,11 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
-        let sound = sample.sound();
+        let inside = sample.position - self.surface;
+        let sound = sample.sound() & inside.finite();
         let booked = book(&mut self.energy, sample.work);
         let moved = T::choose(sound, sample.displacement, zero);
-        let now = T::choose(sound, sample.position - self.surface, self.last.unwrap_or(zero));
+        let now = T::choose(sound, inside, self.last.unwrap_or(zero));
         // Where it was, and not where the displacement leads back to: an edge of a cell is met to the bit.
         let before = self.last.unwrap_or(now - moved);
         self.last = Some(now);

@@ -60,7 +60,7 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
         let window = self.slots.iter().fold(zero, |sum, slot| sum + *slot);
         self.sum.lower(window);
         if let Some(slot) = self.slots.get_mut(self.slot) {
-            *slot += term.larger(zero);
+            *slot = (*slot + term.larger(zero)).smaller(T::largest());
         }
     }
 }
