@@ -68,7 +68,7 @@ fn set_priority() -> Result<(), String> {
 fn report(ticks: usize) -> Result<u64, ParameterError> {
     println!("{ticks} ticks each, µs");
     println!(
-        "{:32}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}",
+        "{:34}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}",
         "", "50 %", "90 %", "99 %", "99.9 %", "99.99 %", "most"
     );
     let mut allocations = 0;
@@ -96,9 +96,9 @@ fn run(name: &str, rate: f64, ticks: usize, step: impl FnMut(f64, f64) -> f64) -
     for (what, mut times) in [("wake-up", times.wake), ("step", times.step)] {
         times.sort_unstable();
         let at = |share: f64| f64::from(times[((ticks - 1) as f64 * share).round() as usize]) / 1e3;
-        print!("{:32}", format!("{:2} kHz, {name}, {what}", rate / 1e3));
+        print!("{:34}", format!("{:2} kHz, {name}, {what}", rate / 1e3));
         for share in [0.5, 0.9, 0.99, 0.999, 0.9999, 1.0] {
-            print!("{:8.2}", at(share));
+            print!("{:10.2}", at(share));
         }
         println!();
     }
