@@ -7,6 +7,7 @@ mod claims;
 mod explain;
 mod family;
 mod floors;
+mod golden;
 mod hard;
 mod identify;
 mod integrators;

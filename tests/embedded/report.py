@@ -21,8 +21,9 @@ class Function:
         self.end, self.frame, self.calls, self.unknown = address, 0, set(), None
 
     def read(self, address, text):
-        self.end = max(self.end, address + 2)
         operation, _, operands = text.partition("\t")
+        if operation != "bmi.n":  # The linker fills what alignment leaves with it.
+            self.end = address + 2
         name = operation.split(".")[0]
         target = re.match(r"(?:\w+, )?([0-9a-f]+) <", operands)
         if name in ("push", "vpush"):

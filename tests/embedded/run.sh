@@ -2,7 +2,7 @@
 # The whole family on other processors: one hash everywhere, and on Cortex-M instructions, stack and flash of a step.
 #   run.sh         Cortex-M4F, M7 and M0 under QEMU, and this processor in debug and release, against docs/embedded.md
 #   run.sh write   the same, and writes the tables of docs/embedded.md
-#   run.sh all     the same as without a word, and wasm32 (node), aarch64 (QEMU) and big-endian s390x (Miri)
+#   run.sh all     the same as without a word, and wasm32 (node), aarch64 (QEMU), big-endian s390x (Miri) and RealtimeSanitizer
 # It installs what it needs; what cannot be had is SKIPPED, loudly.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -79,8 +79,10 @@ aarch64() {
     same "$out/aarch64.txt" aarch64
 }
 
+nightly() { rustup toolchain install nightly --profile minimal -c miri,rust-src >/dev/null 2>&1; }
+
 s390x() {
-    if ! rustup toolchain install nightly --profile minimal -c miri,rust-src >/dev/null 2>&1; then
+    if ! nightly; then
         skipped "s390x: no nightly with miri can be had here"
         return
     fi
@@ -88,6 +90,23 @@ s390x() {
     "$CARGO_TARGET_DIR/release/host" 40 >"$out/host.txt"
     cargo +nightly miri run --quiet --bin host --target s390x-unknown-linux-gnu -- 40 >"$out/s390x.txt"
     same "$out/s390x.txt" "s390x under Miri, 200 ticks of each"
+}
+
+realtime() {
+    if ! nightly; then
+        skipped "RealtimeSanitizer: no nightly can be had here"
+        return
+    fi
+    local program=$CARGO_TARGET_DIR/realtime/x86_64-unknown-linux-gnu/release/host
+    RUSTFLAGS="--cfg realtime -Zsanitizer=realtime" cargo +nightly build --quiet --release --bin host \
+        --target x86_64-unknown-linux-gnu --target-dir "$CARGO_TARGET_DIR/realtime"
+    if "$program" planted >"$out/planted.txt" 2>&1 || ! grep -q "unsafe-library-call" "$out/planted.txt"; then
+        echo "RealtimeSanitizer does not catch a step that allocates:"
+        cat "$out/planted.txt"
+        return 1
+    fi
+    "$program" >"$out/realtime.txt"
+    same "$out/realtime.txt" "RealtimeSanitizer finds no allocation, lock or system call in a step (and the planted one), and"
 }
 
 cargo build --quiet --release --bin host
@@ -100,5 +119,6 @@ boards
 if [ "$mode" = all ]; then
     wasm
     aarch64
+    realtime
     s390x
 fi

@@ -3,6 +3,6 @@
 mod effects;
 mod environments;
 mod hand;
-mod rows;
+pub(crate) mod rows;
 mod schema;
 mod table;

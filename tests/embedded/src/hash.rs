@@ -6,6 +6,7 @@ use crate::{SEEDS, Ticks};
 
 /// One step, as a function of its own whose instructions, stack and bytes can be told from the rest.
 #[inline(never)]
+#[cfg_attr(realtime, sanitize(realtime = "nonblocking"))]
 pub fn step<V: Signal, S: Stabilizer<V>>(
     member: &mut S,
     sample: &PortSample<V>,

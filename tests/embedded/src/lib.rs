@@ -1,5 +1,6 @@
 //! The family of stabilizers as a program that every processor can run, with one hash over what each member answers.
 #![no_std]
+#![cfg_attr(realtime, feature(sanitize))]
 
 mod by_hand;
 mod drive;

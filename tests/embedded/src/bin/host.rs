@@ -1,6 +1,7 @@
-//! Hashes of every member on this processor, a line for each: `host [TICKS]`, ticks from each of five seeds.
+//! Hashes of every member on this processor, a line for each: `host [TICKS]`, ticks from each of five seeds; `host planted` is a
+//! step that allocates, which RealtimeSanitizer must catch.
 
-use lyapunov_core::{Signal, Stabilizer};
+use lyapunov_core::{Correction, PortSample, Signal, Stabilizer};
 use lyapunov_embedded::{BLOCK, Number, Visit, hash, step, visit};
 
 struct Print {
@@ -19,8 +20,23 @@ impl<T: Number> Visit<T> for Print {
     }
 }
 
+/// What no step may do.
+#[derive(Clone, Copy)]
+struct Planted;
+
+impl Stabilizer<f64> for Planted {
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        Correction::none(std::hint::black_box(vec![sample.work, effort])[1])
+    }
+}
+
 fn main() {
-    let ticks = std::env::args().nth(1).map_or(Ok(BLOCK), |ticks| ticks.parse());
+    let word = std::env::args().nth(1);
+    if word.as_deref() == Some("planted") {
+        println!("{:016x}", hash::<f64, _>(Planted, 1, 0, step).0);
+        return;
+    }
+    let ticks = word.map_or(Ok(BLOCK), |ticks| ticks.parse());
     let ticks = ticks.expect("a number of ticks");
     visit::<f32>(&mut Print { scalar: "f32", ticks }).expect("the parameters");
     visit::<f64>(&mut Print { scalar: "f64", ticks }).expect("the parameters");
