@@ -3,6 +3,7 @@
 mod exact;
 mod fresh;
 mod gappa;
+mod ledger;
 mod loose;
 mod members;
 mod paths;
@@ -38,6 +39,13 @@ fn main() -> io::Result<()> {
         writer.query(claim.name, "holds", Format::Reals, 1, "unsat", &claim.query())?;
         writer.query(claim.name, "possible", Format::Reals, 1, "sat", &claim.possible())?;
     }
+    for format in [F16, F32, F64] {
+        tape::clear();
+        let about = ["ledger-plain", "rounding", format.name(), "gappa"];
+        writer.file(about, 1, "proved", &ledger::plain(format))?;
+    }
+    tape::clear();
+    writer.file(["ledger-compensated", "rounding", "f16", "smt2"], 1, "unsat", &ledger::compensated())?;
     for (name, mutant) in tape::Mutant::ALL {
         tape::mutate(Some(mutant));
         writer.mutant = name;
