@@ -26,3 +26,4 @@ rm -rf "$built/queries"
 seconds=10
 [ "$mode" = quick ] || seconds=60
 "$venv/bin/python" proofs/solve.py "$built/queries/index.tsv" "$seconds" "$built/results-$mode.tsv" "$mode"
+[ "$mode" = quick ] || "$venv/bin/python" proofs/table.py "$built/results-all.tsv" docs/proofs.md

@@ -97,11 +97,11 @@ def main():
     rows = [row for row in rows if chosen(row, mode)]
     jobs = [(index.parent / row["file"], row["scalar"], float(seconds)) for row in rows]
     start = time.monotonic()
-    with ProcessPoolExecutor(2) as pool:
-        answers = list(pool.map(ask, jobs))
-    with open(results, "w", encoding="utf-8") as out:
-        for row, (said, took) in zip(rows, answers):
-            print(*row.values(), said, f"{took:.1f}", sep="\t", file=out)
+    answers = []
+    with ProcessPoolExecutor(2) as pool, open(results, "w", encoding="utf-8") as out:
+        for row, answer in zip(rows, pool.map(ask, jobs)):
+            answers.append(answer)
+            print(*row.values(), answer[0], f"{answer[1]:.1f}", sep="\t", file=out, flush=True)
     lines, good = judge(rows, answers)
     print("\n".join(lines))
     decided = sum(said != "undecided" for said, _ in answers)

@@ -64,7 +64,7 @@ where
         paths::assume(memory.sound() & more(&memory));
         let mut stabilizer =
             stabilizer.restored(memory).expect("a memory that its own check accepts");
-        let (sample, asked) = (any_sample::<V>(), V::called("effort", -1.0));
+        let (sample, asked) = (any_sample::<V>(), V::called("effort", -10.0));
         let correction: Correction<V> = stabilizer.stabilize(&sample, asked);
         let after = stabilizer.state();
         let inner = sample.velocity.inner(sample.velocity);
