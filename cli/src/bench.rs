@@ -1,5 +1,7 @@
 //! Entry of a program with own stabilizers.
 
+use std::env;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use lyapunov_lab::own::{OwnCandidate, OwnStabilizer, Roster};
@@ -33,10 +35,17 @@ impl Bench {
     /// Runs the command that the arguments of the program ask for, and returns its exit status; ends the program where they
     /// ask for help, or for what there is not.
     pub fn main(self) -> ExitCode {
+        ExitCode::from(self.told(env::args_os()))
+    }
+
+    /// The same for `words` in place of the program's arguments, the first of them its name: for a program that another
+    /// one interprets.
+    pub fn told(self, words: impl IntoIterator<Item = OsString>) -> u8 {
+        let words: Vec<OsString> = words.into_iter().collect();
         let names: Vec<&str> = self.roster.names().collect();
         match self.roster.enter() {
-            Ok(()) => commands::run(&names),
-            Err(error) => End::input(error).exit(),
+            Ok(()) => commands::run(&names, words),
+            Err(error) => End::input(error).report(),
         }
     }
 }

@@ -24,11 +24,11 @@ mod subjects;
 mod tune;
 
 use std::borrow::Cow;
-use std::env;
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::process::{self, ExitCode};
+use std::process;
 use std::sync::OnceLock;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
@@ -70,7 +70,7 @@ enum Command {
 }
 
 impl Command {
-    fn run(self) -> ExitCode {
+    fn run(self) -> u8 {
         interrupts::heed(|| process::exit(End::Interrupted.report().into()));
         let end = match self {
             Self::Run(run) => run.run(),
@@ -89,14 +89,14 @@ impl Command {
             Self::Schema(schema) => schema.run(),
         };
         match end {
-            Ok(()) => ExitCode::SUCCESS,
-            Err(end) => end.exit(),
+            Ok(()) => 0,
+            Err(end) => end.report(),
         }
     }
 }
 
-/// Runs the command that the arguments ask for, in a program whose own stabilizers are called `own`.
-pub(crate) fn run(own: &[&str]) -> ExitCode {
+/// Runs the command that `words` ask for, in a program whose own stabilizers are called `own`; returns the exit status.
+pub(crate) fn run(own: &[&str], words: Vec<OsString>) -> u8 {
     let mut command = Command::command();
     if !own.is_empty() {
         let told = format!("Own stabilizers of this program: {}", own.join(", "));
@@ -104,12 +104,14 @@ pub(crate) fn run(own: &[&str]) -> ExitCode {
             command = command.mut_subcommand(name, |it| it.after_help(told.clone()));
         }
         command = command.after_help(format!("{told}\n\n{EXIT_STATUS}"));
-        let path = env::args_os().next().map(PathBuf::from);
+        let path = words.first().map(PathBuf::from);
         let name = path.as_deref().and_then(Path::file_stem).map(|it| it.to_string_lossy());
         // It is set once, here.
         let _ = PROGRAM.set(name.map_or_else(|| SHIPPED.to_owned(), Cow::into_owned));
     }
-    match Command::from_arg_matches(&command.clone().get_matches()) {
+    // One command is run in a process.
+    let words = WORDS.get_or_init(|| words);
+    match Command::from_arg_matches(&command.clone().get_matches_from(words)) {
         Ok(asked) => asked.run(),
         Err(error) => error.format(&mut command).exit(),
     }
@@ -120,9 +122,17 @@ const SHIPPED: &str = "lyapunov";
 
 static PROGRAM: OnceLock<String> = OnceLock::new();
 
+/// The name of the program as it was called, and its arguments.
+static WORDS: OnceLock<Vec<OsString>> = OnceLock::new();
+
 /// The name of this program, for the command lines that reports tell.
 pub(crate) fn program() -> &'static str {
     PROGRAM.get().map_or(SHIPPED, String::as_str)
+}
+
+/// The arguments of the command.
+pub(crate) fn arguments() -> impl Iterator<Item = &'static OsString> {
+    WORDS.get().into_iter().flatten().skip(1)
 }
 
 /// Template of a progress bar whose length is known.
@@ -180,13 +190,8 @@ impl End {
         if interrupts::is_interrupted() { Err(Self::Interrupted) } else { Ok(()) }
     }
 
-    /// Prints the reason and returns the status that the program exits with.
-    pub(crate) fn exit(self) -> ExitCode {
-        ExitCode::from(self.report())
-    }
-
     /// Prints the reason and returns the exit status.
-    fn report(self) -> u8 {
+    pub(crate) fn report(self) -> u8 {
         match self {
             Self::Enough => 0,
             Self::Input(message) => {

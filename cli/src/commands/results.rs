@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use lyapunov_figures::Figure;
 
-use super::{End, program};
+use super::{End, arguments, program};
 use crate::files::Output;
 use crate::pictures::pictures;
 
@@ -63,6 +63,6 @@ pub(crate) fn command_line() -> String {
         true => word,
         false => format!("'{}'", word.replace('\'', "'\\''")),
     };
-    let given = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
+    let given = arguments().map(|word| quoted(word.to_string_lossy().into_owned()));
     std::iter::once(program().to_owned()).chain(given).collect::<Vec<_>>().join(" ")
 }

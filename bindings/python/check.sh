@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Builds the wheel and checks it: tests, types, the command. Run it from anywhere; it installs what it needs under target/.
+set -euo pipefail
+cd "$(dirname "$0")"
+target=${CARGO_TARGET_DIR:-$PWD/../../target}
+export CARGO_TARGET_DIR=$target CARGO_INCREMENTAL=0
+
+skipped() { printf '\n== SKIPPED: %s\n' "$*"; exit 0; }
+step() { printf '\n== %s\n' "$*"; "$@"; }
+
+python=$(command -v python3) || skipped "the Python package: there is no python3"
+"$python" -c 'import sys; sys.exit(sys.version_info < (3, 10))' || skipped "the Python package: $("$python" --version) is older than 3.10"
+venv=$target/python-venv
+if [ ! -x "$venv/bin/pip" ]; then
+    "$python" -m venv "$venv" || skipped "the Python package: python3 -m venv failed"
+fi
+"$venv/bin/pip" install --quiet 'maturin>=1.9,<2' -r requirements.txt \
+    || skipped "the Python package: its tools cannot be installed from the registry"
+export VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH
+
+step cargo fmt --check
+# With the settings that the other checks build dependencies with, which are then built once.
+rm -rf "$target/wheels"
+step maturin build --quiet --profile dev --out "$target/wheels"
+step cargo clippy --features pyo3/extension-module -- -D warnings
+pip install --quiet --force-reinstall --no-deps "$target"/wheels/*.whl
+step mypy --strict python/lyapunov
+step mypy --strict tests/typed.py
+step pyright --warnings --pythonpath "$venv/bin/python" python/lyapunov tests/typed.py
+step python -m mypy.stubtest lyapunov._lyapunov --allowlist tests/stubtest.txt --ignore-disjoint-bases
+# From a folder without the sources, so that it is the wheel that is tested.
+tests=$PWD/tests
+cd "$target"
+step python -m pytest --quiet -p no:cacheprovider --rootdir "$tests" "$tests"

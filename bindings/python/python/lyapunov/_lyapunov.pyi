@@ -1,0 +1,354 @@
+"""The compiled part."""
+
+import os
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, Protocol, overload
+
+import numpy as np
+import numpy.typing as npt
+
+_Vector = npt.NDArray[np.float64]
+_Signal = float | _Vector | Sequence[float]
+_Axes = Literal[1, 2, 3, 6, 7]
+
+__version__: str
+
+class InputError(ValueError):
+    """Input that is wrong; the message names it, its value and the remedy."""
+
+class SceneError(InputError):
+    """A scene that cannot be read."""
+
+    name: str
+    message: str
+    key: str | None
+    value: str | None
+    line: int | None
+    column: int | None
+    remedies: list[str]
+
+class Sample:
+    """What the port's other side did since the last call. Signals: float on one axis, else arrays of shape (axes,)."""
+
+    def __init__(
+        self,
+        period: float,
+        position: _Signal,
+        velocity: _Signal,
+        displacement: _Signal,
+        applied: _Signal,
+        *,
+        axes: _Axes = 1,
+    ) -> None: ...
+    @property
+    def axes(self) -> int: ...
+    @property
+    def period(self) -> float:
+        """s."""
+    @property
+    def position(self) -> Any:
+        """m: float, or array of shape (axes,)."""
+    @property
+    def velocity(self) -> Any:
+        """m/s: float, or array of shape (axes,)."""
+    @property
+    def displacement(self) -> Any:
+        """m: float, or array of shape (axes,)."""
+    @property
+    def applied(self) -> Any:
+        """N: float, or array of shape (axes,)."""
+    @property
+    def work(self) -> Any:
+        """J on each axis: float, or array of shape (axes,)."""
+    @property
+    def accepted(self) -> bool: ...
+    @property
+    def jumped(self) -> bool: ...
+    @property
+    def late(self) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+
+class Correction:
+    """What a stabilizer makes of an effort."""
+
+    def __init__(
+        self,
+        effort: _Signal,
+        *,
+        observed_energy: float = 0.0,
+        alpha: float = 0.0,
+        shortfall: float = 0.0,
+        accepted: bool = True,
+        axes: _Axes = 1,
+    ) -> None: ...
+    @property
+    def axes(self) -> int: ...
+    @property
+    def effort(self) -> Any:
+        """N: float, or array of shape (axes,)."""
+    @property
+    def observed_energy(self) -> float:
+        """J."""
+    @property
+    def alpha(self) -> float:
+        """N·s/m."""
+    @property
+    def shortfall(self) -> float:
+        """J."""
+    @property
+    def accepted(self) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+
+class _Candidate(Protocol):
+    def decrease(self, sample: Sample) -> float: ...
+
+class Readings:
+    """Memory of a port: readings of a device in, samples out."""
+
+    def __init__(
+        self,
+        period: float,
+        *,
+        axes: _Axes = 1,
+        no_faster_than: float | None = None,
+        cutoff: float | None = None,
+        measured: bool = False,
+        clocked: bool = False,
+    ) -> None: ...
+    def read(
+        self,
+        position: _Signal | None,
+        applied: _Signal,
+        *,
+        velocity: _Signal | None = None,
+        now: float | None = None,
+    ) -> Sample: ...
+    def restart(self) -> None: ...
+    @property
+    def period(self) -> float:
+        """s."""
+    @property
+    def axes(self) -> int: ...
+    def __copy__(self) -> Readings: ...
+    def __deepcopy__(self, memo: object, /) -> Readings: ...
+
+class Stabilizer:
+    """Stabilizer of one port, by a name of docs/family.md."""
+
+    @overload
+    def __init__(self, name: Literal["none"], *, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["popc"], *, limit: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["lolc"], *, limit: float, damping: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["lolc"], *, limit: float, candidate: _Candidate, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["popc-bounded"], *, limit: float, credit: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(
+        self,
+        name: Literal["popc-windowed", "popc-spread", "popc-rising"],
+        *,
+        limit: float,
+        ticks: int,
+        axes: _Axes = 1,
+    ) -> None: ...
+    @overload
+    def __init__(self, name: Literal["popc-threshold"], *, limit: float, velocity: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["popc-rate-limited"], *, limit: float, rate: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["force-bound", "force-bounding"], *, damping: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(
+        self,
+        name: Literal["tank"],
+        *,
+        start: float,
+        floor: float = 0.0,
+        ceiling: float = ...,
+        power: float = ...,
+        axes: _Axes = 1,
+    ) -> None: ...
+    @overload
+    def __init__(self, name: Literal["energy-bounding"], *, c1: float, c2: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["least-norm"], *, limit: float, decay: float, axes: _Axes = 1) -> None: ...
+    @overload
+    def __init__(self, name: Literal["slope-bound"], *, slope: float, axes: _Axes = 1) -> None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def axes(self) -> int: ...
+    def stabilize(self, sample: Sample, effort: _Signal) -> Correction: ...
+    def reset(self) -> None: ...
+    def __copy__(self) -> Stabilizer: ...
+    def __deepcopy__(self, memo: object, /) -> Stabilizer: ...
+
+class Observer:
+    """Observed energy of a candidate, without a controller."""
+
+    @overload
+    def __init__(self, *, damping: float | None = None) -> None: ...
+    @overload
+    def __init__(self, *, candidate: _Candidate) -> None: ...
+    def observe(self, sample: Sample) -> float:
+        """The observed energy after the sample, J."""
+    @property
+    def observed_energy(self) -> float:
+        """J."""
+
+def damping_limit(mass: float, period: float, *, cap: float = 0.5, delay: int = 0) -> float:
+    """The largest damping that a stabilizer may inject, N·s/m: `cap · mass / period`, less with a delay in ticks."""
+
+class Corrections:
+    """Corrections of many ticks or loops."""
+
+    @property
+    def effort(self) -> _Vector:
+        """N, in the shape of the effort given."""
+    @property
+    def observed_energy(self) -> _Vector:
+        """J: (loops,), (time,) or (time, loops)."""
+    @property
+    def alpha(self) -> _Vector:
+        """N·s/m, like observed_energy."""
+    @property
+    def shortfall(self) -> _Vector:
+        """J, like observed_energy."""
+    @property
+    def accepted(self) -> npt.NDArray[np.bool_]:
+        """Like observed_energy."""
+
+class Batch:
+    """Loops that tick together, each with readings and a stabilizer of its own, on lanes and all cores."""
+
+    def __init__(
+        self, stabilizer: Stabilizer, loops: int, period: float, *, no_faster_than: float | None = None
+    ) -> None: ...
+    @property
+    def loops(self) -> int: ...
+    def stabilize(self, position: _Vector, applied: _Vector, effort: _Vector) -> Corrections:
+        """The corrections of all loops: arrays (loops,) or (loops, axes), or with a first axis of time; m, N and N."""
+
+def replay(
+    readings: Readings, stabilizer: Stabilizer, position: _Vector, applied: _Vector, effort: _Vector
+) -> Corrections:
+    """What the blocks make of recorded ticks: arrays (time,) or (time, axes); m, N and N."""
+
+def closed_loop(
+    ticks: int,
+    period: float,
+    *,
+    mass: float | _Vector,
+    wall_stiffness: float | _Vector,
+    damping: float | _Vector | None = None,
+    stiffness: float | _Vector | None = None,
+    position: float | _Vector | None = None,
+    velocity: float | _Vector | None = None,
+    wall_damping: float | _Vector | None = None,
+    wall_position: float | _Vector | None = None,
+    stabilizer: Stabilizer | None = None,
+) -> dict[str, _Vector]:
+    """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name."""
+
+class Scene:
+    """A checked scene."""
+
+    def __init__(self, source: dict[str, Any] | str | os.PathLike[str], *, name: str | None = None) -> None: ...
+    @staticmethod
+    def parse(text: str, *, name: str = "scene") -> Scene:
+        """The scene that a text in TOML tells."""
+    @staticmethod
+    def shipped(name: str) -> Scene:
+        """One of the scenes that ship, as in `lyapunov scenes`."""
+    def to_toml(self) -> str: ...
+    def to_dict(self) -> dict[str, Any]: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def ticks(self) -> int: ...
+    @property
+    def dimensions(self) -> int: ...
+    def __eq__(self, other: object, /) -> bool: ...
+
+class Told:
+    """What a study tells, in every form."""
+
+    @property
+    def json(self) -> str: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def figures(self) -> list[str]: ...
+    @property
+    def scenes(self) -> list[tuple[str, str]]: ...
+    def columns(self) -> dict[str, _Vector | list[str]]: ...
+
+_Progress = Callable[[int, int], object] | None
+
+def command(words: Sequence[str]) -> int: ...
+def run(scene: Scene, stabilizer: object = None, progress: _Progress = None) -> Told: ...
+def compare(
+    scenes: Sequence[Scene],
+    stabilizers: str | None = None,
+    own: dict[str, Callable[[], Any]] | None = None,
+    by: str | None = None,
+    progress: _Progress = None,
+) -> Told: ...
+def map(
+    scene: Scene,
+    x: str,
+    y: str | None = None,
+    stabilizers: str = "none,popc,lolc",
+    threads: int | None = None,
+    progress: _Progress = None,
+) -> Told: ...
+def map_shard(
+    scene: Scene,
+    x: str,
+    y: str,
+    stabilizers: str,
+    shard: str,
+    folder: str | os.PathLike[str],
+    threads: int | None = None,
+) -> str: ...
+def map_merge(tables: Sequence[str | os.PathLike[str]], path: str | os.PathLike[str]) -> Told: ...
+def shard_head(scene: Scene, x: str, y: str, stabilizers: str, shard: str) -> tuple[int, str]: ...
+def ensemble(
+    scene: Scene,
+    first: int,
+    count: int,
+    seed: int,
+    stabilizer: str | None = None,
+    phase: float | None = None,
+    mass: float | None = None,
+    damping: float | None = None,
+    stiffness: float | None = None,
+    progress: _Progress = None,
+) -> Told: ...
+def bound(scene: Scene) -> Told: ...
+def explain(scene: Scene) -> Told: ...
+def accuracy(scene: Scene, target: float | None = None, progress: _Progress = None) -> Told: ...
+def tune(
+    scene: Scene,
+    stabilizers: str,
+    objective: str | None = None,
+    trials: int | None = None,
+    runs: int | None = None,
+    seed: int | None = None,
+    progress: _Progress = None,
+) -> Told: ...
+def observe(
+    log: str | os.PathLike[str],
+    columns: str | None = None,
+    scale: Sequence[str] = ...,
+    candidate: str = "spring",
+    damping: float | None = None,
+    surface: float | None = None,
+    contact: float | None = None,
+    stabilizers: str | None = None,
+    scene: Scene | None = None,
+    progress: _Progress = None,
+) -> Told: ...

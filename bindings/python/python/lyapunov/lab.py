@@ -1,0 +1,193 @@
+"""The lab: a function for each study. Every one is a command too, and returns what that prints with `--json`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Protocol, Union
+
+from lyapunov import _lyapunov
+from lyapunov._lyapunov import Scene
+from lyapunov.progress import shown
+from lyapunov.results import (
+    Accuracy,
+    Bound,
+    Comparison,
+    Ensemble,
+    Explanation,
+    Map,
+    Observation,
+    Run,
+    Tuning,
+)
+
+if TYPE_CHECKING:
+    from lyapunov._lyapunov import Correction, Sample
+
+SceneLike = Union[Scene, str, "os.PathLike[str]", Mapping[str, Any]]
+"""A scene, the path of its file, or a dictionary with its keys."""
+
+Progress = Union[bool, Callable[[int, int], object], None]
+"""Whether a bar is shown, or what is called with (done, total) now and then; None: a bar in notebooks and terminals."""
+
+
+class StabilizerLike(Protocol):
+    """A stabilizer written in Python. It is called on every tick, so it is about a hundred times slower than one in Rust."""
+
+    def stabilize(self, sample: Sample, effort: Any) -> Correction:
+        """The correction of `effort`, N, with which a controller answers `sample`."""
+        ...
+
+
+def _scene(source: SceneLike) -> Scene:
+    if isinstance(source, Scene):
+        return source
+    return Scene(dict(source) if isinstance(source, Mapping) else source)
+
+
+def _names(stabilizers: str | Iterable[str] | None) -> str | None:
+    return stabilizers if stabilizers is None or isinstance(stabilizers, str) else ",".join(stabilizers)
+
+
+def run(
+    scene: SceneLike, *, stabilizer: str | StabilizerLike | None = None, progress: Progress = None
+) -> Run:
+    """What this loop does: a summary with its verdict, and the rows of docs/contract.md, one for each tick.
+
+    `stabilizer` takes the place of the scene's own: a name of docs/family.md, or an object with a method
+    `stabilize(sample, effort)`.
+    """
+    with shown(progress, "run") as bar:
+        return Run(_lyapunov.run(_scene(scene), stabilizer, bar))
+
+
+def compare(
+    scenes: SceneLike | Iterable[SceneLike],
+    *,
+    stabilizers: str | Iterable[str] | None = None,
+    own: Mapping[str, Callable[[], StabilizerLike]] | None = None,
+    by: str | None = None,
+    progress: Progress = None,
+) -> Comparison:
+    """Which stabilizer does best on these scenes, with the columns of docs/compare.md.
+
+    `stabilizers` are names of docs/family.md, or "all"; `own` makes stabilizers written in Python, a fresh one for each run,
+    by their names. `by` sorts by a column, such as "settling_time_s".
+    """
+    if isinstance(scenes, (Scene, str, os.PathLike, Mapping)):
+        scenes = [scenes]
+    read = [_scene(scene) for scene in scenes]
+    with shown(progress, "compare") as bar:
+        own = dict(own) if own is not None else None
+        return Comparison(_lyapunov.compare(read, _names(stabilizers), own, by, bar))
+
+
+def map(  # noqa: A001
+    scene: SceneLike,
+    x: str,
+    y: str | None = None,
+    *,
+    stabilizers: str | Iterable[str] = "none,popc,lolc",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Map:
+    """Where the loop settles, swings or grows over one or two numbers of its scene.
+
+    An axis is `"KEY=FROM..TO:N"` or `"KEY=FROM..TO:N:log"`, as in `"environment.wall.stiffness=100..50000:64"`.
+    """
+    with shown(progress, "map") as bar:
+        names = _names(stabilizers) or ""
+        return Map(_lyapunov.map(_scene(scene), x, y, names, threads, bar))
+
+
+def ensemble(
+    scene: SceneLike,
+    members: int,
+    *,
+    seed: int = 1,
+    stabilizer: str | None = None,
+    phase: float | None = None,
+    mass: float | None = None,
+    damping: float | None = None,
+    stiffness: float | None = None,
+    progress: Progress = None,
+) -> Ensemble:
+    """The runs of scenes around a scene, whose numbers nobody knows exactly; a row for each member.
+
+    `phase` moves the clock by up to so many periods of the environment, `mass`, `damping` and `stiffness` the masses, dampings and
+    stiffnesses of hand, device and link by up to such a share; what is left out moves as in `tune`. A member is a function of scene,
+    seed and number.
+    """
+    with shown(progress, "ensemble") as bar:
+        told = _lyapunov.ensemble(
+            _scene(scene), 0, members, seed, stabilizer, phase, mass, damping, stiffness, bar
+        )
+    return Ensemble(told.columns())
+
+
+def bound(scene: SceneLike) -> Bound:
+    """How stiff the environment may be, by formula and exactly; the table is the spectral radius over the stiffness."""
+    return Bound(_lyapunov.bound(_scene(scene)))
+
+
+def explain(scene: SceneLike) -> Explanation:
+    """Where the energy of the run comes from, and which changes of the scene help."""
+    return Explanation(_lyapunov.explain(_scene(scene)))
+
+
+def accuracy(scene: SceneLike, *, target: float | None = None, progress: Progress = None) -> Accuracy:
+    """What accuracy costs in time: every integrator, step and scalar; `target`, m, asks for the fastest within it."""
+    with shown(progress, "accuracy") as bar:
+        return Accuracy(_lyapunov.accuracy(_scene(scene), target, bar))
+
+
+def observe(
+    log: str | os.PathLike[str],
+    *,
+    columns: str | None = None,
+    scale: Iterable[str] = (),
+    candidate: str = "spring",
+    damping: float | None = None,
+    surface: float | None = None,
+    contact: float | None = None,
+    stabilizers: str | Iterable[str] | None = None,
+    scene: SceneLike | None = None,
+    progress: Progress = None,
+) -> Observation:
+    """When a recorded device generated energy, how much and in which contact.
+
+    `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]"; `scale` gives factors to SI,
+    as in ["x=1e-3"]. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
+    too. `contact`, N, is the force above which there is contact. With `stabilizers` and the `scene` that sets their numbers, what
+    they would have done on the recorded motion.
+    """
+    with shown(progress, "observe") as bar:
+        told = _lyapunov.observe(
+            log,
+            columns,
+            list(scale),
+            candidate,
+            damping,
+            surface,
+            contact,
+            _names(stabilizers),
+            None if scene is None else _scene(scene),
+            bar,
+        )
+    return Observation(told)
+
+
+def tune(
+    scene: SceneLike,
+    *,
+    stabilizers: str | Iterable[str] = "popc,lolc",
+    objective: str | None = None,
+    trials: int | None = None,
+    runs: int | None = None,
+    seed: int | None = None,
+    progress: Progress = None,
+) -> Tuning:
+    """The parameters of each stabilizer that are best on a scene, from as many runs for each; docs/tune.md defines the terms."""
+    with shown(progress, "tune") as bar:
+        names = _names(stabilizers) or ""
+        return Tuning(_lyapunov.tune(_scene(scene), names, objective, trials, runs, seed, bar))

@@ -1,0 +1,205 @@
+"""Maps and ensembles on many machines with Ray: shards of some seconds, which outlive killed workers and lost nodes.
+
+Results are the same bytes as those of one process, whatever the number of workers: a shard is a function of its arguments, and shards
+are put together in their order. Call `ray.init()` first, with the address of the cluster; by default Ray starts on this machine.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import ray
+from ray.exceptions import RayTaskError
+
+from lyapunov import _lyapunov
+from lyapunov._lyapunov import InputError, Scene
+from lyapunov.lab import Progress, SceneLike, _names, _scene
+from lyapunov.progress import shown
+from lyapunov.results import Ensemble, Map
+
+if TYPE_CHECKING:
+    from lyapunov.results import Column
+
+    Moves = tuple[float | None, float | None, float | None, float | None]
+
+SECONDS = 5.0
+"""Time that a shard takes, about: what a killed worker loses, and long beside the cost of a task."""
+
+TRIAL = 64
+"""Cells or members of which the time is taken to cut the shards."""
+
+RETRIES = 100
+"""Times that a shard is begun again whose worker or node was lost."""
+
+
+def map(  # noqa: A001
+    scene: SceneLike,
+    x: str,
+    y: str,
+    *,
+    folder: str | os.PathLike[str],
+    stabilizers: str | Iterable[str] = "none,popc,lolc",
+    shards: int | None = None,
+    progress: Progress = None,
+) -> Map:
+    """The map of `lyapunov.map` on all workers, as map.csv and map.json in `folder`, which is made if it is not there.
+
+    The tables of shards that are complete stay in the folder until the map is: a call with the same arguments goes on from them.
+    Only this process writes into it. `shards` is their number, by default such that each takes some seconds.
+    """
+    read, names, place = _scene(scene), _names(stabilizers) or "", Path(folder)
+    place.mkdir(parents=True, exist_ok=True)
+    cells, _ = _lyapunov.shard_head(read, x, y, names, "0/1")
+    _connect()
+    asked = (read, x, y, names)
+    count = _begun(place) or shards or _count(cells, lambda trial: _timed_shard.remote(*asked, f"0/{trial}"))
+    if not 1 <= count <= cells:
+        raise InputError(f"shards is {count}; it must be from 1 to the {cells} cells of the map")
+    tables = [place / f"map-{index}-of-{count}.csv" if count > 1 else place / "map-0.csv" for index in range(count)]
+    missing = []
+    for index, table in enumerate(tables):
+        if not table.exists():
+            missing.append(index)
+        elif not table.read_text().startswith(_lyapunov.shard_head(read, x, y, names, f"{index}/{count}")[1]):
+            raise InputError(f"{table} is of another map\n  = go on with the arguments that it was begun with, or choose another folder")
+    tasks = {_shard.remote(*asked, f"{index}/{count}"): index for index in missing}
+
+    def keep(index: int, table: bytes) -> None:
+        _write(tables[index], table)
+
+    with shown(progress, "map") as bar:
+        _gather(tasks, keep, bar, count)
+    told = _lyapunov.map_merge(tables, place / "map.csv")
+    _write(place / "map.json", told.json.encode())
+    for table in tables:
+        table.unlink()
+    return Map(told)
+
+
+def ensemble(
+    scene: SceneLike,
+    members: int,
+    *,
+    seed: int = 1,
+    stabilizer: str | None = None,
+    phase: float | None = None,
+    mass: float | None = None,
+    damping: float | None = None,
+    stiffness: float | None = None,
+    shards: int | None = None,
+    progress: Progress = None,
+) -> Ensemble:
+    """The ensemble of `lyapunov.ensemble` on all workers."""
+    read = _scene(scene)
+    _connect()
+    moves = (phase, mass, damping, stiffness)
+    asked = (read, seed, stabilizer, moves)
+    count = shards or _count(members, lambda trial: _timed_members.remote(*asked, 0, max(1, members // trial)))
+    edges = [members * index // count for index in range(count + 1)]
+    pairs = list(zip(edges, edges[1:]))
+    tasks = {_members.remote(*asked, first, last - first): index for index, (first, last) in enumerate(pairs)}
+    parts: dict[int, dict[str, Column]] = {}
+    with shown(progress, "ensemble") as bar:
+        _gather(tasks, parts.__setitem__, bar, count)
+    return Ensemble(_joined([parts[index] for index in range(count)]))
+
+
+def _connect() -> None:
+    if not ray.is_initialized():
+        ray.init(include_dashboard=False, log_to_driver=False)
+
+
+def _count(whole: int, timed: Callable[[int], Any]) -> int:
+    """The number of shards of `whole` cells or members that take some seconds each, by a trial of a few."""
+    trial = max(1, whole // TRIAL)
+    seconds: float = ray.get(timed(trial))
+    return max(1, min(whole, math.ceil(trial * seconds / SECONDS)))
+
+
+def _begun(folder: Path) -> int | None:
+    """The number of shards of the unfinished map in the folder."""
+    found = [re.fullmatch(r"map-\d+-of-(\d+)\.csv", path.name) for path in folder.glob("map-*-of-*.csv")]
+    counts = {int(match[1]) for match in found if match}
+    if len(counts) > 1:
+        raise InputError(f"{folder} holds shards of maps of {sorted(counts)} shards\n  = remove those of one, or choose another folder")
+    return counts.pop() if counts else None
+
+
+def _gather(tasks: Mapping[Any, int], keep: Callable[[int, Any], object], bar: Callable[[int, int], object] | None, count: int) -> None:
+    """Keeps the result of each task as it comes; cancels the others if one fails or the caller is interrupted."""
+    waiting = dict(tasks)
+    try:
+        while waiting:
+            done, _ = ray.wait(list(waiting), num_returns=1, timeout=1.0)
+            for task in done:
+                keep(waiting.pop(task), _got(task))
+            if bar is not None:
+                bar(count - len(waiting), count)
+    finally:
+        for task in waiting:
+            ray.cancel(task, force=True)
+
+
+def _got(task: Any) -> Any:
+    try:
+        return ray.get(task)
+    except RayTaskError as error:
+        # What the shard raised, as if it had been computed here.
+        raise (error.cause if isinstance(error.cause, Exception) else error) from None
+
+
+def _write(path: Path, text: bytes) -> None:
+    """Writes the file under another name, and names it when it is complete."""
+    begun = path.with_name(f"{path.name}.begun")
+    with begun.open("wb") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())
+    begun.replace(path)
+
+
+def _joined(parts: list[dict[str, Column]]) -> dict[str, Column]:
+    import numpy
+
+    def column(name: str) -> Column:
+        columns = [part[name] for part in parts]
+        if isinstance(columns[0], list):
+            return [word for words in columns for word in words]
+        return numpy.concatenate(columns)
+
+    return {name: column(name) for name in parts[0]}
+
+
+def _table(scene: Scene, x: str, y: str, names: str, shard: str) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        return (Path(folder) / _lyapunov.map_shard(scene, x, y, names, shard, folder, 1)).read_bytes()
+
+
+def _run_members(
+    scene: Scene, seed: int, stabilizer: str | None, moves: Moves, first: int, count: int
+) -> dict[str, Column]:
+    # A task has one core.
+    os.environ.setdefault("RAYON_NUM_THREADS", "1")
+    return _lyapunov.ensemble(scene, first, count, seed, stabilizer, *moves).columns()
+
+
+def _timed(work: Callable[..., object]) -> Callable[..., float]:
+    def timed(*asked: Any) -> float:
+        began = time.monotonic()
+        work(*asked)
+        return time.monotonic() - began
+
+    return timed
+
+
+_shard: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_table)
+_timed_shard: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_timed(_table))
+_members: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_run_members)
+_timed_members: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_timed(_run_members))

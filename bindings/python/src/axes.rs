@@ -1,0 +1,304 @@
+//! Signals of one axis or several, between Python and Rust.
+
+use lyapunov::stabilizers::Member;
+use lyapunov::{CheckedSample, Correction, Signal};
+use nalgebra::SVector;
+use numpy::{
+    PyArray1, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray1, PyUntypedArray,
+    PyUntypedArrayMethods,
+};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyFloat;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::blocks::{AnyCorrection, AnyMember, AnyReadings, AnySample, Candidate, Kinds, Readings};
+
+/// The numbers of axes that blocks are compiled for.
+pub(crate) const COUNTS: [usize; 5] = [1, 2, 3, 6, 7];
+
+/// Signal of a block: a number, or a vector of as many as [`COUNTS`] says.
+pub(crate) trait Axes:
+    Signal<Scalar = f64> + Send + Sync + Serialize + DeserializeOwned
+{
+    /// The number of axes.
+    const COUNT: usize;
+
+    /// The signal that a value of Python, called `name`, tells.
+    fn read(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Self>;
+
+    /// The value for Python: a number, or an array of shape (axes,).
+    fn show(self, py: Python<'_>) -> Bound<'_, PyAny>;
+
+    /// `value` of each axis.
+    fn from_axes(value: impl FnMut(usize) -> f64) -> Self;
+
+    /// The number along an axis.
+    fn along(&self, axis: usize) -> f64;
+
+    /// The sample, whatever its axes.
+    fn sample(sample: CheckedSample<Self>) -> AnySample;
+
+    /// The sample of as many axes.
+    fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>>;
+
+    /// The correction, whatever its axes.
+    fn correction(correction: Correction<Self>) -> AnyCorrection;
+
+    /// The correction of as many axes.
+    fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>>;
+
+    /// The stabilizer of as many axes.
+    fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>>;
+
+    /// The readings of as many axes.
+    fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>>;
+}
+
+/// The error of a value that is no signal of `count` axes.
+fn wrong(value: &Bound<'_, PyAny>, name: &str, count: usize) -> PyErr {
+    let wanted = match count {
+        1 => "a number".to_owned(),
+        count => format!("a float64 array of shape ({count},), or a sequence of {count} numbers"),
+    };
+    let found = match value.cast::<PyUntypedArray>() {
+        Ok(array) => format!("an array of {} of shape {:?}", array.dtype(), array.shape()),
+        Err(_) => {
+            value.get_type().name().map_or_else(|_| "something else".into(), |it| it.to_string())
+        }
+    };
+    PyTypeError::new_err(format!("{name} is {found}; give {wanted}"))
+}
+
+impl Axes for f64 {
+    const COUNT: usize = 1;
+
+    #[inline]
+    fn read(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
+        if let Ok(number) = value.cast_exact::<PyFloat>() {
+            return Ok(number.value());
+        }
+        // An array of one number would be taken as well, and mean that axes are missing.
+        if value.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() > 0) {
+            return Err(wrong(value, name, 1));
+        }
+        value.extract().map_err(|_| wrong(value, name, 1))
+    }
+
+    #[inline]
+    fn show(self, py: Python<'_>) -> Bound<'_, PyAny> {
+        PyFloat::new(py, self).into_any()
+    }
+
+    fn from_axes(mut value: impl FnMut(usize) -> f64) -> Self {
+        value(0)
+    }
+
+    fn along(&self, _axis: usize) -> f64 {
+        *self
+    }
+
+    fn sample(sample: CheckedSample<Self>) -> AnySample {
+        AnySample::One(sample)
+    }
+
+    fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>> {
+        match sample {
+            AnySample::One(sample) => Ok(sample),
+            other => Err(differs("sample", other.axes(), 1)),
+        }
+    }
+
+    fn correction(correction: Correction<Self>) -> AnyCorrection {
+        AnyCorrection::One(correction)
+    }
+
+    fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>> {
+        match correction {
+            AnyCorrection::One(correction) => Ok(correction),
+            other => Err(differs("correction", other.axes(), 1)),
+        }
+    }
+
+    fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>> {
+        match member {
+            AnyMember::One(member) => Ok(member),
+            other => Err(differs("array", 1, other.axes())),
+        }
+    }
+
+    fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
+        match &mut readings.readings {
+            AnyReadings::One(kinds) => Ok(kinds),
+            other => Err(differs("stabilizer", 1, other.axes())),
+        }
+    }
+}
+
+macro_rules! vectors {
+    ($($variant:ident $count:literal),+) => {$(
+        impl Axes for SVector<f64, $count> {
+            const COUNT: usize = $count;
+
+            fn read(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
+                vector(value, name)
+            }
+
+            fn show(self, py: Python<'_>) -> Bound<'_, PyAny> {
+                PyArray1::from_slice(py, self.as_slice()).into_any()
+            }
+
+            fn from_axes(mut value: impl FnMut(usize) -> f64) -> Self {
+                Self::from_fn(|axis, _| value(axis))
+            }
+
+            fn along(&self, axis: usize) -> f64 {
+                self[axis]
+            }
+
+            fn sample(sample: CheckedSample<Self>) -> AnySample {
+                AnySample::$variant(sample)
+            }
+
+            fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>> {
+                match sample {
+                    AnySample::$variant(sample) => Ok(sample),
+                    other => Err(differs("sample", other.axes(), $count)),
+                }
+            }
+
+            fn correction(correction: Correction<Self>) -> AnyCorrection {
+                AnyCorrection::$variant(correction)
+            }
+
+            fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>> {
+                match correction {
+                    AnyCorrection::$variant(correction) => Ok(correction),
+                    other => Err(differs("correction", other.axes(), $count)),
+                }
+            }
+
+            fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>> {
+                match member {
+                    AnyMember::$variant(member) => Ok(member),
+                    other => Err(differs("array", $count, other.axes())),
+                }
+            }
+
+            fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
+                match &mut readings.readings {
+                    AnyReadings::$variant(kinds) => Ok(kinds),
+                    other => Err(differs("stabilizer", $count, other.axes())),
+                }
+            }
+        }
+    )+};
+}
+
+vectors!(Two 2, Three 3, Six 6, Seven 7);
+
+/// The vector that an array of float64 or a sequence of numbers tells.
+fn vector<const N: usize>(value: &Bound<'_, PyAny>, name: &str) -> PyResult<SVector<f64, N>> {
+    if let Ok(array) = value.cast::<PyArray1<f64>>() {
+        let array: PyReadonlyArray1<'_, f64> = array.try_readonly().map_err(|_| {
+            PyValueError::new_err(format!("{name} is an array that another call writes to now"))
+        })?;
+        if array.len() != N {
+            return Err(wrong(value, name, N));
+        }
+        let array = array.as_array();
+        return Ok(SVector::from_fn(|axis, _| array[axis]));
+    }
+    if value.cast::<PyUntypedArray>().is_ok() {
+        return Err(wrong(value, name, N));
+    }
+    let numbers: [f64; N] = value.extract().map_err(|_| wrong(value, name, N))?;
+    Ok(numbers.into())
+}
+
+/// The error of a value of `found` axes where `wanted` are right.
+fn differs(what: &str, found: usize, wanted: usize) -> PyErr {
+    PyValueError::new_err(format!(
+        "the {what} has {found} axes and the block {wanted}; make both with the same axes="
+    ))
+}
+
+/// The error of a number of axes that no block has.
+pub(crate) fn no_block_of(axes: usize) -> PyErr {
+    PyValueError::new_err(format!(
+        "axes is {axes}; blocks are compiled for {COUNTS:?}: fill up with axes that stay at 0, or take one block for each"
+    ))
+}
+
+/// Enumeration of a generic type, with a variant for each number of axes.
+macro_rules! on_any_axes {
+    ($(#[$about:meta])* enum $name:ident of $of:ident) => {
+        $(#[$about])*
+        pub(crate) enum $name {
+            One($of<f64>),
+            Two($of<nalgebra::SVector<f64, 2>>),
+            Three($of<nalgebra::SVector<f64, 3>>),
+            Six($of<nalgebra::SVector<f64, 6>>),
+            Seven($of<nalgebra::SVector<f64, 7>>),
+        }
+
+        impl $name {
+            /// The number of axes.
+            pub(crate) fn axes(&self) -> usize {
+                match self {
+                    Self::One(_) => 1,
+                    Self::Two(_) => 2,
+                    Self::Three(_) => 3,
+                    Self::Six(_) => 6,
+                    Self::Seven(_) => 7,
+                }
+            }
+        }
+    };
+}
+
+/// An expression of what is in such an enumeration, whatever its axes.
+macro_rules! whatever_axes {
+    ($value:expr, $enum:ident, $inner:ident => $expression:expr) => {
+        match $value {
+            $enum::One($inner) => $expression,
+            $enum::Two($inner) => $expression,
+            $enum::Three($inner) => $expression,
+            $enum::Six($inner) => $expression,
+            $enum::Seven($inner) => $expression,
+        }
+    };
+}
+
+/// Such an enumeration, made by an expression of the signal's type for a number of axes.
+macro_rules! with_axes {
+    ($axes:expr, $enum:ident, $signal:ident => $expression:expr) => {{
+        use nalgebra::SVector;
+        match $axes {
+            1 => {
+                type $signal = f64;
+                Ok($enum::One($expression))
+            }
+            2 => {
+                type $signal = SVector<f64, 2>;
+                Ok($enum::Two($expression))
+            }
+            3 => {
+                type $signal = SVector<f64, 3>;
+                Ok($enum::Three($expression))
+            }
+            6 => {
+                type $signal = SVector<f64, 6>;
+                Ok($enum::Six($expression))
+            }
+            7 => {
+                type $signal = SVector<f64, 7>;
+                Ok($enum::Seven($expression))
+            }
+            axes => Err($crate::axes::no_block_of(axes)),
+        }
+    }};
+}
+
+pub(crate) use {on_any_axes, whatever_axes, with_axes};

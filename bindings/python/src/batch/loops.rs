@@ -1,0 +1,250 @@
+//! Loops that tick together, each with a memory of its own.
+
+use lyapunov::stabilizers::Member;
+use lyapunov::{Dissipation, PortEnergy, Reading, Readings as Memory, Scalar, Stabilizer as _};
+use lyapunov_lab::F64x8;
+use nalgebra::SVector;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use super::arrays::Given;
+use super::corrections::{Corrections, Written};
+use super::lanes::{LANES, Lanes, write_mask};
+use crate::axes::no_block_of;
+use crate::blocks::{Recipe, Stabilizer};
+use crate::errors;
+use crate::lab::pool;
+
+/// Groups of loops that a thread takes at once.
+const SHARE: usize = 16;
+
+/// Stabilizer of eight loops.
+type Members<V> = Member<V, (PortEnergy, Dissipation<F64x8>)>;
+
+/// Eight loops.
+#[derive(Clone, Copy, Debug)]
+struct Group<V: Lanes> {
+    readings: Memory<V>,
+    member: Members<V>,
+}
+
+/// Groups of loops, whatever their axes.
+#[derive(Debug)]
+enum AnyGroups {
+    One(Vec<Group<F64x8>>),
+    Two(Vec<Group<SVector<F64x8, 2>>>),
+    Three(Vec<Group<SVector<F64x8, 3>>>),
+    Six(Vec<Group<SVector<F64x8, 6>>>),
+    Seven(Vec<Group<SVector<F64x8, 7>>>),
+}
+
+/// Loops that tick together, each with readings and a stabilizer of its own, on lanes and all cores.
+///
+/// `Batch(stabilizer, loops, period, *, no_faster_than=None)`: as many fresh copies of `stabilizer`, which is left as it is,
+/// and readings every `period` seconds. A candidate written in Python cannot be one of them.
+#[pyclass(module = "lyapunov")]
+#[derive(Debug)]
+pub(crate) struct Batch {
+    groups: AnyGroups,
+    loops: usize,
+}
+
+fn groups<V: Lanes>(
+    recipe: &Recipe,
+    loops: usize,
+    period: f64,
+    fastest: Option<f64>,
+) -> PyResult<Vec<Group<V>>> {
+    let readings = Memory::every(F64x8::of(period)).map_err(errors::parameter)?;
+    let readings = match fastest {
+        Some(fastest) => readings.no_faster_than(F64x8::of(fastest)).map_err(errors::parameter)?,
+        None => readings,
+    };
+    let damper = || Ok((PortEnergy, Dissipation::of(F64x8::of(recipe.damping.unwrap_or(0.0)))?));
+    let member = recipe.make(damper).map_err(errors::parameter)?;
+    Ok(vec![Group { readings, member }; loops.div_ceil(LANES)])
+}
+
+#[pymethods]
+impl Batch {
+    #[new]
+    #[pyo3(signature = (stabilizer, loops, period, *, no_faster_than=None))]
+    fn new(
+        stabilizer: &Stabilizer,
+        loops: usize,
+        period: f64,
+        no_faster_than: Option<f64>,
+    ) -> PyResult<Self> {
+        let recipe = &stabilizer.recipe;
+        if loops == 0 {
+            return Err(errors::input("loops is 0; it must be 1 or more"));
+        }
+        if recipe.object.is_some() {
+            return Err(errors::input(
+                "a candidate written in Python runs in one loop at a time\n  = call the Stabilizer of each loop, or credit a damping",
+            ));
+        }
+        macro_rules! made {
+            ($kind:ident, $signal:ty) => {
+                AnyGroups::$kind(groups::<$signal>(recipe, loops, period, no_faster_than)?)
+            };
+        }
+        let groups = match stabilizer.count() {
+            1 => made!(One, F64x8),
+            2 => made!(Two, SVector<F64x8, 2>),
+            3 => made!(Three, SVector<F64x8, 3>),
+            6 => made!(Six, SVector<F64x8, 6>),
+            7 => made!(Seven, SVector<F64x8, 7>),
+            axes => return Err(no_block_of(axes)),
+        };
+        Ok(Self { groups, loops })
+    }
+
+    /// The number of loops.
+    #[getter]
+    fn loops(&self) -> usize {
+        self.loops
+    }
+
+    /// The corrections of all loops.
+    ///
+    /// `position`, m, `applied`, N, the effort that acted since the tick before, and `effort`, N: float64 arrays of shape
+    /// (loops,) on one axis and (loops, axes) on several; with a first axis of time before these, ticks one after the other.
+    /// They are contiguous and not copied, and the interpreter's lock is not held. A position of NaN is a tick without a reading.
+    fn stabilize<'py>(
+        &mut self,
+        py: Python<'py>,
+        position: &Bound<'py, PyAny>,
+        applied: &Bound<'py, PyAny>,
+        effort: &Bound<'py, PyAny>,
+    ) -> PyResult<Corrections> {
+        let given = [
+            Given::of(position, "position")?,
+            Given::of(applied, "applied")?,
+            Given::of(effort, "effort")?,
+        ];
+        let loops = self.loops;
+        match &mut self.groups {
+            AnyGroups::One(groups) => stabilized(py, groups, loops, &given),
+            AnyGroups::Two(groups) => stabilized(py, groups, loops, &given),
+            AnyGroups::Three(groups) => stabilized(py, groups, loops, &given),
+            AnyGroups::Six(groups) => stabilized(py, groups, loops, &given),
+            AnyGroups::Seven(groups) => stabilized(py, groups, loops, &given),
+        }
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Batch(loops={})", self.loops)
+    }
+}
+
+fn stabilized<V: Lanes>(
+    py: Python<'_>,
+    groups: &mut [Group<V>],
+    loops: usize,
+    [position, applied, effort]: &[Given<'_>; 3],
+) -> PyResult<Corrections> {
+    let shape = position.shape().to_vec();
+    let one = if V::COUNT == 1 { vec![loops] } else { vec![loops, V::COUNT] };
+    let ticks = match shape.strip_suffix(&one[..]) {
+        Some([]) => 1,
+        Some([ticks]) => *ticks,
+        _ => return Err(position.not(&format!("{one:?}, or the same with a first axis of time"))),
+    };
+    applied.is_like(position)?;
+    effort.is_like(position)?;
+    let given = [position.numbers()?, applied.numbers()?, effort.numbers()?];
+    let pool = pool()?;
+    let written = py.detach(|| {
+        let mut written = Written::room(ticks * loops, V::COUNT);
+        pool.install(|| spread(groups, loops, given, &mut written));
+        written
+    });
+    written.shown(py, &shape, V::COUNT)
+}
+
+/// Rows of a share of the loops, one for each tick.
+struct Share<'a> {
+    first: usize,
+    effort: Vec<&'a mut [f64]>,
+    observed_energy: Vec<&'a mut [f64]>,
+    alpha: Vec<&'a mut [f64]>,
+    shortfall: Vec<&'a mut [f64]>,
+    accepted: Vec<&'a mut [bool]>,
+}
+
+/// The rows of each share of `width` numbers, of rows that are `whole` long.
+fn shares<T>(numbers: &mut [T], whole: usize, width: usize) -> Vec<Vec<&mut [T]>> {
+    let mut shares: Vec<Vec<&mut [T]>> = Vec::new();
+    shares.resize_with(whole.div_ceil(width), Vec::new);
+    for row in numbers.chunks_mut(whole) {
+        for (share, part) in shares.iter_mut().zip(row.chunks_mut(width)) {
+            share.push(part);
+        }
+    }
+    shares
+}
+
+/// Ticks all loops, shares of them on each thread.
+fn spread<V: Lanes>(
+    groups: &mut [Group<V>],
+    loops: usize,
+    given: [&[f64]; 3],
+    written: &mut Written,
+) {
+    let width = SHARE * LANES;
+    let effort = shares(&mut written.effort, loops * V::COUNT, width * V::COUNT);
+    let rest = [&mut written.observed_energy, &mut written.alpha, &mut written.shortfall];
+    let [observed_energy, alpha, shortfall] = rest.map(|numbers| shares(numbers, loops, width));
+    let accepted = shares(&mut written.accepted, loops, width);
+    let parts = effort.into_iter().zip(observed_energy).zip(alpha).zip(shortfall).zip(accepted);
+    let parts: Vec<Share<'_>> = parts
+        .enumerate()
+        .map(|(at, ((((effort, observed_energy), alpha), shortfall), accepted))| Share {
+            first: at * width,
+            effort,
+            observed_energy,
+            alpha,
+            shortfall,
+            accepted,
+        })
+        .collect();
+    groups.par_chunks_mut(SHARE).zip(parts).for_each(|(groups, mut share)| {
+        pulp::Arch::new().dispatch(Ticks { groups, share: &mut share, loops, given });
+    });
+}
+
+/// The ticks of a share, on the instructions that the processor has.
+struct Ticks<'a, 'b, V: Lanes> {
+    groups: &'a mut [Group<V>],
+    share: &'a mut Share<'b>,
+    loops: usize,
+    given: [&'a [f64]; 3],
+}
+
+impl<V: Lanes> pulp::NullaryFnOnce for Ticks<'_, '_, V> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { groups, share, loops, given } = self;
+        for tick in 0..share.alpha.len() {
+            let row = tick * loops;
+            let count = share.alpha[tick].len();
+            for (at, group) in groups.iter_mut().enumerate() {
+                let (first, last) = (at * LANES, count.min((at + 1) * LANES));
+                let from = (row + share.first + first) * V::COUNT;
+                let to = (row + share.first + last) * V::COUNT;
+                let [position, applied, effort] =
+                    given.map(|numbers| V::gather(&numbers[from..to], last - first));
+                let sample = group.readings.read(Reading { position, applied }).sample;
+                let told = group.member.stabilize(&sample, effort);
+                told.effort.scatter(&mut share.effort[tick][first * V::COUNT..last * V::COUNT]);
+                told.observed_energy.scatter(&mut share.observed_energy[tick][first..last]);
+                told.alpha.scatter(&mut share.alpha[tick][first..last]);
+                told.shortfall.scatter(&mut share.shortfall[tick][first..last]);
+                write_mask(told.accepted, &mut share.accepted[tick][first..last]);
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Recipe of a stabilizer: its name, its numbers and its candidate, from which it is made, and made again.
+
+use lyapunov::stabilizers::{
+    EnergyBounding, ForceBound, ForceBounding, LeastNorm, Member, NoStabilizer, SlopeBound,
+    StabilizerExt, Tank, TankLimits, WindowedCredit,
+};
+use lyapunov::{DampingLimit, Dissipation, Lolc, ParameterError, Popc, PortEnergy, Scalar};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::{Candidate, Raised};
+use crate::errors;
+
+/// A number that a stabilizer is made of, and what it is where it is left out.
+struct Number(&'static str, Option<f64>);
+
+/// A number without a default.
+const fn needed(name: &'static str) -> Number {
+    Number(name, None)
+}
+
+/// The stabilizers of one port, under the names of docs/family.md, and their numbers in SI units.
+const FAMILY: [(&str, &[Number]); 15] = [
+    ("none", &[]),
+    ("popc", &[needed("limit")]),
+    ("lolc", &[needed("limit")]),
+    ("popc-bounded", &[needed("limit"), needed("credit")]),
+    ("popc-windowed", &[needed("limit"), needed("ticks")]),
+    ("popc-threshold", &[needed("limit"), needed("velocity")]),
+    ("popc-spread", &[needed("limit"), needed("ticks")]),
+    ("popc-rate-limited", &[needed("limit"), needed("rate")]),
+    ("popc-rising", &[needed("limit"), needed("ticks")]),
+    ("force-bound", &[needed("damping")]),
+    (
+        "tank",
+        &[
+            needed("start"),
+            Number("floor", Some(0.0)),
+            Number("ceiling", Some(f64::INFINITY)),
+            Number("power", Some(f64::INFINITY)),
+        ],
+    ),
+    ("energy-bounding", &[needed("c1"), needed("c2")]),
+    ("force-bounding", &[needed("damping")]),
+    ("least-norm", &[needed("limit"), needed("decay")]),
+    ("slope-bound", &[needed("slope")]),
+];
+
+/// Recipe of a stabilizer.
+#[derive(Debug)]
+pub(crate) struct Recipe {
+    pub(crate) name: &'static str,
+    pub(crate) numbers: Vec<f64>,
+    /// The damping that a candidate credits.
+    pub(crate) damping: Option<f64>,
+    /// A candidate written in Python.
+    pub(crate) object: Option<Py<PyAny>>,
+}
+
+impl Recipe {
+    /// The recipe that the arguments of a call tell.
+    pub(crate) fn of(name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let found = FAMILY.iter().find(|(known, _)| *known == name);
+        let (name, keys) = found.ok_or_else(|| {
+            let names: Vec<&str> = FAMILY.iter().map(|(name, _)| *name).collect();
+            errors::input(format!(
+                "no block is called `{name}`\n  = the names are: {}\n  = every other name of docs/family.md runs in \
+                 scenes: lyapunov.run, compare and map",
+                names.join(", ")
+            ))
+        })?;
+        let taken = |key: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
+            let value = given.map(|given| given.get_item(key)).transpose()?.flatten();
+            Ok(value.filter(|value| !value.is_none()))
+        };
+        let mut numbers = Vec::new();
+        for Number(key, default) in *keys {
+            let value = taken(key)?.map(|value| number(&value, key)).transpose()?;
+            numbers.push(value.or(*default).ok_or_else(|| {
+                errors::input(format!("`{name}` needs {key}\n  = give it by name, as in {key}=…"))
+            })?);
+        }
+        let mut known: Vec<&str> = keys.iter().map(|key| key.0).collect();
+        let (mut damping, mut object) = (None, None);
+        if *name == "lolc" {
+            known.extend(["damping", "candidate"]);
+            damping = taken("damping")?.map(|value| number(&value, "damping")).transpose()?;
+            object = taken("candidate")?.map(Bound::unbind);
+            if damping.is_some() == object.is_some() {
+                return Err(errors::input(
+                    "`lolc` needs damping or candidate, one of the two\n  = give the damping that the device surely has, \
+                     in N·s/m, or an object with a method decrease(sample)",
+                ));
+            }
+        }
+        for key in given.into_iter().flat_map(|given| given.keys()) {
+            let key: String = key.extract()?;
+            if !known.contains(&&key[..]) {
+                return Err(errors::input(format!(
+                    "`{name}` has no {key}\n  = it takes: {}",
+                    if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
+                )));
+            }
+        }
+        Ok(Self { name, numbers, damping, object })
+    }
+
+    /// The candidate that credits `damping`, or that `object` tells.
+    pub(crate) fn candidate(
+        damping: Option<f64>,
+        object: Option<Py<PyAny>>,
+        raised: &Raised,
+    ) -> PyResult<Candidate> {
+        match (damping, object) {
+            (Some(_), Some(_)) => Err(errors::input(
+                "damping and candidate exclude each other\n  = let the candidate credit the damping",
+            )),
+            (None, Some(object)) => Ok(Candidate::Python { object, raised: raised.clone() }),
+            (damping, None) => Dissipation::of(damping.unwrap_or(0.0))
+                .map(|damper| Candidate::Damped((PortEnergy, damper)))
+                .map_err(errors::parameter),
+        }
+    }
+
+    /// A copy.
+    pub(crate) fn again(&self, py: Python<'_>) -> Self {
+        let object = self.object.as_ref().map(|object| object.clone_ref(py));
+        Self { name: self.name, numbers: self.numbers.clone(), damping: self.damping, object }
+    }
+
+    /// The arguments by name that make the same.
+    pub(crate) fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arguments = PyDict::new(py);
+        let keys = FAMILY.iter().find(|(name, _)| *name == self.name).map_or(&[][..], |it| it.1);
+        for (key, number) in keys.iter().zip(&self.numbers) {
+            arguments.set_item(key.0, number)?;
+        }
+        if let Some(damping) = self.damping {
+            arguments.set_item("damping", damping)?;
+        }
+        if let Some(object) = &self.object {
+            arguments.set_item("candidate", object)?;
+        }
+        Ok(arguments)
+    }
+
+    /// The stabilizer, on any signal: in lanes every lane has the same numbers.
+    pub(crate) fn make<V: lyapunov::Signal, C>(
+        &self,
+        candidate: impl FnOnce() -> Result<C, ParameterError>,
+    ) -> Result<Member<V, C>, ParameterError> {
+        let of = |index: usize| <V::Scalar as Scalar>::of(self.numbers[index]);
+        let whole = |index: usize| self.numbers[index] as u32;
+        let limit = || DampingLimit::at(of(0));
+        let popc = || limit().map(|limit| Popc::new(PortEnergy, limit));
+        Ok(match self.name {
+            "popc" => Member::Popc(popc()?),
+            "lolc" => Member::Lolc(Lolc::new(candidate()?, limit()?)),
+            "popc-bounded" => Member::Bounded(popc()?.bounded(of(1))?),
+            "popc-windowed" => {
+                Member::Windowed(popc()?.summed_by(WindowedCredit::of_ticks(whole(1))?))
+            }
+            "popc-threshold" => Member::Threshold(popc()?.above_velocity(of(1))?),
+            "popc-spread" => Member::Spread(popc()?.spread_over(whole(1))?),
+            "popc-rate-limited" => Member::RateLimited(popc()?.rate_limited(of(1))?),
+            "popc-rising" => Member::Rising(popc()?.rising_over(whole(1))?),
+            "force-bound" => Member::ForceBound(ForceBound::new(of(0))?),
+            "tank" => {
+                let store = TankLimits { start: of(0), floor: of(1), ceiling: of(2), power: of(3) };
+                Member::Tank(Tank::new(PortEnergy, store)?)
+            }
+            "energy-bounding" => Member::EnergyBounding(EnergyBounding::new(of(0), of(1))?),
+            "force-bounding" => Member::ForceBounding(ForceBounding::of_damping(of(0))?),
+            "least-norm" => Member::LeastNorm(LeastNorm::new(PortEnergy, limit()?, of(1))?),
+            "slope-bound" => Member::SlopeBound(SlopeBound::new(of(0))?),
+            _ => Member::NoStabilizer(NoStabilizer),
+        })
+    }
+}
+
+/// A number; whole and above 0 where it counts ticks.
+fn number(value: &Bound<'_, PyAny>, key: &str) -> PyResult<f64> {
+    let number: f64 = value
+        .extract()
+        .map_err(|_| errors::input(format!("{key} is no number\n  = give a float")))?;
+    let is_count = number.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&number);
+    match key == "ticks" && !is_count {
+        true => Err(errors::input(format!(
+            "ticks is {number:?}; it must be a whole number of 1 or more"
+        ))),
+        false => Ok(number),
+    }
+}

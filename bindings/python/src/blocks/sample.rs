@@ -1,0 +1,132 @@
+//! Sample of a port.
+
+use lyapunov::{CheckedSample, HeldTick, PortSample};
+use pyo3::prelude::*;
+
+use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+
+on_any_axes! {
+    /// A sample, whatever its axes.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    enum AnySample of CheckedSample
+}
+
+/// What the port's other side did since the last call, and whether its reading was accepted.
+///
+/// Attributes that are signals are floats on one axis and float64 arrays of shape (axes,) on several.
+///
+/// `Sample(period, position, velocity, displacement, applied, *, axes=1)` makes one by hand: the work is that of a force
+/// that was held over the period, `applied · displacement`.
+#[pyclass(module = "lyapunov", frozen, eq, skip_from_py_object)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sample(pub(crate) AnySample);
+
+fn by_hand<V: Axes>(period: f64, signals: [&Bound<'_, PyAny>; 4]) -> PyResult<CheckedSample<V>> {
+    let [position, velocity, displacement, applied] = signals;
+    let tick = HeldTick {
+        period,
+        position: V::read(position, "position")?,
+        velocity: V::read(velocity, "velocity")?,
+        displacement: V::read(displacement, "displacement")?,
+        applied: V::read(applied, "applied")?,
+    };
+    Ok(accepted(tick.sample()))
+}
+
+/// The sample as an accepted one.
+pub(crate) fn accepted<V: Axes>(sample: PortSample<V>) -> CheckedSample<V> {
+    CheckedSample { sample, accepted: true, jumped: false, late: false, timed: true }
+}
+
+#[pymethods]
+impl Sample {
+    #[new]
+    #[pyo3(signature = (period, position, velocity, displacement, applied, *, axes=1))]
+    fn new(
+        period: f64,
+        position: &Bound<'_, PyAny>,
+        velocity: &Bound<'_, PyAny>,
+        displacement: &Bound<'_, PyAny>,
+        applied: &Bound<'_, PyAny>,
+        axes: usize,
+    ) -> PyResult<Self> {
+        let signals = [position, velocity, displacement, applied];
+        with_axes!(axes, AnySample, V => by_hand::<V>(period, signals)?).map(Self)
+    }
+
+    /// The number of axes.
+    #[getter]
+    fn axes(&self) -> usize {
+        self.0.axes()
+    }
+
+    /// Time since the last accepted reading, s.
+    #[getter]
+    fn period(&self) -> f64 {
+        whatever_axes!(&self.0, AnySample, it => it.sample.period)
+    }
+
+    /// Position now, m.
+    #[getter]
+    fn position<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        whatever_axes!(&self.0, AnySample, it => it.sample.position.show(py))
+    }
+
+    /// Velocity now, m/s.
+    #[getter]
+    fn velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        whatever_axes!(&self.0, AnySample, it => it.sample.velocity.show(py))
+    }
+
+    /// Motion since the last accepted reading, m.
+    #[getter]
+    fn displacement<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        whatever_axes!(&self.0, AnySample, it => it.sample.displacement.show(py))
+    }
+
+    /// Effort that acted since then, N.
+    #[getter]
+    fn applied<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        whatever_axes!(&self.0, AnySample, it => it.sample.applied.show(py))
+    }
+
+    /// Work of that effort on each axis, J; NaN of a reading that was not accepted.
+    #[getter]
+    fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        whatever_axes!(&self.0, AnySample, it => it.sample.work.show(py))
+    }
+
+    /// Whether the reading was accepted.
+    #[getter]
+    fn accepted(&self) -> bool {
+        whatever_axes!(&self.0, AnySample, it => it.accepted)
+    }
+
+    /// Whether the reading lies farther away than the fastest motion leads.
+    #[getter]
+    fn jumped(&self) -> bool {
+        whatever_axes!(&self.0, AnySample, it => it.jumped)
+    }
+
+    /// Whether the sample spans more than a period.
+    #[getter]
+    fn late(&self) -> bool {
+        whatever_axes!(&self.0, AnySample, it => it.late)
+    }
+
+    fn __repr__(&self) -> String {
+        whatever_axes!(&self.0, AnySample, it => format!(
+            "Sample(axes={}, period={:?}, position={:?}, velocity={:?}, accepted={})",
+            self.axes(),
+            it.sample.period,
+            shown(&it.sample.position),
+            shown(&it.sample.velocity),
+            if it.accepted { "True" } else { "False" },
+        ))
+    }
+}
+
+/// The numbers along all axes.
+pub(super) fn shown<V: Axes>(signal: &V) -> Vec<f64> {
+    (0..V::COUNT).map(|axis| signal.along(axis)).collect()
+}

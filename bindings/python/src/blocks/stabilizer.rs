@@ -1,0 +1,190 @@
+//! Stabilizer of one loop.
+
+use lyapunov::stabilizers::{Member, MemberState};
+use lyapunov::{Signal, Snapshot, Stabilizer as _};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use super::{Candidate, Correction, Raised, Recipe, Sample};
+use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::errors;
+
+/// Member of the family with any candidate.
+type Made<V> = Member<V, Candidate>;
+
+on_any_axes! {
+    /// A stabilizer, whatever its axes.
+    #[derive(Debug)]
+    enum AnyMember of Made
+}
+
+/// Stabilizer of one port, by a name of docs/family.md, in a loop of your own.
+///
+/// `Stabilizer("popc", limit=100.0)`, `Stabilizer("lolc", limit=100.0, damping=0.1, axes=3)`. Numbers are in SI units:
+/// `limit` N·s/m (see `damping_limit`), `damping` N·s/m, `credit`, `start`, `floor` and `ceiling` J, `power` W, `velocity`
+/// m/s, `rate` N/s, `slope`, `c1` and `c2` N/m, `decay` 1/s, `ticks` whole. `lolc` takes a `damping` that the device surely
+/// has, or `candidate=it`, an object whose method `decrease(sample)` returns joules: a call into Python on every tick, slow.
+///
+/// One stabilizer belongs to one loop: a call while another is under way raises RuntimeError.
+#[pyclass(module = "lyapunov")]
+#[derive(Debug)]
+pub(crate) struct Stabilizer {
+    member: AnyMember,
+    pub(crate) recipe: Recipe,
+    raised: Raised,
+}
+
+impl Stabilizer {
+    fn of(recipe: Recipe, axes: usize) -> PyResult<Self> {
+        let raised = Raised::default();
+        let member = with_axes!(axes, AnyMember, V => made::<V>(&recipe, &raised)?)?;
+        Ok(Self { member, recipe, raised })
+    }
+
+    /// The number of axes.
+    pub(crate) fn count(&self) -> usize {
+        self.member.axes()
+    }
+
+    /// Runs `stabilize` of the member over samples of `V`, those of a recorded log.
+    pub(crate) fn with_member<V: Axes, R>(
+        &mut self,
+        run: impl FnOnce(&mut dyn FnMut(&lyapunov::PortSample<V>, V) -> lyapunov::Correction<V>) -> R,
+    ) -> PyResult<R> {
+        let member = V::member(&mut self.member)?;
+        let result = run(&mut |sample, effort| member.stabilize(sample, effort));
+        self.raised.check()?;
+        Ok(result)
+    }
+}
+
+/// The stabilizer of a recipe.
+fn made<V: Signal<Scalar = f64>>(recipe: &Recipe, raised: &Raised) -> PyResult<Made<V>> {
+    let object = Python::attach(|py| recipe.object.as_ref().map(|object| object.clone_ref(py)));
+    let mut candidate = Some(Recipe::candidate(recipe.damping, object, raised)?);
+    // The candidate is made first, as it may be one of Python's.
+    let taken = || {
+        candidate.take().ok_or(lyapunov::ParameterError {
+            parameter: "candidate",
+            value: f64::NAN,
+            requirement: lyapunov::Requirement::Finite,
+        })
+    };
+    recipe.make(taken).map_err(errors::parameter)
+}
+
+#[pymethods]
+impl Stabilizer {
+    #[new]
+    #[pyo3(signature = (name, *, axes=1, **numbers))]
+    fn new(name: &str, axes: usize, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::of(Recipe::of(name, numbers)?, axes)
+    }
+
+    /// The name.
+    #[getter]
+    fn name(&self) -> &'static str {
+        self.recipe.name
+    }
+
+    /// The number of axes.
+    #[getter]
+    fn axes(&self) -> usize {
+        self.count()
+    }
+
+    /// The correction of `effort`, N, a float or an array of shape (axes,), with which a controller answers `sample`.
+    ///
+    /// The effort resists motion, `m ẍ = … − effort`. A sample that is not finite is rejected: the correction is then 0 and
+    /// not `accepted`.
+    fn stabilize(&mut self, sample: &Sample, effort: &Bound<'_, PyAny>) -> PyResult<Correction> {
+        let corrected =
+            whatever_axes!(&mut self.member, AnyMember, it => corrected(it, sample, effort)?);
+        if self.recipe.object.is_some() {
+            self.raised.check()?;
+        }
+        Ok(corrected)
+    }
+
+    /// Forgets all that it has summed: credit is forfeited, a debt forgiven.
+    fn reset(&mut self, py: Python<'_>) -> PyResult<()> {
+        *self = Self::of(self.recipe.again(py), self.count())?;
+        Ok(())
+    }
+
+    /// A copy with the same memory.
+    fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
+        let mut copy = Self::of(self.recipe.again(py), self.count())?;
+        copy.remember(&self.memory()?)?;
+        Ok(copy)
+    }
+
+    fn __deepcopy__(&self, py: Python<'_>, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
+        self.__copy__(py)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (py, this) = (slf.py(), slf.borrow());
+        let arguments = this.recipe.arguments(py)?;
+        let memory = PyBytes::new(py, &this.memory()?);
+        let again = slf.get_type().getattr("_restored")?;
+        let parts = (this.recipe.name, this.count(), arguments, memory);
+        (again, parts).into_pyobject(py).map(Bound::into_any)
+    }
+
+    #[staticmethod]
+    fn _restored(
+        name: &str,
+        axes: usize,
+        numbers: &Bound<'_, PyDict>,
+        memory: &[u8],
+    ) -> PyResult<Self> {
+        let mut made = Self::new(name, axes, Some(numbers))?;
+        made.remember(memory)?;
+        Ok(made)
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let mut text = format!("Stabilizer({:?}", self.recipe.name);
+        for (key, value) in self.recipe.arguments(py)? {
+            text += &format!(", {key}={}", value.repr()?);
+        }
+        Ok(if self.count() > 1 { format!("{text}, axes={})", self.count()) } else { text + ")" })
+    }
+}
+
+impl Stabilizer {
+    /// The memory as bytes that keep every bit.
+    fn memory(&self) -> PyResult<Vec<u8>> {
+        let mut bytes = Vec::new();
+        whatever_axes!(&self.member, AnyMember, it => ciborium::into_writer(&it.state(), &mut bytes))
+            .map_err(errors::internal)?;
+        Ok(bytes)
+    }
+
+    fn remember(&mut self, memory: &[u8]) -> PyResult<()> {
+        let axes = self.count();
+        let raised = self.raised.clone();
+        let recipe = &self.recipe;
+        self.member =
+            with_axes!(axes, AnyMember, V => restored::<V>(made::<V>(recipe, &raised)?, memory)?)?;
+        Ok(())
+    }
+}
+
+fn restored<V: Axes>(member: Made<V>, memory: &[u8]) -> PyResult<Made<V>> {
+    let state: MemberState<V, Candidate> = ciborium::from_reader(memory)
+        .map_err(|error| errors::input(format!("the memory is damaged: {error}")))?;
+    member.restored(state).map_err(errors::parameter)
+}
+
+#[inline]
+fn corrected<V: Axes>(
+    member: &mut Made<V>,
+    sample: &Sample,
+    effort: &Bound<'_, PyAny>,
+) -> PyResult<Correction> {
+    let sample = V::of_sample(&sample.0)?;
+    let effort = V::read(effort, "effort")?;
+    Ok(Correction(V::correction(member.stabilize(&sample.sample, effort))))
+}

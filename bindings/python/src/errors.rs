@@ -1,0 +1,59 @@
+//! Exceptions.
+
+use lyapunov::ParameterError;
+use lyapunov_lab::scene::Diagnostic;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::{PyTypeInfo, create_exception};
+
+create_exception!(
+    lyapunov,
+    InputError,
+    PyValueError,
+    "Input that is wrong; the message names it, its value and the remedy, in the words of the command."
+);
+create_exception!(
+    lyapunov,
+    SceneError,
+    InputError,
+    "A scene that cannot be read.\n\nAttributes: `name` of the file, `message`, `key`, `value`, `line` and `column` (from 1) and \
+     `remedies`, a list; those that do not apply are None."
+);
+
+/// The exception of a fault in a scene, with its parts as attributes.
+pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
+    let error = SceneError::new_err(fault.to_string());
+    let told = || -> PyResult<()> {
+        let value = error.value(py);
+        value.setattr("name", fault.name())?;
+        value.setattr("message", fault.message())?;
+        value.setattr("key", fault.key())?;
+        value.setattr("value", fault.value())?;
+        value.setattr("line", fault.line())?;
+        value.setattr("column", fault.column())?;
+        value.setattr("remedies", fault.help())
+    };
+    told().map_or_else(|failed| failed, |()| error)
+}
+
+/// The exception of a rejected parameter.
+pub(crate) fn parameter(error: ParameterError) -> PyErr {
+    InputError::new_err(error.to_string())
+}
+
+/// The exception of wrong input in words.
+pub(crate) fn input(error: impl std::fmt::Display) -> PyErr {
+    InputError::new_err(error.to_string())
+}
+
+/// The exception of a fault of the package itself.
+pub(crate) fn internal(error: impl std::fmt::Display) -> PyErr {
+    PyRuntimeError::new_err(error.to_string())
+}
+
+/// Adds the exceptions to the module.
+pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = module.py();
+    module.add("InputError", InputError::type_object(py))?;
+    module.add("SceneError", SceneError::type_object(py))
+}

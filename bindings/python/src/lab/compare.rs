@@ -1,0 +1,134 @@
+//! Comparison of stabilizers.
+
+use std::sync::Arc;
+
+use lyapunov::ParameterError;
+use lyapunov_lab::compare::{Column, CompareError, Comparison, Entrants, csv, document};
+use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::{Space, in_space, scene as lab};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::columns::Columns;
+use super::work::{Fault, Watched, wait};
+use super::{Scene, Told};
+use crate::axes::Axes;
+use crate::blocks::{PythonStabilizer, Raised};
+use crate::errors;
+
+/// An entrant written in Python: its name, and what makes it for a scene.
+type Own = (String, Arc<Py<PyAny>>);
+
+/// Stabilizers side by side on the same scenes, with the columns of docs/compare.md.
+#[pyfunction]
+#[pyo3(signature = (scenes, stabilizers=None, own=None, by=None, progress=None))]
+pub(crate) fn compare(
+    py: Python<'_>,
+    scenes: Vec<Bound<'_, Scene>>,
+    stabilizers: Option<&str>,
+    own: Option<&Bound<'_, PyDict>>,
+    by: Option<&str>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Told> {
+    let scenes: Vec<Scene> = scenes.iter().map(|scene| scene.get().clone()).collect();
+    let names = match stabilizers {
+        Some(names) => names.parse().map_err(errors::input)?,
+        None => StabilizerNames::standard(),
+    };
+    let column: Option<Column> = by.map(str::parse).transpose().map_err(errors::input)?;
+    let mut entrants: Vec<Own> = Vec::new();
+    for (name, make) in own.into_iter().flatten() {
+        entrants.push((name.extract()?, Arc::new(make.unbind())));
+    }
+    let each = |scene: &Scene| (scene.scene.ticks() + 1) * (names.len() + entrants.len()) as u64;
+    let total = scenes.iter().map(each).sum();
+    wait(py, progress, total, move |watched| {
+        let mut comparisons = Vec::new();
+        for scene in &scenes {
+            let mut one = compared(scene, &names, &entrants, watched)?;
+            if let Some(column) = column {
+                one.sort_by(column);
+            }
+            comparisons.push(one);
+        }
+        let text: Vec<String> = comparisons.iter().map(Comparison::to_string).collect();
+        Ok(Told {
+            json: document(&comparisons, &[]).map_err(Fault::internal)?,
+            text: text.join("\n"),
+            figures: comparisons.iter().map(|one| one.figure().to_svg()).collect(),
+            columns: Columns::of_csv(&csv(&comparisons))?,
+            ..Told::default()
+        })
+    })
+}
+
+fn compared(
+    Scene { scene, name }: &Scene,
+    names: &StabilizerNames,
+    own: &[Own],
+    watched: &Watched,
+) -> Result<Comparison, Fault> {
+    if own.is_empty() {
+        return in_space!(scene, V => meet(name, scene, Entrants::<V>::of(names.on(scene)), watched));
+    }
+    if scene.scalar == lab::Scalar::F32 {
+        return Err(Fault::input(
+            "a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene",
+        ));
+    }
+    let raised = Raised::default();
+    let met = match scene.dimensions() {
+        1 => meet(name, scene, entered::<f64>(names, scene, own, &raised), watched),
+        2 => meet(
+            name,
+            scene,
+            entered::<lyapunov_lab::SVector<f64, 2>>(names, scene, own, &raised),
+            watched,
+        ),
+        _ => meet(
+            name,
+            scene,
+            entered::<lyapunov_lab::SVector<f64, 3>>(names, scene, own, &raised),
+            watched,
+        ),
+    };
+    raised.check()?;
+    met
+}
+
+fn entered<V: Space + Axes>(
+    names: &StabilizerNames,
+    scene: &lab::Scene,
+    own: &[Own],
+    raised: &Raised,
+) -> Entrants<V> {
+    own.iter().fold(Entrants::of(names.on(scene)), |entrants, (name, make)| {
+        let (make, raised) = (Arc::clone(make), raised.clone());
+        entrants.with(name.clone(), move |_| Ok::<_, ParameterError>(fresh(&make, &raised)))
+    })
+}
+
+/// A stabilizer of its own for a run.
+fn fresh(make: &Py<PyAny>, raised: &Raised) -> PythonStabilizer {
+    Python::attach(|py| {
+        let made = make.call0(py).unwrap_or_else(|error| {
+            raised.keep(error);
+            py.None()
+        });
+        PythonStabilizer::new(made, raised.clone())
+    })
+}
+
+fn meet<V: Space>(
+    name: &str,
+    scene: &lab::Scene,
+    entrants: Entrants<V>,
+    watched: &Watched,
+) -> Result<Comparison, Fault> {
+    Comparison::watched(name, scene, &entrants, &|ticks| watched.add(ticks)).map_err(|error| {
+        match error {
+            CompareError::Stopped => Fault::Stopped,
+            error => Fault::input(error),
+        }
+    })
+}

@@ -1,0 +1,27 @@
+//! Explanation of a run.
+
+use lyapunov_lab::explain::Explanation;
+use lyapunov_lab::in_space;
+use pyo3::prelude::*;
+
+use super::columns::Columns;
+use super::work::{Fault, wait};
+use super::{Scene, Told};
+
+/// Where the energy of a run comes from, and what helps.
+#[pyfunction]
+pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told> {
+    let Scene { scene, name } = scene.get().clone();
+    wait(py, None, 1, move |_| {
+        let explanation = in_space!(scene, Axes => Explanation::of::<Axes>(&scene));
+        let explanation =
+            explanation.map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
+        Ok(Told {
+            json: explanation.to_json(&name).map_err(Fault::internal)?,
+            text: format!("{name}\n{explanation}"),
+            figures: vec![explanation.figure(&name).to_svg()],
+            columns: Columns::of_csv(&explanation.csv())?,
+            ..Told::default()
+        })
+    })
+}

@@ -1,0 +1,160 @@
+//! Map of a scene over two of its numbers, or a sweep over one.
+
+use std::fs;
+
+use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::map::{
+    Axis, Bounds, Computation, Grid, Measure, Outcome, Run, RunError, Survey, SweepPlan, areas,
+    document, figures,
+};
+use lyapunov_lab::scene as lab;
+use pyo3::prelude::*;
+
+use super::columns::{Column, Columns};
+use super::work::{Fault, Watched, wait};
+use super::{Scene, Told};
+use crate::errors;
+
+/// Where a run settles, swings or grows over the axes `x` and `y`, each as KEY=FROM..TO:N[:log].
+#[pyfunction]
+#[pyo3(signature = (scene, x, y=None, stabilizers="none,popc,lolc", threads=None, progress=None))]
+pub(crate) fn map(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    x: &str,
+    y: Option<&str>,
+    stabilizers: &str,
+    threads: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Told> {
+    let Scene { scene, name } = scene.get().clone();
+    let x: Axis = x.parse().map_err(errors::input)?;
+    let names: StabilizerNames = stabilizers.parse().map_err(errors::input)?;
+    match y {
+        None => {
+            let plan = SweepPlan::new(&name, scene.clone(), x, names.on(&scene));
+            let plan = plan.map_err(|error| errors::input(format!("{name}: {error}")))?;
+            wait(py, progress, plan.ticks(), move |watched| swept(plan, &name, threads, watched))
+        }
+        Some(y) => {
+            let grid = grid_of(&name, scene, x, y.parse().map_err(errors::input)?, &names)?;
+            wait(py, progress, grid.cells(), move |watched| mapped(&grid, &name, threads, watched))
+        }
+    }
+}
+
+/// The grid of a map.
+pub(super) fn grid_of(
+    name: &str,
+    scene: lab::Scene,
+    x: Axis,
+    y: Axis,
+    names: &StabilizerNames,
+) -> PyResult<Grid> {
+    let names = names.on(&scene);
+    Grid::new(scene, x, y, names).map_err(|error| errors::input(format!("{name}: {error}")))
+}
+
+/// The fault that an error of a map's run is.
+pub(super) fn fault(name: &str, error: RunError) -> Fault {
+    match error {
+        RunError::Stopped => Fault::Stopped,
+        error @ RunError::Threads(_) => Fault::internal(error),
+        error => Fault::input(format_args!("{name}: {error}")),
+    }
+}
+
+fn swept(
+    plan: SweepPlan,
+    name: &str,
+    threads: Option<usize>,
+    watched: &Watched,
+) -> Result<Told, Fault> {
+    let sweep =
+        plan.run(threads, &|ticks| watched.add(ticks)).map_err(|error| fault(name, error))?;
+    Ok(Told {
+        json: sweep.document().map_err(Fault::internal)?,
+        text: sweep.to_string(),
+        figures: vec![sweep.verdicts().to_svg(), sweep.curves().to_svg()],
+        columns: Columns::of_csv(&sweep.csv())?,
+        ..Told::default()
+    })
+}
+
+fn mapped(
+    grid: &Grid,
+    name: &str,
+    threads: Option<usize>,
+    watched: &Watched,
+) -> Result<Told, Fault> {
+    let run = Run::of(grid, threads).map_err(|error| fault(name, error))?;
+    let (mut survey, mut rows) = (Survey::of(grid), Rows::default());
+    let go_on = || watched.go_on().is_continue();
+    let effort = run.cells(0..grid.cells(), &go_on, &mut |first, outcomes| {
+        for (cell, outcomes) in (first..).zip(outcomes) {
+            survey.add(cell, outcomes);
+            rows.add(grid, cell, outcomes);
+        }
+        // The next band asks whether to go on.
+        let _ = watched.add(outcomes.len() as u64);
+        Ok(())
+    });
+    let effort = effort.map_err(|error| fault(name, error))?;
+    let computation = Computation::of(&run, effort);
+    let told = told(&survey, Some(&computation))?;
+    Ok(Told { columns: rows.columns(grid), ..told })
+}
+
+/// All that a survey tells, but its rows.
+pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result<Told, Fault> {
+    let bounds = Bounds::of(survey.grid());
+    let drawn = figures(survey, bounds.as_ref());
+    Ok(Told {
+        json: document(survey, bounds.as_ref(), computation).map_err(Fault::internal)?,
+        text: areas(survey, bounds.as_ref()),
+        figures: drawn.iter().map(|drawn| drawn.figure.to_svg()).collect(),
+        ..Told::default()
+    })
+}
+
+/// The rows of map.csv.
+#[derive(Debug, Default)]
+struct Rows {
+    places: [Vec<f64>; 2],
+    words: [Vec<String>; 3],
+    measures: Vec<Vec<f64>>,
+}
+
+impl Rows {
+    fn add(&mut self, grid: &Grid, cell: u64, outcomes: &[Outcome]) {
+        self.measures.resize(Measure::ALL.len(), Vec::new());
+        for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
+            for (place, value) in self.places.iter_mut().zip(grid.values(cell)) {
+                place.push(value);
+            }
+            let words = [member.name(), outcome.verdict.word(), outcome.verdict_by.word()];
+            for (column, word) in self.words.iter_mut().zip(words) {
+                column.push(word.to_owned());
+            }
+            for (column, measure) in self.measures.iter_mut().zip(Measure::ALL) {
+                column.push(measure.of(&outcome.measures).unwrap_or(f64::NAN));
+            }
+        }
+    }
+
+    fn columns(self, grid: &Grid) -> Columns {
+        let axes = [&grid.x.key, &grid.y.key].map(String::clone);
+        let places = axes.into_iter().zip(self.places.map(Column::Numbers));
+        let words = ["stabilizer", "verdict", "verdict_by"].map(str::to_owned);
+        let words = words.into_iter().zip(self.words.map(Column::Words));
+        let keys = Measure::ALL.map(|measure| measure.key.to_owned());
+        let measures = keys.into_iter().zip(self.measures.into_iter().map(Column::Numbers));
+        Columns(places.chain(words).chain(measures).collect())
+    }
+}
+
+/// The columns of the table of a map at `path`.
+pub(super) fn columns_of(path: &std::path::Path) -> Result<Columns, Fault> {
+    let text = fs::read_to_string(path).map_err(Fault::internal)?;
+    Ok(Columns::of_csv(&text)?)
+}

@@ -1,0 +1,111 @@
+//! Observation of a recorded log.
+
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use lyapunov_lab::observe::{
+    self as lab, Asked, Candidate, Columns as LogColumns, Scale, Settings,
+};
+use pyo3::prelude::*;
+
+use super::columns::Columns;
+use super::work::{Fault, Watched, wait};
+use super::{Scene, Told};
+use crate::errors;
+
+/// When a recorded device generated energy, and what stabilizers would have done.
+#[pyfunction]
+#[pyo3(signature = (log, columns=None, scale=Vec::new(), candidate="spring", damping=None, surface=None, contact=None,
+    stabilizers=None, scene=None, progress=None))]
+#[allow(clippy::too_many_arguments)]
+pub(crate) fn observe(
+    py: Python<'_>,
+    log: PathBuf,
+    columns: Option<&str>,
+    scale: Vec<String>,
+    candidate: &str,
+    damping: Option<f64>,
+    surface: Option<f64>,
+    contact: Option<f64>,
+    stabilizers: Option<&str>,
+    scene: Option<&Bound<'_, Scene>>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Told> {
+    let columns = columns.map_or_else(|| Ok(LogColumns::default()), str::parse);
+    let scales = scale.iter().map(|text| text.parse::<Scale>());
+    let asked = match (stabilizers, scene) {
+        (None, None) => None,
+        (Some(names), Some(scene)) => {
+            let Scene { scene, name } = scene.get().clone();
+            Some(Asked { stabilizers: names.parse().map_err(errors::input)?, scene, name })
+        }
+        _ => {
+            return Err(errors::input(
+                "stabilizers and scene go together: mass, servo period, delay and environment of the scene set their numbers",
+            ));
+        }
+    };
+    let settings = Settings {
+        columns: columns.map_err(errors::input)?,
+        scales: scales.collect::<Result<_, _>>().map_err(errors::input)?,
+        candidate: chosen(candidate, damping, surface)?,
+        contact,
+        asked,
+    };
+    let name = log.display().to_string();
+    let size = std::fs::metadata(&log).map_or(0, |it| it.len());
+    wait(py, progress, size, move |watched| {
+        let file =
+            File::open(&log).map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
+        let log = Heeding { inner: BufReader::new(file), watched };
+        let observed = lab::observe(log, &name, &settings);
+        if watched.go_on() == ControlFlow::Break(()) {
+            return Err(Fault::Stopped);
+        }
+        let observed = observed.map_err(Fault::input)?;
+        let json = serde_json::to_string_pretty(&observed.report).map_err(Fault::internal)?;
+        Ok(Told {
+            json: json + "\n",
+            text: format!("{}\n", observed.report),
+            figures: [Some(observed.figure()), observed.would_have()]
+                .into_iter()
+                .flatten()
+                .map(|figure| figure.to_svg())
+                .collect(),
+            columns: Columns::of_csv(&observed.csv())?,
+            ..Told::default()
+        })
+    })
+}
+
+fn chosen(word: &str, damping: Option<f64>, surface: Option<f64>) -> PyResult<Candidate> {
+    match (word, damping, surface) {
+        ("spring", None, None) => Ok(Candidate::Spring),
+        ("device-damping", Some(damping), None) => Ok(Candidate::DeviceDamping { damping }),
+        ("mass-spring-damper", Some(damping), Some(surface)) => {
+            Ok(Candidate::MassSpringDamper { damping, surface })
+        }
+        _ => Err(errors::input(format!(
+            "the candidate {word} does not go with these numbers\n  = give spring alone, device-damping with damping, or \
+             mass-spring-damper with damping and surface"
+        ))),
+    }
+}
+
+/// A log that counts what is read of it, and ends at an interrupt.
+struct Heeding<'a, R> {
+    inner: R,
+    watched: &'a Watched,
+}
+
+impl<R: Read> Read for Heeding<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let read = self.inner.read(buffer)?;
+        match self.watched.add(read as u64) {
+            ControlFlow::Continue(()) => Ok(read),
+            ControlFlow::Break(()) => Err(std::io::Error::other("interrupted")),
+        }
+    }
+}

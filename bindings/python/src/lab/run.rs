@@ -1,0 +1,118 @@
+//! One run of a scene.
+
+use std::ops::ControlFlow;
+
+use lyapunov::ParameterError;
+use lyapunov_lab::explain::Hint;
+use lyapunov_lab::family::StabilizerName;
+use lyapunov_lab::run::Curves;
+use lyapunov_lab::{Rollout, RowFile, Space, Summary, in_space, row_numbers, scene as lab};
+use pyo3::prelude::*;
+
+use super::columns::{Column, Columns};
+use super::work::{Fault, Watched, wait};
+use super::{Scene, Told};
+use crate::blocks::{PythonStabilizer, Raised};
+use crate::errors;
+
+/// Ticks between two looks at whether to go on.
+const BREATH: u64 = 1 << 12;
+
+/// Who stabilizes a run.
+enum By {
+    /// The table of the scene.
+    Scene,
+    Name(StabilizerName),
+    /// An object with a method `stabilize(sample, effort)`.
+    Python(Py<PyAny>, Raised),
+}
+
+/// One run: its summary, and the rows of docs/contract.md.
+#[pyfunction]
+#[pyo3(signature = (scene, stabilizer=None, progress=None))]
+pub(crate) fn run(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    stabilizer: Option<&Bound<'_, PyAny>>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Told> {
+    let Scene { scene, name } = scene.get().clone();
+    let by = match stabilizer {
+        None => By::Scene,
+        Some(given) => match given.extract::<String>() {
+            Ok(name) => By::Name(name.parse().map_err(errors::input)?),
+            Err(_) => By::Python(given.clone().unbind(), Raised::default()),
+        },
+    };
+    wait(py, progress, scene.ticks(), move |watched| told(&scene, &name, &by, watched))
+}
+
+fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<Told, Fault> {
+    if let (By::Python(..), lab::Scalar::F32) = (by, scene.scalar) {
+        return Err(Fault::input(
+            "a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene",
+        ));
+    }
+    match by {
+        By::Scene => {
+            in_space!(scene, Axes => drain(scene, name, Rollout::<Axes>::of(scene), watched))
+        }
+        By::Name(who) => {
+            who.check_axes(scene).map_err(Fault::input)?;
+            // The summary tells the table that ran.
+            let told = who.written_in(scene, &[]).map_err(Fault::input)?;
+            in_space!(scene, Axes => drain(&told, name, Rollout::<Axes>::under(scene, *who), watched))
+        }
+        By::Python(object, raised) => {
+            let object = Python::attach(|py| object.clone_ref(py));
+            let made = PythonStabilizer::new(object, raised.clone());
+            let told = match scene.dimensions() {
+                1 => drain(scene, name, Rollout::<f64>::stabilized_by(scene, made), watched),
+                2 => drain(
+                    scene,
+                    name,
+                    Rollout::<lyapunov_lab::SVector<f64, 2>>::stabilized_by(scene, made),
+                    watched,
+                ),
+                _ => drain(
+                    scene,
+                    name,
+                    Rollout::<lyapunov_lab::SVector<f64, 3>>::stabilized_by(scene, made),
+                    watched,
+                ),
+            };
+            raised.check()?;
+            told
+        }
+    }
+}
+
+/// All that a rollout tells.
+fn drain<V: Space>(
+    scene: &lab::Scene,
+    name: &str,
+    rollout: Result<Rollout<V>, ParameterError>,
+    watched: &Watched,
+) -> Result<Told, Fault> {
+    let (mut summary, mut curves) = (Summary::new(scene), Curves::new(scene));
+    let names: Vec<String> = RowFile::of(scene).columns.into_iter().map(|it| it.name).collect();
+    let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
+    for tick in rollout.map_err(Fault::input)? {
+        if summary.rows.is_multiple_of(BREATH) && watched.add(BREATH) == ControlFlow::Break(()) {
+            return Err(Fault::Stopped);
+        }
+        for (column, number) in numbers.iter_mut().zip(row_numbers(&tick)) {
+            column.push(number);
+        }
+        summary.add(&tick);
+        curves.add(&tick, &summary);
+    }
+    let columns = names.into_iter().zip(numbers.into_iter().map(Column::Numbers)).collect();
+    Ok(Told {
+        json: summary.to_json(name).map_err(Fault::internal)?,
+        text: format!("{name}\n{summary}\n{}", Hint::of(&summary)),
+        figures: vec![curves.figure(name, &summary).to_svg()],
+        columns: Columns(columns),
+        ..Told::default()
+    })
+}

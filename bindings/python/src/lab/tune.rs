@@ -1,0 +1,76 @@
+//! Tuning of stabilizers.
+
+use lyapunov_lab::family::StabilizerNames;
+use lyapunov_lab::tune::{Objective, TuneError, Tuning, csv, document, figure, table};
+use pyo3::prelude::*;
+
+use super::columns::Columns;
+use super::work::{Fault, wait};
+use super::{Scene, Told};
+use crate::errors;
+
+/// The best parameters of each stabilizer, from as many runs for each.
+#[pyfunction]
+#[pyo3(signature = (scene, stabilizers, objective=None, trials=None, runs=None, seed=None, progress=None))]
+#[allow(clippy::too_many_arguments)]
+pub(crate) fn tune(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    stabilizers: &str,
+    objective: Option<&str>,
+    trials: Option<u32>,
+    runs: Option<u32>,
+    seed: Option<u64>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Told> {
+    let Scene { scene, name } = scene.get().clone();
+    let names: StabilizerNames = stabilizers.parse().map_err(errors::input)?;
+    let names = names.on(&scene);
+    let usual = Tuning::default();
+    let objective = objective.map_or(Ok(usual.objective), str::parse::<Objective>);
+    let tuning = Tuning {
+        objective: objective.map_err(errors::input)?,
+        trials: within(trials.unwrap_or(usual.trials), 1, "trials")?,
+        runs: within(runs.unwrap_or(usual.runs), 2, "runs")?,
+        seed: seed.unwrap_or(usual.seed),
+        ..usual
+    };
+    let searched = |name: &lyapunov_lab::family::StabilizerName| {
+        name.parameters(&scene).iter().any(|parameter| parameter.search.is_some())
+    };
+    if !names.iter().any(searched) {
+        return Err(errors::input(format!(
+            "{name}: nothing to tune: no number of {names} has a range to search here\n  \
+             = name a stabilizer with numbers, such as popc; docs/family.md lists them"
+        )));
+    }
+    wait(py, progress, names.len() as u64 * tuning.rollouts(), move |watched| {
+        let tuned = names.iter().map(|who| {
+            tuning.of(&scene, *who, &|runs| watched.add(runs)).map_err(|error| match error {
+                TuneError::Stopped => Fault::Stopped,
+                error => Fault::input(format_args!("{name}: {error}")),
+            })
+        });
+        let tuned = tuned.collect::<Result<Vec<_>, _>>()?;
+        let scenes = tuned.iter().map(|one| {
+            one.text().map(|text| (one.name.to_string(), text)).map_err(Fault::internal)
+        });
+        Ok(Told {
+            json: document(&name, &tuning, &tuned).map_err(Fault::internal)?,
+            text: table(&name, &tuning, &tuned),
+            figures: vec![figure(&name, tuning.objective, &tuned).to_svg()],
+            scenes: scenes.collect::<Result<_, _>>()?,
+            columns: Columns::of_csv(&csv(&tuned))?,
+        })
+    })
+}
+
+/// A number of runs in the range that the command takes.
+fn within(number: u32, least: u32, name: &str) -> PyResult<u32> {
+    match (least..=100_000).contains(&number) {
+        true => Ok(number),
+        false => {
+            Err(errors::input(format!("{name} is {number}; it must be from {least} to 100000")))
+        }
+    }
+}

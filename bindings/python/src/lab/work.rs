@@ -1,0 +1,141 @@
+//! Work of the lab on threads of its own, with progress and interrupts for the thread that waits.
+
+use std::fmt::Display;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::errors;
+
+/// Time between two looks at signals.
+const BREATH: Duration = Duration::from_millis(50);
+
+/// Time that stopped work is waited for.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Why work ended without a result.
+#[derive(Debug)]
+pub(crate) enum Fault {
+    Stopped,
+    Input(String),
+    Internal(String),
+    Raised(PyErr),
+}
+
+impl Fault {
+    pub(crate) fn input(error: impl Display) -> Self {
+        Self::Input(error.to_string())
+    }
+
+    pub(crate) fn internal(error: impl Display) -> Self {
+        Self::Internal(error.to_string())
+    }
+}
+
+impl From<PyErr> for Fault {
+    fn from(error: PyErr) -> Self {
+        Self::Raised(error)
+    }
+}
+
+/// How far work is, and whether it has to end.
+#[derive(Debug)]
+pub(crate) struct Watched {
+    stopped: AtomicBool,
+    done: AtomicU64,
+    total: u64,
+}
+
+impl Watched {
+    /// Adds to what is done, and says whether to go on.
+    pub(crate) fn add(&self, more: u64) -> ControlFlow<()> {
+        self.done.fetch_add(more, Ordering::Relaxed);
+        self.go_on()
+    }
+
+    /// Says that `share` of all is done, and whether to go on.
+    pub(crate) fn reach(&self, share: f64) -> ControlFlow<()> {
+        self.done.store((share * self.total as f64) as u64, Ordering::Relaxed);
+        self.go_on()
+    }
+
+    /// Whether to go on.
+    pub(crate) fn go_on(&self) -> ControlFlow<()> {
+        match self.stopped.load(Ordering::Relaxed) {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    }
+}
+
+/// The result of `work`, of which `total` is to be done; `progress(done, total)` is called now and then.
+///
+/// The work runs without the interpreter's lock. An interrupt raises KeyboardInterrupt, and the work ends where it next looks.
+pub(crate) fn wait<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    total: u64,
+    work: impl FnOnce(&Watched) -> Result<T, Fault> + Send + 'static,
+) -> PyResult<T> {
+    let watched =
+        Arc::new(Watched { stopped: AtomicBool::new(false), done: AtomicU64::new(0), total });
+    let (sender, results) = channel();
+    let (shared, pool) = (Arc::clone(&watched), pool()?);
+    thread::spawn(move || {
+        let result = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(&shared))));
+        let panicked = |_| Err(Fault::internal("a part of lyapunov panicked"));
+        // The receiver is gone where the waiting thread was interrupted.
+        let _ = sender.send(result.unwrap_or_else(panicked));
+    });
+    let told = |done: u64| progress.map_or(Ok(()), |it| it.call1((done, total)).map(drop));
+    loop {
+        match py.detach(|| results.recv_timeout(BREATH)) {
+            Ok(Ok(result)) => return told(total).map(|()| result),
+            Ok(Err(fault)) => return Err(raised(fault)),
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(errors::internal("the work was lost"));
+            }
+            Err(RecvTimeoutError::Timeout) => {
+                let done = watched.done.load(Ordering::Relaxed);
+                if let Err(error) = py.check_signals().and_then(|()| told(done)) {
+                    watched.stopped.store(true, Ordering::Relaxed);
+                    let _ = py.detach(|| results.recv_timeout(PATIENCE));
+                    return Err(error);
+                }
+            }
+        }
+    }
+}
+
+fn raised(fault: Fault) -> PyErr {
+    match fault {
+        Fault::Stopped => errors::internal("the work was stopped"),
+        Fault::Input(message) => errors::input(message.strip_prefix("error: ").unwrap_or(&message)),
+        Fault::Internal(message) => errors::internal(message),
+        Fault::Raised(error) => error,
+    }
+}
+
+/// The threads of this process: those of a parent are not there after a fork.
+pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
+    static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+    let mut held = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    match &*held {
+        Some((of, pool)) if *of == process::id() => Ok(Arc::clone(pool)),
+        other => {
+            // To drop the parent's pool would wait for threads that are not there.
+            other.iter().for_each(|(_, pool)| std::mem::forget(Arc::clone(pool)));
+            let pool = Arc::new(ThreadPoolBuilder::new().build().map_err(errors::internal)?);
+            *held = Some((process::id(), Arc::clone(&pool)));
+            Ok(pool)
+        }
+    }
+}

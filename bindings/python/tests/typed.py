@@ -1,0 +1,16 @@
+"""Calls that a type checker reads: right ones, and wrong ones that it has to refuse."""
+
+import lyapunov as ly
+import numpy as np
+
+readings = ly.Readings(1e-3, axes=3)
+popc = ly.Stabilizer("popc", limit=100.0, axes=3)
+correction: ly.Correction = popc.stabilize(readings.read(np.zeros(3), np.zeros(3)), np.zeros(3))
+energy: float = correction.observed_energy
+run: ly.Result = ly.run({"duration": 1.0})
+batch: ly.Corrections = ly.Batch(popc, 8, 1e-3).stabilize(np.zeros((8, 3)), np.zeros((8, 3)), np.zeros((8, 3)))
+
+ly.Stabilizer("popc")  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue]
+ly.Stabilizer("popcorn", limit=1.0)  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
+ly.Readings("1 ms")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+ly.Readings(1e-3, axes=4)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
