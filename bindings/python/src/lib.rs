@@ -15,17 +15,35 @@ mod _lyapunov {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::batch::{Batch, Corrections, closed_loop, replay};
+    use crate::batch::closed_loop::closed_loop;
+    #[pymodule_export]
+    use crate::batch::replay::replay;
+    #[pymodule_export]
+    use crate::batch::{Batch, Corrections};
     #[pymodule_export]
     use crate::blocks::{Correction, Observer, Readings, Sample, Stabilizer, damping_limit};
-
     #[pymodule_export]
     use crate::command::command;
     #[pymodule_export]
-    use crate::lab::{
-        Scene, Told, accuracy, bound, compare, ensemble, explain, map, map_merge, map_shard,
-        observe, run, shard_head, tune,
-    };
+    use crate::lab::accuracy::accuracy;
+    #[pymodule_export]
+    use crate::lab::bound::bound;
+    #[pymodule_export]
+    use crate::lab::compare::compare;
+    #[pymodule_export]
+    use crate::lab::ensemble::ensemble;
+    #[pymodule_export]
+    use crate::lab::explain::explain;
+    #[pymodule_export]
+    use crate::lab::map::map;
+    #[pymodule_export]
+    use crate::lab::observe::observe;
+    #[pymodule_export]
+    use crate::lab::run::run;
+    #[pymodule_export]
+    use crate::lab::tune::tune;
+    #[pymodule_export]
+    use crate::lab::{Scene, Told, map_merge, map_shard, shard_head};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

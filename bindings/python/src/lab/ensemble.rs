@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use super::columns::{Column, Columns};
-use super::work::{Fault, Watched, wait};
+use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
 

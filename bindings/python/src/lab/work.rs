@@ -87,7 +87,7 @@ pub(crate) fn wait<T: Send + 'static>(
 ) -> PyResult<T> {
     let watched =
         Arc::new(Watched { stopped: AtomicBool::new(false), done: AtomicU64::new(0), total });
-    let (sender, results) = channel();
+    let (sender, mut results) = channel();
     let (shared, pool) = (Arc::clone(&watched), pool()?);
     thread::spawn(move || {
         let result = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(&shared))));
@@ -97,7 +97,8 @@ pub(crate) fn wait<T: Send + 'static>(
     });
     let told = |done: u64| progress.map_or(Ok(()), |it| it.call1((done, total)).map(drop));
     loop {
-        match py.detach(|| results.recv_timeout(BREATH)) {
+        let waiting = &mut results;
+        match py.detach(move || waiting.recv_timeout(BREATH)) {
             Ok(Ok(result)) => return told(total).map(|()| result),
             Ok(Err(fault)) => return Err(raised(fault)),
             Err(RecvTimeoutError::Disconnected) => {
@@ -107,7 +108,8 @@ pub(crate) fn wait<T: Send + 'static>(
                 let done = watched.done.load(Ordering::Relaxed);
                 if let Err(error) = py.check_signals().and_then(|()| told(done)) {
                     watched.stopped.store(true, Ordering::Relaxed);
-                    let _ = py.detach(|| results.recv_timeout(PATIENCE));
+                    let ending = &mut results;
+                    let _ = py.detach(move || ending.recv_timeout(PATIENCE));
                     return Err(error);
                 }
             }
