@@ -54,7 +54,7 @@ def without(text, document):
 
 
 def test_a_comparison_is_that_of_the_command():
-    told = ly.compare([WALL, BARE], stabilizers=["none", "popc", "tank"])
+    told = ly.compare(WALL, BARE, stabilizers=["none", "popc", "tank"])
     text = command("compare", WALL, BARE, "--stabilizers", "none,popc,tank", "--json")
     assert told.document["not_deterministic"] == ["ns_per_step"]
     assert without(told.json, told.document) == without(text, told.document)

@@ -62,8 +62,7 @@ def run(
 
 
 def compare(
-    scenes: SceneLike | Iterable[SceneLike],
-    *,
+    *scenes: SceneLike,
     stabilizers: str | Iterable[str] | None = None,
     own: Mapping[str, Callable[[], StabilizerLike]] | None = None,
     by: str | None = None,
@@ -74,8 +73,6 @@ def compare(
     `stabilizers` are names of docs/family.md, or "all"; `own` makes stabilizers written in Python, a fresh one for each run,
     by their names. `by` sorts by a column, such as "settling_time_s".
     """
-    if isinstance(scenes, (Scene, str, os.PathLike, Mapping)):
-        scenes = [scenes]
     read = [_scene(scene) for scene in scenes]
     with shown(progress, "compare") as bar:
         own = dict(own) if own is not None else None
