@@ -42,7 +42,6 @@ def tick(lib, state, wall_stiffness):
     square = speed * speed * PERIOD
     acts = (energy < 0) & (square > 2.3e-308)
     alpha = lib.where(acts, lib.minimum(-energy / lib.where(acts, square, 1.0), LIMIT), 0.0)
-    energy = energy + alpha * square
     force = wall + alpha * speed
     new, rate = xx * x + xv * v + xf * force, vx * x + vv * v + vf * force
     return new, rate, x, energy, force, lib.maximum(largest, lib.abs(new))

@@ -34,7 +34,6 @@ class InPython:
         alpha = 0.0
         if self.energy < 0.0 and square > 2.3e-308:
             alpha = min(-self.energy / square, LIMIT)
-        self.energy += alpha * square
         return effort + alpha * velocity
 
 
@@ -53,7 +52,6 @@ class InNumpy:
         alpha = 0.0
         if self.energy < 0.0 and square > 2.3e-308:
             alpha = min(-self.energy / square, LIMIT)
-        self.energy += alpha * square
         return effort + alpha * velocity
 
 

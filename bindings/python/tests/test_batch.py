@@ -88,7 +88,6 @@ def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity,
         observed, square = energy, speed * speed * period
         acts = (energy < 0) & (square > 2.3e-308)
         alpha = np.where(acts, np.minimum(-energy / np.where(acts, square, 1.0), limit), 0.0)
-        energy = energy + alpha * square
         acted, before = wall + alpha * speed, x
         x, v = xx * x + xv * v + xf * acted, vx * x + vv * v + vf * acted
         if 2 * tick >= ticks:

@@ -26,7 +26,6 @@ class ByHand:
         alpha, observed = 0.0, self.energy
         if self.energy < 0.0 and square > 2.3e-308:
             alpha = min(-self.energy / square, LIMIT)
-        self.energy += alpha * square
         return effort + alpha * velocity, observed, alpha
 
 

@@ -179,7 +179,6 @@ class PopcByHand:
         self.energy += sample.work
         observed, square = self.energy, sample.velocity**2 * sample.period
         alpha = min(-self.energy / square, self.limit) if self.energy < 0.0 and square > 2.3e-308 else 0.0
-        self.energy += alpha * square
         return ly.Correction(effort + alpha * sample.velocity, observed_energy=observed, alpha=alpha)
 
 
