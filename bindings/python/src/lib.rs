@@ -48,6 +48,7 @@ mod _lyapunov {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("debug_assertions", cfg!(debug_assertions))?;
         crate::errors::add(module)
     }
 }

@@ -12,6 +12,8 @@ _Signal = float | _Vector | Sequence[float]
 _Axes = Literal[1, 2, 3, 6, 7]
 
 __version__: str
+debug_assertions: bool
+"""Whether this is a build for tests, which is slow."""
 
 class InputError(ValueError):
     """Input that is wrong; the message names it, its value and the remedy."""
