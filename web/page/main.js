@@ -3,6 +3,7 @@
 import { draw } from "./curves.js";
 import { Engine, LIVE, RUN, unpacked } from "./engine.js";
 import { Family } from "./family.js";
+import { Loops, SEEN } from "./loops.js";
 import { StabilityMap } from "./map.js";
 import { ink, onScheme } from "./paint.js";
 import { PRESETS } from "./presets.js";
@@ -15,112 +16,13 @@ import { work } from "./worker.js";
 
 const $ = (id) => document.getElementById(id);
 const CANDIDATES = { "lolc-mass-spring-damper": "the wall's damper", "lolc-device-damping": "the device's damper", "lolc-spring": "a spring" };
-const REST = -0.006;
-/** How far the hand moves by itself, m. */
-const LED = 0.009;
-const FAR = 0.15;
-const SEEN = 3;
-
 /** What the page shows: the scene, the candidate of LOLC, the loop that is explained, what the curves are of. */
-const state = { tree: PRESETS[0].scene, candidate: "lolc-mass-spring-damper", under: "none", look: "live", hand: REST };
+const state = { tree: PRESETS[0].scene, candidate: "lolc-mass-spring-damper", under: "none", look: "live" };
 let [engine, worker, words, told] = [null, null, [], 0];
 const names = () => ["none", "popc", state.candidate];
 const TITLES = { none: "no stabilizer", popc: "POPC" };
 const title = (name) => TITLES[name] ?? "LOLC";
 const colour = (name) => ink()[TITLES[name] ? name : "lolc"];
-
-// The three loops under the hand.
-
-const lanes = [0, 1, 2].map(() => ({ rows: new Float64Array(0), fled: 0, note: "" }));
-let [last, carried, handBefore, since] = [0, 0, REST, 0];
-
-/** Puts a loop at `place`, at standstill: not inside the wall, where the first tick would throw it out. */
-function grasp(index, place = state.hand) {
-  engine.bytes("hold", `${names()[index]}\n${toml(state.tree)}`, index, Math.min(place, -1e-4));
-}
-
-/** Puts all loops where the hand is. */
-function letGo() {
-  since = 0;
-  handBefore = state.hand;
-  lanes.forEach((lane, index) => {
-    Object.assign(lane, { rows: new Float64Array(0), fled: 0, gone: 0 });
-    grasp(index);
-  });
-}
-
-/** Takes the changed scene into the running loops, which go on where they are. */
-function regrasp() {
-  try {
-    lanes.forEach((lane, index) => {
-      const place = lane.rows[lane.rows.length - LIVE.width + LIVE.x];
-      grasp(index, Math.abs(place) < FAR ? place : state.hand);
-      Object.assign(lane, { fled: 0, gone: 0 });
-    });
-    state.still = false;
-  } catch {
-    state.still = true;
-  }
-}
-
-function forward(seconds) {
-  const exact = seconds * state.tree.servo_rate + carried;
-  const ticks = Math.min(Math.floor(exact), 4000);
-  carried = exact - Math.floor(exact);
-  if (!ticks || state.still) return;
-  if (!state.touched) lead(seconds);
-  const began = since;
-  since += ticks / state.tree.servo_rate;
-  lanes.forEach((lane, index) => {
-    if (lane.gone > 0) {
-      lane.gone -= seconds;
-      if (lane.gone <= 0) grasp(index);
-      return;
-    }
-    const rows = engine.numbers("advance", "", index, ticks, handBefore, state.hand);
-    for (let at = 0; at < rows.length; at += LIVE.width) rows[at] = began + (at / LIVE.width) / state.tree.servo_rate;
-    const place = rows[rows.length - LIVE.width + LIVE.x];
-    if (!(Math.abs(place) < FAR)) Object.assign(lane, { gone: 1.2, fled: lane.fled + 1 });
-    lane.rows = joined(lane.rows, rows);
-  });
-  handBefore = state.hand;
-}
-
-/** Until someone takes the hand it presses and lets go by itself. */
-function lead(seconds) {
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
-  state.led = (state.led ?? 0) + seconds;
-  state.hand = REST + 0.5 * LED * (1 - Math.cos((2 * Math.PI * state.led) / 4));
-}
-
-/** The rows of the last seconds. */
-function joined(before, after) {
-  const from = since - SEEN;
-  let first = 0;
-  while (first < before.length && before[first] < from) first += LIVE.width;
-  const all = new Float64Array(before.length - first + after.length);
-  all.set(before.subarray(first));
-  all.set(after, before.length - first);
-  return all;
-}
-
-function lane(index) {
-  const { rows, gone, fled } = lanes[index];
-  const name = names()[index];
-  const from = Math.max(0, rows.length - LIVE.width * Math.ceil(0.12 * state.tree.servo_rate));
-  let [low, high, peak] = [Infinity, -Infinity, 0];
-  for (let at = from; at < rows.length; at += LIVE.width) {
-    low = Math.min(low, rows[at + LIVE.x]);
-    high = Math.max(high, rows[at + LIVE.x]);
-    if (Math.abs(rows[at + LIVE.force]) > Math.abs(peak)) peak = rows[at + LIVE.force];
-  }
-  const end = rows.length - LIVE.width;
-  const place = end >= 0 ? rows[end + LIVE.x] : state.hand;
-  if (!(low <= high)) [low, high] = [place, place];
-  const note = gone > 0 ? "ran away" : fled ? `ran away ${fled}×` : "";
-  const sound = Number.isFinite(place) ? place : FAR;
-  return { name: title(name), colour: colour(name), place: sound, range: [low, high], force: end >= 0 ? rows[end + LIVE.force] : 0, peak, note };
-}
 
 // The runs from the start.
 
@@ -179,21 +81,19 @@ function choose(candidate) {
 
 // The frame.
 
-let stage = null;
+let [stage, loops, last] = [null, null, 0];
 
 let cost = 0;
 
 function frame(now) {
   requestAnimationFrame(frame);
   const began = performance.now();
-  const seconds = Math.min(0.1, (now - last) / 1e3);
+  loops.forward(Math.min(0.1, (now - last) / 1e3));
   last = now;
-  forward(seconds);
-  stage.draw(state.hand, [0, 1, 2].map(lane));
+  stage.draw(loops.hand, names().map((name, index) => ({ name: title(name), colour: colour(name), ...loops.seen(index) })));
   if (state.look === "live") {
-    const columns = LIVE;
-    const series = lanes.map(({ rows, gone, fled }, index) => ({ rows, columns, colour: colour(names()[index]), tame: !(gone > 0) && !fled }));
-    draw($("curves"), series, since - SEEN, since);
+    const series = loops.lanes.map(({ rows }, index) => ({ rows, columns: LIVE, colour: colour(names()[index]), tame: loops.tame(index) }));
+    draw($("curves"), series, loops.since - SEEN, loops.since);
   } else if (state.stale) {
     const series = names().map((name) => ({ rows: runs.get(name).rows, columns: RUN, colour: colour(name), tame: runs.get(name).verdict < 2 }));
     draw($("curves"), series, 0, state.tree.duration);
@@ -229,11 +129,11 @@ function update() {
     $("fault").textContent = error.message;
     return;
   }
-  regrasp();
+  const scene = toml(state.tree);
+  loops.take(names().map((name) => `${name}\n${scene}`), state.tree.servo_rate);
   cards();
   show(state.tree);
   state.stale = true;
-  const scene = toml(state.tree);
   map.show(state.tree, names());
   for (const button of $("why-of").children) {
     const name = names()[button.dataset.index];
@@ -310,10 +210,9 @@ function start(preset) {
   state.under = preset.shows ?? "none";
   look(preset.look);
   state.tree = preset.scene;
-  state.hand = REST;
-  place();
   update();
-  letGo();
+  loops.letGo();
+  place();
 }
 
 function open(name, text) {
@@ -327,7 +226,7 @@ function open(name, text) {
     state.tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
     look("run");
     update();
-    letGo();
+    loops.letGo();
     $("done").textContent = `${name} is open.`;
   } catch (error) {
     $("done").textContent = error.message;
@@ -337,14 +236,13 @@ function open(name, text) {
 // The hand.
 
 function place() {
-  const mm = state.hand * 1e3;
+  const mm = loops.hand * 1e3;
   const text = `${Math.abs(mm).toFixed(1)} mm ${mm > 0 ? "into" : "before"} the wall`;
   for (const [key, to] of [["aria-valuenow", mm.toFixed(1)], ["aria-valuetext", text]]) $("wall").setAttribute(key, to);
 }
 
 function reach(to) {
-  state.hand = Math.max(-0.02, Math.min(0.02, to));
-  state.touched = true;
+  loops.reach(to);
   $("tip").hidden = true;
   place();
 }
@@ -353,35 +251,41 @@ function hands() {
   const canvas = $("wall");
   let held = null;
   canvas.addEventListener("pointerdown", (event) => {
-    held = { x: event.clientX, hand: state.hand };
+    reach(loops.hand);
+    held = { x: event.clientX, hand: loops.hand };
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => held && reach(held.hand + stage.way(event.clientX - held.x)));
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
   canvas.addEventListener("keydown", (event) => {
     const by = event.shiftKey ? 0.002 : 0.0005;
-    const to = { ArrowRight: state.hand + by, ArrowUp: state.hand + by, ArrowLeft: state.hand - by, ArrowDown: state.hand - by, Home: -0.02, End: 0.02 }[event.key];
+    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: -0.02, End: 0.02 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
     reach(to);
   });
   $("again").addEventListener("click", () => {
-    reach(REST);
-    letGo();
+    loops.letGo();
+    place();
   });
 }
 
-async function begin(module, source) {
-  engine = await Engine.of(module);
-  words = engine.lines("verdicts");
-  stage = new Stage($("wall"));
-  worker = new Worker(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
-  worker.addEventListener("message", hear);
-  worker.postMessage({ module });
-  family = new Family($("members"), words);
-  map = new StabilityMap({ canvas: $("map"), x: $("map-x"), y: $("map-y"), under: $("map-under"), said: $("map-said") }, ask, (moves) =>
-    take(moves.reduce((tree, [slider, number]) => moved(tree, slider, number), state.tree)));
-  show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
+/** Everything that is drawn once is drawn again where its box or its colours change. */
+function redraws() {
+  new ResizeObserver(() => {
+    state.stale = true;
+    map.draw();
+    family.draw();
+  }).observe(document.body);
+  onScheme(() => {
+    state.stale = true;
+    map.renew(true);
+    family.draw();
+  });
+}
+
+/** The buttons of the loops, and the colours of the words. */
+function choices() {
   for (const [index, name] of ["no stabilizer", "POPC", "LOLC"].entries()) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
     button.dataset.index = index;
@@ -397,6 +301,21 @@ async function begin(module, source) {
     $("legend").append(it);
   }
   $("legend").append(Object.assign(document.createElement("li"), { className: "bound", textContent: "exact limit of the linear loop" }));
+}
+
+async function begin(module, source) {
+  engine = await Engine.of(module);
+  words = engine.lines("verdicts");
+  stage = new Stage($("wall"));
+  loops = new Loops(engine);
+  worker = new Worker(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
+  worker.addEventListener("message", hear);
+  worker.postMessage({ module });
+  family = new Family($("members"), words);
+  map = new StabilityMap({ canvas: $("map"), x: $("map-x"), y: $("map-y"), under: $("map-under"), said: $("map-said") }, ask, (moves) =>
+    take(moves.reduce((tree, [slider, number]) => moved(tree, slider, number), state.tree)));
+  show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
+  choices();
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => look(at));
   presets();
   hands();
@@ -406,25 +325,16 @@ async function begin(module, source) {
   if (shared) {
     $("said").textContent = "The scene of this address.";
     take(shared);
-    letGo();
+    loops.letGo();
   }
-  new ResizeObserver(() => {
-    state.stale = true;
-    map.draw();
-    family.draw();
-  }).observe(document.body);
-  onScheme(() => {
-    state.stale = true;
-    map.renew(true);
-    family.draw();
-  });
+  redraws();
   requestAnimationFrame((now) => {
     last = now;
     frame(now);
   });
   document.documentElement.dataset.ready = "yes";
   // What tests ask: the engine that everything above uses, and what it is asked about.
-  globalThis.lyapunov = { engine, state, lane, scene: () => toml(state.tree), cost: () => cost };
+  globalThis.lyapunov = { engine, state, loops, scene: () => toml(state.tree), cost: () => cost };
 }
 
 if (globalThis.document === undefined) work();
