@@ -58,3 +58,30 @@ ABSENT_MODE(fmi3EnterStepMode)
 ABSENT_MODE(fmi3EnterConfigurationMode)
 ABSENT_MODE(fmi3ExitConfigurationMode)
 ABSENT_MODE(fmi3EvaluateDiscreteStates)
+
+/* Units of the other kinds, which this one is not. */
+ABSENT(fmi3CompletedIntegratorStep, fmi3Boolean no_return, fmi3Boolean *event, fmi3Boolean *terminate)
+ABSENT(fmi3SetTime, fmi3Float64 time)
+ABSENT(fmi3SetContinuousStates, const fmi3Float64 states[], size_t count)
+ABSENT(fmi3GetContinuousStateDerivatives, fmi3Float64 derivatives[], size_t count)
+ABSENT(fmi3GetEventIndicators, fmi3Float64 indicators[], size_t count)
+ABSENT(fmi3GetContinuousStates, fmi3Float64 states[], size_t count)
+ABSENT(fmi3GetNominalsOfContinuousStates, fmi3Float64 nominals[], size_t count)
+ABSENT(fmi3GetNumberOfEventIndicators, size_t *count)
+ABSENT(fmi3GetNumberOfContinuousStates, size_t *count)
+ABSENT(fmi3ActivateModelPartition, fmi3ValueReference clock, fmi3Float64 time)
+ABSENT_MODE(fmi3EnterContinuousTimeMode)
+
+fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                          fmi3Boolean logging, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
+{
+    return NULL;
+}
+
+fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                               fmi3Boolean logging, fmi3InstanceEnvironment environment,
+                                               fmi3LogMessageCallback log, fmi3ClockUpdateCallback clock,
+                                               fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock)
+{
+    return NULL;
+}
