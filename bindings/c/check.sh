@@ -177,3 +177,5 @@ step "C equals Rust"
 gcc -O2 -std=c11 "${warnings[@]}" -Iinclude tests/c/equal.c $library -o "$out/equal"
 bytes_are_equal "$host_ticks"
 on_a_microcontroller
+# Those machines for which the library is built by now, or all of them.
+if [ "$long" = long ]; then tests/frames.sh long; else tests/frames.sh "$(uname -m)-linux" cortex-m0 cortex-m4f; fi

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Puts archives for programs without Rust into target/release-archives: release.sh [MACHINE...], all of them by default.
-# Machines: x86_64-linux aarch64-linux cortex-m0 cortex-m4f cortex-m7. What cannot be built here is SKIPPED, and the script fails at the end.
+# Puts archives for programs without Rust into target/release-archives: release.sh [--wheels FOLDER] [MACHINE...]
+# Machines: x86_64-linux aarch64-linux cortex-m0 cortex-m4f cortex-m7, all of them by default. FOLDER has wheels of the same version,
+# as `maturin build --release --out FOLDER` in bindings/python makes them. What cannot be built here is SKIPPED, and the
+# script ends with 3.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -40,25 +42,26 @@ library() {
         flags=(-- -C target-cpu=cortex-m7)
     fi
     if [ "$(rustc -vV | sed -n 's/^host: //p')" = "$triple" ]; then
-        cargo rustc --quiet --release --features library --crate-type staticlib,cdylib
+        cargo rustc --quiet --release --features library --crate-type staticlib,cdylib || return 1
         cp "$CARGO_TARGET_DIR/release/liblyapunov_c.a" "$2"
         return
     fi
     if ! [ -d "$(rustc --print sysroot)/lib/rustlib/$triple" ] && ! rustup target add "$triple" >/dev/null 2>&1; then
         echo "SKIPPED: $machine: the target $triple cannot be had here (rustup target add failed)"
-        return 1
+        return 3
     fi
-    cargo rustc --quiet --release --features library --crate-type staticlib --target "$triple" --target-dir "$folder" "${flags[@]}"
+    cargo rustc --quiet --release --features library --crate-type staticlib --target "$triple" --target-dir "$folder" "${flags[@]}" || return 1
     cp "$folder/$triple/release/liblyapunov_c.a" "$2"
 }
 
 archive() {
-    local name=lyapunov-$version-$1 made
+    local name=lyapunov-$version-$1 made code=0
     made=$(mktemp -d)
     mkdir -p "$made/$name/include" "$made/$name/lib/cmake/lyapunov" "$made/$name/lib/pkgconfig"
-    if ! library "$1" "$made/$name/lib/liblyapunov_c.a"; then
+    library "$1" "$made/$name/lib/liblyapunov_c.a" || code=$?
+    if [ $code != 0 ]; then
         rm -r "$made"
-        return 1
+        return $code
     fi
     cp include/lyapunov.h include/lyapunov.hpp "$made/$name/include"
     cp cmake/*.cmake "$made/$name/lib/cmake/lyapunov"
@@ -71,6 +74,11 @@ archive() {
     rm -r "$made"
 }
 
+wheels=
+if [ "${1:-}" = --wheels ]; then
+    wheels=$(realpath "${2:?--wheels needs a folder}")
+    shift 2
+fi
 one_version
 machines=("$@")
 [ $# -gt 0 ] || machines=(x86_64-linux aarch64-linux cortex-m0 cortex-m4f cortex-m7)
@@ -78,10 +86,17 @@ for machine in "${machines[@]}"; do triple "$machine" >/dev/null; done
 rm -rf "$out"
 mkdir -p "$out"
 for machine in "${machines[@]}"; do
-    archive "$machine" || skipped=1
+    code=0
+    archive "$machine" || code=$?
+    case $code in
+        0) ;;
+        3) skipped=3 ;;
+        *) echo "$machine: the archive was not made" >&2; exit 1 ;;
+    esac
 done
-# The wheels of the same version, where bindings/python/check.sh has built them.
-find "${LYAPUNOV_WHEELS:-../../target/wheels}" -name "*-$version-*.whl" -exec cp {} "$out" \; 2>/dev/null || true
-(cd "$out" && sha256sum -- *.tar.gz *.whl 2>/dev/null >SHA256SUMS || sha256sum -- *.tar.gz >SHA256SUMS)
+if [ -n "$wheels" ]; then
+    cp "$wheels"/*-"$version"-*.whl "$out" || { echo "$wheels has no wheel of version $version"; exit 1; }
+fi
+(cd "$out" && find . -type f ! -name SHA256SUMS -printf '%P\n' | sort | xargs sha256sum >SHA256SUMS)
 cat "$out/SHA256SUMS"
 exit $skipped
