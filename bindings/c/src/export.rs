@@ -49,10 +49,11 @@ macro_rules! block_on {
         pub mod $module {
             #![allow(unused_imports)]
             use super::*;
-            use $crate::kept::{Kind, Plain, Storage, Whole, WordOf, Words};
+            use $crate::kept::{Kind, Storage, Whole, Words};
             use $crate::port::{CorrectionForm, Port, SampleForm};
             use $crate::flat::Flat;
             use $crate::status::Status;
+            use $crate::blocks::lolc::$module as lolc;
             use $crate::export::{kept, verbs};
 
             /// The number.
@@ -62,6 +63,8 @@ macro_rules! block_on {
             /// The signal as C has it.
             pub type Form = <V as Port>::Form;
             type Word = <T as $crate::number::Number>::Word;
+            /// How many axes it has.
+            pub const AXES: usize = size_of::<Form>() / size_of::<T>();
 
             /// Parameters.
             #[derive(Clone, Copy, Debug)]
@@ -128,12 +131,11 @@ macro_rules! block_on {
             $(
                 // SAFETY: the fields of the value, and of the values in it, are numbers of the port and nothing else: the
                 // assertion below counts them, and a test under Miri reads every byte.
-                unsafe impl Plain for Block {}
+                unsafe impl $crate::kept::Plain for Block {}
 
                 const _: () = assert!(
                     size_of::<Value>()
-                        == ($numbers + $per_axis * (size_of::<Form>() / size_of::<T>()))
-                            * size_of::<T>()
+                        == ($numbers + $per_axis * AXES) * size_of::<T>()
                 );
             )?
 
@@ -230,27 +232,164 @@ macro_rules! verbs {
             }
         }
     };
+    (custom, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch
+            /// this storage. A value that is not finite rejects the sample.
+            fn step(storage: *mut Storage<Block>, sample: *const SampleForm<V>, effort: <V as Port>::Given, candidate: $crate::told::Candidate<V>, context: *mut core::ffi::c_void, correction: *mut CorrectionForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::called(storage, sample, effort, (candidate, context), correction, |body, value| body.candidate_mut().decrease = value) }
+            }
+        }
+    };
+    (storage, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage.
+            fn step(storage: *mut Storage<Block>, sample: *const SampleForm<V>, effort: <V as Port>::Given, energy: $crate::told::Energy<V>, context: *mut core::ffi::c_void, correction: *mut CorrectionForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::called(storage, sample, effort, (energy, context), correction, |body, value| body.candidate_mut().now = value) }
+            }
+        }
+    };
+    (observer, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// Books a sample; writes the observed energy, J. A decrease that is not finite is left out.
+            fn observe(storage: *mut Storage<Block>, sample: *const SampleForm<V>, energy: *mut T) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::watched::observe(storage, sample, energy) }
+            }
+        }
+    };
+    (meter, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// Adds a tick.
+            fn add(storage: *mut Storage<Block>, sample: *const SampleForm<V>, correction: *const CorrectionForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::watched::add(storage, sample, correction) }
+            }
+            /// Writes the energies up to now.
+            fn summary(storage: *const Storage<Block>, summary: *mut $crate::watched::SummaryForm<T>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::watched::summary(storage, summary) }
+            }
+        }
+    };
+    (reading, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of this tick's reading: the position now, and the effort that the motor applied since the last.
+            fn read(storage: *mut Storage<Block>, position: <V as Port>::Given, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [position, applied], checked, |body, [position, applied]| body.read(Reading { position, applied })) }
+            }
+            /// The sample of a tick without a reading.
+            fn missed(storage: *mut Storage<Block>, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| body.missed(applied)) }
+            }
+        }
+    };
+    (moving_reading, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last.
+            fn read_moving(storage: *mut Storage<Block>, position: <V as Port>::Given, velocity: <V as Port>::Given, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [position, velocity, applied], checked, |body, [position, velocity, applied]| body.read_moving(MovingReading { position, velocity, applied })) }
+            }
+            /// The sample of a tick without a reading.
+            fn missed_moving(storage: *mut Storage<Block>, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| body.missed_moving(applied)) }
+            }
+        }
+    };
+    (reading_at, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of the reading at the time `now`, s from any start.
+            fn read_at(storage: *mut Storage<Block>, now: f64, position: <V as Port>::Given, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [position, applied], checked, |body, [position, applied]| body.read_at(now, Reading { position, applied })) }
+            }
+            /// The sample of a tick without a reading at the time `now`, s.
+            fn missed_at(storage: *mut Storage<Block>, now: f64, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| body.missed_at(now, applied)) }
+            }
+        }
+    };
+    (moving_reading_at, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of the reading at the time `now`, s from any start.
+            fn read_moving_at(storage: *mut Storage<Block>, now: f64, position: <V as Port>::Given, velocity: <V as Port>::Given, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [position, velocity, applied], checked, |body, [position, velocity, applied]| body.read_moving_at(now, MovingReading { position, velocity, applied })) }
+            }
+            /// The sample of a tick without a reading at the time `now`, s.
+            fn missed_moving_at(storage: *mut Storage<Block>, now: f64, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| body.missed_moving_at(now, applied)) }
+            }
+        }
+    };
+    (place, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read.
+            fn restart(storage: *mut Storage<Block>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::change(storage, |body| body.restart()) }
+            }
+        }
+    };
+    (side, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised.
+            fn absorbed(storage: *const Storage<Block>) -> T {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::told_by(storage, |body| body.absorbed()) }
+            }
+            /// What the other side said it absorbed, J. Packets may come late, twice or not at all.
+            fn receive(storage: *mut Storage<Block>, energy: T) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::change(storage, |body| body.receive(energy)) }
+            }
+        }
+    };
+    (layer, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// What this side sent since the start, J, to be told the other; NaN if the storage is not initialised.
+            fn sent(storage: *const Storage<Block>) -> T {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::told_by(storage, |body| body.sent()) }
+            }
+            /// What the other side said it sent, J. Packets may come late, twice or not at all.
+            fn receive(storage: *mut Storage<Block>, energy: T) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::change(storage, |body| body.receive(energy)) }
+            }
+        }
+    };
     (account, $name:literal, $signal:literal) => {
+        use lyapunov::stabilizers::Account;
+
         $crate::export::exported! { $name, $signal, describe;
             /// The observed energy, J; NaN if the storage is not initialised.
             fn observed_energy(storage: *const Storage<Block>) -> T {
                 // SAFETY: as the caller says.
-                unsafe { $crate::verbs::observed_energy(storage) }
+                unsafe { $crate::verbs::told_by(storage, |body| Account::observed_energy(body)) }
             }
             /// Sets the observed energy to 0: credit is forfeited, a debt forgiven.
             fn reset(storage: *mut Storage<Block>) -> u32 {
                 // SAFETY: as the caller says.
-                unsafe { $crate::verbs::reset(storage) }
+                unsafe { $crate::verbs::change(storage, |body| Account::<T>::reset(body)) }
             }
             /// Adds as many joules of credit that were not absorbed.
             fn grant(storage: *mut Storage<Block>, energy: T) -> Status {
                 // SAFETY: as the caller says.
-                unsafe { $crate::verbs::grant(storage, energy) }
+                unsafe { $crate::verbs::ask(storage, |body| Account::<T>::grant(body, energy)) }
             }
             /// Adds a debt of as many joules.
             fn owe(storage: *mut Storage<Block>, debt: T) -> Status {
                 // SAFETY: as the caller says.
-                unsafe { $crate::verbs::owe(storage, debt) }
+                unsafe { $crate::verbs::ask(storage, |body| Account::<T>::owe(body, debt)) }
             }
         }
     };

@@ -94,7 +94,23 @@ impl<W: Word> Flat<W> for u64 {
     }
 }
 
-impl<W: Word, F: Flat<W> + Default> Flat<W> for Option<F> {
+/// A time, beside numbers of half its width.
+impl Flat<u32> for f64 {
+    const WORDS: usize = 2;
+
+    #[inline]
+    fn put(&self, out: &mut impl FnMut(u32)) {
+        self.to_bits().put(out);
+    }
+
+    #[inline]
+    fn take(from: &mut impl FnMut() -> u32) -> Self {
+        Self::from_bits(u64::take(from))
+    }
+}
+
+/// The value of none is 0.
+impl<W: Word, F: Flat<W>> Flat<W> for Option<F> {
     const WORDS: usize = 1 + F::WORDS;
 
     #[inline]

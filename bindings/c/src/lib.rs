@@ -24,6 +24,9 @@ pub mod number;
 #[cfg(feature = "library")]
 mod panic;
 pub mod port;
+pub mod readings;
 pub mod status;
 pub mod status_text;
+pub mod told;
 pub mod verbs;
+pub mod watched;

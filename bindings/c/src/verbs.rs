@@ -1,7 +1,8 @@
 //! What the functions of C do, once for all blocks.
 
-use lyapunov::stabilizers::Account;
-use lyapunov::{Correction, Stabilizer};
+use core::ffi::c_void;
+
+use lyapunov::{Correction, Held, ParameterError, Scalar, Stabilizer, Work};
 
 use crate::abi::ABI;
 use crate::check;
@@ -9,6 +10,7 @@ use crate::kept::{Keep, Kind, NumberOf, Storage, WordOf};
 use crate::number::Word;
 use crate::port::{CorrectionForm, Port, SampleForm};
 use crate::status::{Code, Status};
+use crate::told::Candidate;
 
 /// The pointers that C hands over.
 ///
@@ -172,60 +174,87 @@ pub unsafe fn step<K: Kind<Body: Stabilizer<K::Port>>>(
     }
 }
 
-/// The observed energy, J; NaN of storage that is not initialised.
+/// What `tell` says of a block; NaN of storage that is not initialised.
 ///
 /// # Safety
 /// As [`init`].
-pub unsafe fn observed_energy<K: Kind<Body: Account<NumberOf<K>>>>(
+pub unsafe fn told_by<K: Kind>(
     storage: *const Storage<K>,
+    tell: impl FnOnce(&mut K::Body) -> NumberOf<K>,
 ) -> NumberOf<K> {
     // SAFETY: as the caller says.
     let kept = unsafe { copy(storage) };
-    let energy = kept.and_then(|mut kept| kept.lend(|body| body.observed_energy()));
-    energy.unwrap_or(lyapunov::Scalar::of(f64::NAN))
+    kept.and_then(|mut kept| kept.lend(tell)).unwrap_or(Scalar::of(f64::NAN))
 }
 
-/// The observed energy set to 0.
+/// A change of a block.
 ///
 /// # Safety
 /// As [`init`].
-pub unsafe fn reset<K: Kind<Body: Account<NumberOf<K>>>>(storage: *mut Storage<K>) -> u32 {
+pub unsafe fn change<K: Kind>(storage: *mut Storage<K>, change: impl FnOnce(&mut K::Body)) -> u32 {
     // SAFETY: as the caller says.
-    let done = unsafe { open(storage) }.and_then(|it| it.kept.lend(|body| body.reset()));
+    let done = unsafe { open(storage) }.and_then(|it| it.kept.lend(change));
     done.err().unwrap_or(Code::Ok) as u32
 }
 
-/// Credit that was not absorbed.
+/// A change that a block may refuse.
 ///
 /// # Safety
 /// As [`init`].
-pub unsafe fn grant<K: Kind<Body: Account<NumberOf<K>>>>(
+pub unsafe fn ask<K: Kind>(
     storage: *mut Storage<K>,
-    energy: NumberOf<K>,
+    change: impl FnOnce(&mut K::Body) -> Result<(), ParameterError>,
 ) -> Status {
     // SAFETY: as the caller says.
-    let done = unsafe { open(storage) }.and_then(|it| it.kept.lend(|body| body.grant(energy)));
-    told(done)
-}
-
-/// A debt carried over.
-///
-/// # Safety
-/// As [`init`].
-pub unsafe fn owe<K: Kind<Body: Account<NumberOf<K>>>>(
-    storage: *mut Storage<K>,
-    debt: NumberOf<K>,
-) -> Status {
-    // SAFETY: as the caller says.
-    let done = unsafe { open(storage) }.and_then(|it| it.kept.lend(|body| body.owe(debt)));
-    told(done)
-}
-
-/// The status of a change that a block may refuse.
-pub(crate) fn told(done: Result<Result<(), lyapunov::ParameterError>, Code>) -> Status {
-    match done {
+    match unsafe { open(storage) }.and_then(|it| it.kept.lend(change)) {
         Ok(Ok(())) => Status::of(Code::Ok),
         Ok(Err(error)) => Status::refused(Code::Parameter, error),
         Err(code) => Status::of(code),
     }
+}
+
+/// One tick of a stabilizer whose candidate is a function of C; `tell` hands its value to the block.
+///
+/// # Safety
+/// As [`init`]; `function` can be called with `context` and a sample.
+#[inline(always)]
+pub unsafe fn called<K: Kind<Body: Stabilizer<K::Port>>>(
+    storage: *mut Storage<K>,
+    sample: *const SampleForm<K::Port>,
+    effort: <K::Port as Port>::Given,
+    (function, context): (Candidate<K::Port>, *mut c_void),
+    correction: *mut CorrectionForm<K::Port>,
+    tell: impl FnOnce(&mut K::Body, NumberOf<K>),
+) -> u32 {
+    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; nothing of the
+    // storage is lent while the function of the caller runs.
+    let value = unsafe {
+        open(storage).and_then(|_| {
+            check::pointer(sample)?;
+            let seen = <Held as Work>::sample(&sample.read().sample(), no_effort::<K::Port>());
+            let function = function.ok_or(Code::Null)?;
+            Ok(function(context, &SampleForm::of(&seen)))
+        })
+    };
+    match value {
+        // SAFETY: as the caller says.
+        Ok(value) => unsafe {
+            tick(storage, sample, effort, correction, |body, sample, effort| {
+                tell(body, value);
+                body.stabilize(&sample.sample(), effort)
+            })
+        },
+        Err(code) => {
+            if check::pointer(correction).is_ok() {
+                // SAFETY: checked, and a variable by the caller's word.
+                unsafe { correction.write(CorrectionForm::refused(code)) };
+            }
+            code as u32
+        }
+    }
+}
+
+/// No effort: held work does not ask for it.
+pub(crate) fn no_effort<V: Port>() -> V {
+    V::splat(Scalar::of(0.0))
 }

@@ -1,12 +1,13 @@
 //! What is remembered from reading to reading.
 
 use super::{CheckedSample, Reading, Track, one_and_a_half};
-use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Memory<V: Signal> {
-    known: <V::Scalar as Scalar>::Mask,
+    /// Where a position is known is a 1, elsewhere a 0: numbers alone have no padding, and every pattern of bits is one.
+    known: V::Scalar,
     position: V,
     /// Time since the last accepted reading, s; 0 unless some were rejected.
     gap: V::Scalar,
@@ -67,23 +68,29 @@ impl<V: Signal> Heard<V> {
 
 impl<V: Signal> Memory<V> {
     pub(super) fn empty() -> Self {
-        let (known, zero) = (Mask::of(false), V::zero());
-        Self { known, position: zero, gap: V::Scalar::of(0.0), least: zero, most: zero }
+        let (none, zero) = (V::Scalar::of(0.0), V::zero());
+        Self { known: none, position: zero, gap: none, least: zero, most: zero }
     }
 
     pub(super) fn position(&self) -> V {
         self.position
     }
 
+    /// Where a position is known.
+    #[inline(always)]
+    fn known(&self) -> <V::Scalar as Scalar>::Mask {
+        self.known.above(V::Scalar::of(0.5))
+    }
+
     pub(super) fn restart(&mut self) {
-        self.known = Mask::of(false);
+        self.known = V::Scalar::of(0.0);
         self.gap = V::Scalar::of(0.0);
     }
 
     /// The position of `place` on a `track`, and the track with it.
     #[inline(always)]
     pub(super) fn lead<P: Track<V>>(&self, track: P, place: P::Place) -> (V, P) {
-        track.lead(place, self.position, self.known)
+        track.lead(place, self.position, self.known())
     }
 
     /// Looks at a reading `elapsed` seconds after the last, of a device that moves no faster than `fastest`.
@@ -104,14 +111,15 @@ impl<V: Signal> Memory<V> {
         let span = self.gap + elapsed;
         let late = span.above(one_and_a_half(period));
         let moved = reading.position - self.position;
-        let displacement = V::choose(self.known, moved, V::zero());
+        let known = self.known();
+        let displacement = V::choose(known, moved, V::zero());
         // Over less than a period a count of the encoder would be a speed.
         let far = P::too_far(fastest, displacement, span.larger(period));
         let here = reading.position.finite();
         let jumped = here & (far | !displacement.finite());
         let work = least.times(displacement).zip(most.times(displacement), Scalar::smaller);
         let accepted = here & told & !jumped & work.finite();
-        let first = accepted & !self.known;
+        let first = accepted & !known;
         Heard {
             elapsed,
             span,
@@ -133,9 +141,10 @@ impl<V: Signal> Memory<V> {
     pub(super) fn close(&mut self, heard: Heard<V>, velocity: V, timed: bool) -> CheckedSample<V> {
         let Heard { accepted, applied, .. } = heard;
         let zero = V::Scalar::of(0.0);
-        self.known = self.known | accepted;
+        let known = self.known() | accepted;
+        self.known = V::Scalar::choose(known, V::Scalar::of(1.0), zero);
         self.position = V::choose(accepted, heard.position, self.position);
-        self.gap = V::Scalar::choose(accepted | !self.known, zero, heard.span);
+        self.gap = V::Scalar::choose(accepted | !known, zero, heard.span);
         self.least = V::choose(accepted, applied, heard.least);
         self.most = V::choose(accepted, applied, heard.most);
         let sample = PortSample {
@@ -150,14 +159,11 @@ impl<V: Signal> Memory<V> {
     }
 }
 
-/// Where a position is known is a 1, elsewhere a 0: masks cannot be stored.
 impl<V: Signal> Snapshot for Memory<V> {
     type State = (V::Scalar, V, V::Scalar, V, V);
 
     fn state(&self) -> Self::State {
-        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        let known = V::Scalar::choose(self.known, one, zero);
-        (known, self.position, self.gap, self.least, self.most)
+        (self.known, self.position, self.gap, self.least, self.most)
     }
 
     fn restored(
@@ -169,6 +175,7 @@ impl<V: Signal> Snapshot for Memory<V> {
         Requirement::Finite.check_axes("stored effort", least)?;
         Requirement::Finite.check_axes("stored effort", most)?;
         let known = known.above(V::Scalar::of(0.5));
+        let known = V::Scalar::choose(known, V::Scalar::of(1.0), V::Scalar::of(0.0));
         Ok(Self { known, position, gap, least, most })
     }
 }

@@ -8,7 +8,10 @@ use nalgebra::SVector;
 
 use crate::number::Number;
 use crate::port::{AxesForm, CorrectionForm, Port, SampleForm, ScrewForm};
+use crate::readings::CheckedForm;
 use crate::status::Status;
+use crate::told::Candidate;
+use crate::watched::SummaryForm;
 
 /// Type with a name in C.
 pub trait CType {
@@ -102,6 +105,24 @@ impl<V: Port + Suffix> CType for SampleForm<V> {
 impl<V: Port + Suffix> CType for CorrectionForm<V> {
     fn name() -> String {
         format!("lyapunov_correction_{}", V::suffix())
+    }
+}
+
+impl<V: Port + Suffix> CType for CheckedForm<V> {
+    fn name() -> String {
+        format!("lyapunov_checked_sample_{}", V::suffix())
+    }
+}
+
+impl<T: Suffix> CType for SummaryForm<T> {
+    fn name() -> String {
+        format!("lyapunov_energy_summary_{}", T::suffix())
+    }
+}
+
+impl<V: Port + Suffix> CType for Candidate<V> {
+    fn name() -> String {
+        format!("lyapunov_candidate_{}", V::suffix())
     }
 }
 

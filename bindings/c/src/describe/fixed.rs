@@ -12,7 +12,10 @@ use super::c_type::{Named, Suffix};
 use super::{CType, Field, Header};
 use crate::abi::ABI;
 use crate::port::{AxesForm, CorrectionForm, Port, SampleForm, ScrewForm};
+use crate::readings::CheckedForm;
 use crate::status::{CODES, Status};
+use crate::told::Candidate;
+use crate::watched::SummaryForm;
 
 macro_rules! field {
     ($struct:ty, $field:ident, $type:ty, $about:literal) => {
@@ -117,11 +120,43 @@ fn status(header: &mut Header) {
 fn signals<T: Named>(header: &mut Header) {
     axes::<T, 3>(header);
     axes::<T, 6>(header);
+    summary::<T>(header);
     let fields = [
         field!(ScrewForm<T>, translation, [T; 3], "The part of translation: m/s, m, N, or J."),
         field!(ScrewForm<T>, rotation, [T; 3], "The part of rotation: rad/s, rad, N.m, or J."),
     ];
     header.fields(&ScrewForm::<T>::name(), size_of::<ScrewForm<T>>(), &fields);
+}
+
+fn summary<T: Named>(header: &mut Header) {
+    let fields = [
+        field!(SummaryForm<T>, ticks, u64, "Number of ticks."),
+        field!(SummaryForm<T>, active, T, "Number of ticks with an injected damping above 0."),
+        field!(SummaryForm<T>, rejected, T, "Number of ticks whose sample was not accepted."),
+        field!(SummaryForm<T>, now, T, "The observed energy now, J."),
+        field!(
+            SummaryForm<T>,
+            least,
+            T,
+            "The least observed energy so far, J; below 0 it is the largest debt."
+        ),
+        field!(SummaryForm<T>, most, T, "The most observed energy so far, J."),
+        field!(
+            SummaryForm<T>,
+            injected,
+            T,
+            "Energy that the injected damping was meant to dissipate, J."
+        ),
+        field!(
+            SummaryForm<T>,
+            absorbed,
+            T,
+            "Energy that flowed through the port into the environment, J; below 0 the port gave energy away."
+        ),
+        field!(SummaryForm<T>, shortfall, T, "The shortfall now, J."),
+        field!(SummaryForm<T>, largest_shortfall, T, "The largest shortfall so far, J."),
+    ];
+    header.fields(&SummaryForm::<T>::name(), size_of::<SummaryForm<T>>(), &fields);
 }
 
 fn axes<T: Named, const N: usize>(header: &mut Header) {
@@ -175,6 +210,31 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
         field!(Out<V>, code, u32, "What the call returned."),
     ];
     header.fields(&Out::<V>::name(), size_of::<Out<V>>(), &fields);
-    let bytes = format!("{} {}", Sample::<V>::name(), size_of::<V::Form>());
-    let _ = writeln!(header.table, "{bytes}");
+    type Checked<V> = CheckedForm<V>;
+    let fields = [
+        field!(
+            Checked<V>,
+            sample,
+            SampleForm<V>,
+            "The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still, and its work is NaN, so that a stabilizer rejects it."
+        ),
+        field!(Checked<V>, accepted, u32, "1 if the reading was accepted, else 0."),
+        field!(
+            Checked<V>,
+            jumped,
+            u32,
+            "1 if the position was farther away than the fastest motion leads."
+        ),
+        field!(Checked<V>, late, u32, "1 if a tick was missed since the last accepted reading."),
+        field!(Checked<V>, timed, u32, "1 if the time could be used; always 1 at a fixed period."),
+    ];
+    header.fields(&Checked::<V>::name(), size_of::<Checked<V>>(), &fields);
+    let (number, candidate) = (V::Scalar::name(), Candidate::<V>::name());
+    let sample = <*const SampleForm<V>>::name();
+    let declared = format!("typedef {number} (*{candidate})(void *context, {sample}sample);");
+    let _ = writeln!(
+        header.text,
+        "/* Function of yours that a step calls, see lolc_custom and lolc_storage. */\n{declared}"
+    );
+    let _ = writeln!(header.table, "{declared}");
 }

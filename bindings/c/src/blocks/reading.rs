@@ -1,0 +1,104 @@
+//! Readings of a device: what is read in, samples out.
+
+use lyapunov::readings::{Clocked, Differenced, LowPassed, Measured, Windowed};
+use lyapunov::{MovingReading, ParameterError, Reading, Readings};
+
+use crate::export::blocks;
+use crate::port::Port;
+use crate::readings::CheckedForm;
+
+/// The longest window of velocities, ticks.
+const WINDOW: usize = 16;
+
+/// The readings that all the others are made of.
+fn every<V: Port>(period: V::Scalar, fastest: V::Scalar) -> Result<Readings<V>, ParameterError> {
+    Readings::every(period)?.no_faster_than(fastest)
+}
+
+blocks! {
+    /// Readings at a fixed period (Readings::every), with velocities by differences: the memory of a port. The first reading
+    /// displaces nothing, one that is NaN or jumps is rejected, the next spans the gap.
+    readings on every = {
+        "readings";
+        Readings<V>, whole 4 + 3;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion, m/s; infinity: no limit.
+            fastest: T,
+        };
+        |given| every::<V>(given.period, given.fastest);
+        [life reading place]
+    }
+    /// Readings at a fixed period, with velocities that the device measures (Readings::measured).
+    readings_measured on every = {
+        "readings_measured";
+        Readings<V, Measured>, whole 4 + 3;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion, m/s; infinity: no limit.
+            fastest: T,
+        };
+        |given| Ok(every::<V>(given.period, given.fastest)?.measured());
+        [life moving_reading place]
+    }
+    /// Readings at a fixed period, with velocities through a low pass (Readings::low_passed).
+    readings_low_passed on axes = {
+        "readings_low_passed";
+        Readings<V, LowPassed<V>>, words;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion, m/s; infinity: no limit.
+            fastest: T,
+            /// Cutoff of the low pass, Hz.
+            cutoff: T,
+        };
+        |given| every::<V>(given.period, given.fastest)?.low_passed(given.cutoff);
+        [life reading place]
+    }
+    /// Readings at a fixed period, with velocities over up to 16 readings (Readings::windowed).
+    readings_windowed on axes = {
+        "readings_windowed";
+        Readings<V, Windowed<V, WINDOW>>, words;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion, m/s; infinity: no limit.
+            fastest: T,
+            /// How many readings, 1 to 16.
+            ticks: u32,
+            /// How far they may lie from a line, m: a count of the encoder, or the noise.
+            band: T,
+        };
+        |given| every::<V>(given.period, given.fastest)?.windowed(given.ticks as usize, given.band);
+        [life reading place]
+    }
+    /// Readings at the times of a clock (Readings::clocked), with velocities by differences.
+    readings_clocked on axes = {
+        "readings_clocked";
+        Readings<V, Differenced, Clocked>, words;
+        {
+            /// The period that is meant, s.
+            period: T,
+            /// The fastest motion, m/s; infinity: no limit.
+            fastest: T,
+        };
+        |given| Ok(every::<V>(given.period, given.fastest)?.clocked());
+        [life reading_at place]
+    }
+    /// Readings at the times of a clock, with velocities that the device measures.
+    readings_measured_clocked on axes = {
+        "readings_measured_clocked";
+        Readings<V, Measured, Clocked>, words;
+        {
+            /// The period that is meant, s.
+            period: T,
+            /// The fastest motion, m/s; infinity: no limit.
+            fastest: T,
+        };
+        |given| Ok(every::<V>(given.period, given.fastest)?.measured().clocked());
+        [life moving_reading_at place]
+    }
+}

@@ -1,0 +1,59 @@
+//! Sides of a teleoperator: each end of a channel has one.
+
+use lyapunov::stabilizers::{DriftCompensated, Sharing, TwoLayer, TwoPortSide};
+
+use crate::export::blocks;
+use crate::limits::limit;
+
+blocks! {
+    /// Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came.
+    two_port_side on every = {
+        "two_port_side";
+        TwoPortSide<V>, whole 5 + 1;
+        {
+            /// Largest damping, N.s/m.
+            damping_limit: T,
+        };
+        |given| Ok(TwoPortSide::new(limit(given.damping_limit)?));
+        [life stabilizer account side]
+    }
+    /// Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated).
+    drift_compensated on every = {
+        "drift_compensated";
+        DriftCompensated<TwoPortSide<V>, V>, whole 7 + 2;
+        {
+            /// Largest mobility, m/(N.s).
+            mobility_limit: T,
+            /// The largest speed of compensation on each axis, m/s; infinity: no limit.
+            speed: T,
+            /// The impedance that compensation meets, N.s/m; 0 if it is not known.
+            impedance: T,
+        };
+        |given| {
+            let side = TwoPortSide::new(limit(given.mobility_limit)?);
+            DriftCompensated::new(side, given.speed)?.meeting(given.impedance)
+        };
+        [life stabilizer account side]
+    }
+    /// Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give `receive` what came. A slave has a
+    /// level and a gain of 0.
+    two_layer on every = {
+        "two_layer";
+        TwoLayer<T>, whole 7 + 0;
+        {
+            /// Energy at the start, J.
+            start: T,
+            /// The share of the tank that is sent on every tick, 0 to 1.
+            share: T,
+            /// The level that the master fills its tank to, J.
+            level: T,
+            /// The gain of the damper that fills it, N.s/(m.J).
+            gain: T,
+        };
+        |given| {
+            let sharing = Sharing { start: given.start, share: given.share };
+            TwoLayer::master(sharing, given.level, given.gain)
+        };
+        [life stabilizer account layer]
+    }
+}

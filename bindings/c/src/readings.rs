@@ -1,0 +1,90 @@
+//! Readings in C: what a device tells, and the sample that becomes of it.
+
+use lyapunov::{CheckedSample, Signal};
+
+use crate::check;
+use crate::kept::{Keep, Kind, Storage};
+use crate::port::{Port, SampleForm};
+use crate::status::Code;
+use crate::verbs::open;
+
+/// Sample of a reading, and what was found in it; in C `lyapunov_checked_sample_f64` and kin.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct CheckedForm<V: Port> {
+    /// The sample, for your controller and a stabilizer.
+    pub sample: SampleForm<V>,
+    /// 1 if the reading was accepted.
+    pub accepted: u32,
+    /// 1 if the position was farther away than the fastest motion leads.
+    pub jumped: u32,
+    /// 1 if a tick was missed since the last accepted reading.
+    pub late: u32,
+    /// 1 if the time could be used.
+    pub timed: u32,
+}
+
+impl<V: Port> CheckedForm<V> {
+    /// The form of a checked sample.
+    #[inline(always)]
+    pub fn of(checked: &CheckedSample<V>) -> Self {
+        Self {
+            sample: SampleForm::of(&checked.sample),
+            accepted: u32::from(checked.accepted),
+            jumped: u32::from(checked.jumped),
+            late: u32::from(checked.late),
+            timed: u32::from(checked.timed),
+        }
+    }
+
+    /// The form of a call that did nothing: a sample that every stabilizer rejects.
+    fn refused() -> Self {
+        let (nothing, none) = (V::splat(lyapunov::Scalar::of(f64::NAN)), lyapunov::Scalar::of(0.0));
+        let zero = V::splat(none).form();
+        let sample = SampleForm {
+            period: none,
+            position: zero,
+            velocity: zero,
+            displacement: zero,
+            applied: zero,
+            work: nothing.form(),
+        };
+        Self { sample, accepted: 0, jumped: 0, late: 0, timed: 0 }
+    }
+}
+
+/// A reading through `read`; each of `given` is read first.
+///
+/// # Safety
+/// As [`init`](crate::verbs::init).
+#[inline(always)]
+pub unsafe fn read<K: Kind, const N: usize>(
+    storage: *mut Storage<K>,
+    given: [<K::Port as Port>::Given; N],
+    checked: *mut CheckedForm<K::Port>,
+    read: impl FnOnce(&mut K::Body, [K::Port; N]) -> CheckedSample<K::Port>,
+) -> u32 {
+    if let Err(code) = check::pointer(checked) {
+        return code as u32;
+    }
+    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; all are read
+    // before the storage is lent.
+    let done = unsafe {
+        let mut signals = [K::Port::splat(lyapunov::Scalar::of(0.0)); N];
+        let mut told = Ok(());
+        for (signal, given) in signals.iter_mut().zip(given) {
+            match K::Port::given(given) {
+                Ok(form) => *signal = K::Port::of(form),
+                Err(code) => told = Err(code),
+            }
+        }
+        told.and_then(|()| open(storage)?.kept.lend(|body| read(body, signals)))
+    };
+    let (told, code) = match &done {
+        Ok(sample) => (CheckedForm::of(sample), Code::Ok),
+        Err(code) => (CheckedForm::refused(), *code),
+    };
+    // SAFETY: checked above.
+    unsafe { checked.write(told) };
+    code as u32
+}
