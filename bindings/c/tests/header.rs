@@ -77,6 +77,13 @@ fn the_header_is_that_of_the_functions() {
     checked_in("include/lyapunov.h", &text);
 }
 
+#[test]
+fn the_classes_are_those_of_the_functions() {
+    let frame = include_str!("../src/describe/frame.hpp");
+    let text = frame.replace("// The classes, generated.\n", &Header::whole().classes());
+    checked_in("include/lyapunov.hpp", &text);
+}
+
 /// A line that differs or is gone breaks programs that are compiled already; a line that is new does not.
 #[test]
 fn the_binary_interface_changes_with_its_version() {

@@ -3,9 +3,11 @@
 //! Names, types, sizes and offsets are those of the compiled functions: a declaration cannot differ from its definition.
 
 mod c_type;
+mod cpp;
 mod fixed;
 
 pub use c_type::CType;
+pub use cpp::Function;
 
 use std::fmt::Write;
 use std::format;
@@ -21,8 +23,10 @@ pub struct Header {
     pub text: String,
     /// A line for each size, offset and function.
     pub table: String,
-    /// The names of all functions.
-    pub functions: Vec<String>,
+    /// All functions.
+    pub described: Vec<Function>,
+    /// The names of all blocks, and what they are.
+    pub blocks: Vec<(String, String)>,
 }
 
 /// Field of a struct.
@@ -68,6 +72,10 @@ impl Header {
     pub fn block(&mut self, name: &str, about: &[&str]) {
         let _ = writeln!(self.text);
         self.comment("", &[&[name, ":"].concat(), &about.join(" ")]);
+        let about: Vec<_> = about.iter().map(|line| line.trim()).collect();
+        if name.starts_with("lyapunov_") {
+            self.blocks.push((name.into(), about.join(" ")));
+        }
     }
 
     /// A function.
@@ -85,7 +93,13 @@ impl Header {
         let declared = format!("{returned}{}{name}({list})", gap(&returned));
         let _ = writeln!(self.text, "LYAPUNOV_API {declared};");
         let _ = writeln!(self.table, "{declared}");
-        self.functions.push(name.into());
+        let about: Vec<_> = about.iter().map(|line| line.trim()).collect();
+        self.described.push(Function {
+            name: name.into(),
+            about: about.join(" "),
+            returned,
+            arguments: arguments.iter().map(|(name, c)| ((*name).into(), c.clone())).collect(),
+        });
         if name.ends_with("_init_abi") {
             let short = name.trim_end_matches("_abi");
             let _ = writeln!(

@@ -1,0 +1,7939 @@
+// Stabilizers for sampled control loops, for C++17. Generated: edit src/describe/frame.hpp, or the functions themselves.
+//
+// A header around lyapunov.h: value types, without exceptions, allocation or virtual functions. Names are those of the
+// library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
+// View of them: an array, std::array, a signal, or an Eigen vector.
+//
+// SPDX-License-Identifier: MIT OR Apache-2.0
+#ifndef LYAPUNOV_HPP
+#define LYAPUNOV_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "lyapunov.h"
+
+namespace lyapunov {
+
+namespace detail {
+
+template <class T, std::size_t N> struct axes_of;
+template <> struct axes_of<float, 3> { using type = lyapunov_f32x3; };
+template <> struct axes_of<float, 6> { using type = lyapunov_f32x6; };
+template <> struct axes_of<double, 3> { using type = lyapunov_f64x3; };
+template <> struct axes_of<double, 6> { using type = lyapunov_f64x6; };
+template <class T> struct screw_of;
+template <> struct screw_of<float> { using type = lyapunov_f32screw; };
+template <> struct screw_of<double> { using type = lyapunov_f64screw; };
+
+} // namespace detail
+
+// Several axes.
+template <class T, std::size_t N> using Axes = typename detail::axes_of<T, N>::type;
+
+// Twist or wrench: translation, rotation.
+template <class T> using Screw = typename detail::screw_of<T>::type;
+
+// What became of a call.
+enum class Code : lyapunov_code {
+    Ok = LYAPUNOV_OK,
+    Null = LYAPUNOV_NULL,
+    Misaligned = LYAPUNOV_MISALIGNED,
+    NotInitialised = LYAPUNOV_NOT_INITIALISED,
+    OtherAbi = LYAPUNOV_OTHER_ABI,
+    Parameter = LYAPUNOV_PARAMETER,
+    Memory = LYAPUNOV_MEMORY
+};
+
+// What became of a call that may be refused; true if it was done.
+class Status {
+public:
+    explicit Status(const lyapunov_status &status) noexcept : status_(status) {}
+    explicit operator bool() const noexcept { return status_.code == LYAPUNOV_OK; }
+    Code code() const noexcept { return static_cast<Code>(status_.code); }
+    // The parameter, its value and what would be right, closed by a zero.
+    std::array<char, 192> text() const noexcept
+    {
+        std::array<char, 192> text{};
+        lyapunov_status_text(&status_, text.data(), text.size());
+        return text;
+    }
+
+private:
+    lyapunov_status status_;
+};
+
+// N numbers that somebody else keeps.
+template <class T, std::size_t N> class View {
+public:
+    View(const T (&numbers)[N]) noexcept : numbers_(numbers) {}
+    View(const std::array<T, N> &numbers) noexcept : numbers_(numbers.data()) {}
+    View(const Axes<T, N> &axes) noexcept : numbers_(axes.axis) {}
+    // A twist or wrench is three numbers of translation and three of rotation, one after another.
+    template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
+    View(const Screw<T> &screw) noexcept : numbers_(reinterpret_cast<const T *>(&screw)) {}
+    // Whatever has its size in its type as Eigen has it, and data() of its own: a vector, not an expression.
+    template <class Vector, std::size_t Size = static_cast<std::size_t>(Vector::SizeAtCompileTime),
+              class = decltype(std::declval<const Vector &>().data())>
+    View(const Vector &vector) noexcept : numbers_(vector.data())
+    {
+        static_assert(Size == N, "a vector with as many numbers as the signal");
+        static_assert(std::is_same<typename Vector::Scalar, T>::value, "a vector of the signal's number");
+    }
+    const T *data() const noexcept { return numbers_; }
+    static constexpr std::size_t size() noexcept { return N; }
+    const T *begin() const noexcept { return numbers_; }
+    const T *end() const noexcept { return numbers_ + N; }
+    const T &operator[](std::size_t at) const noexcept { return numbers_[at]; }
+
+private:
+    const T *numbers_;
+};
+
+namespace detail {
+
+template <class Form, class T, std::size_t N> Form form(View<T, N> view) noexcept
+{
+    static_assert(sizeof(Form) == N * sizeof(T), "as many numbers");
+    Form form;
+    std::memcpy(&form, view.data(), sizeof form);
+    return form;
+}
+
+template <class Function> void *address(Function &function) noexcept
+{
+    return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
+}
+
+template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
+{
+    return (*static_cast<Function *>(function))(*sample);
+}
+
+template <class Signal> struct of;
+template <> struct of<float> { using Number = float; using Sample = lyapunov_sample_f32; };
+template <> struct of<double> { using Number = double; using Sample = lyapunov_sample_f64; };
+template <> struct of<lyapunov_f32x3> { using Number = float; using Sample = lyapunov_sample_f32x3; };
+template <> struct of<lyapunov_f64x3> { using Number = double; using Sample = lyapunov_sample_f64x3; };
+template <> struct of<lyapunov_f32x6> { using Number = float; using Sample = lyapunov_sample_f32x6; };
+template <> struct of<lyapunov_f64x6> { using Number = double; using Sample = lyapunov_sample_f64x6; };
+template <> struct of<lyapunov_f32screw> { using Number = float; using Sample = lyapunov_sample_f32screw; };
+template <> struct of<lyapunov_f64screw> { using Number = double; using Sample = lyapunov_sample_f64screw; };
+
+} // namespace detail
+
+// A signal of the numbers in a view.
+template <class Signal, class T, std::size_t N> Signal signal(View<T, N> view) noexcept
+{
+    return detail::form<Signal>(view);
+}
+
+template <class Signal> using Number = typename detail::of<Signal>::Number;
+
+// What the other side of a port did since the last call.
+template <class Signal> using PortSample = typename detail::of<Signal>::Sample;
+
+// One period under one held effort, of which sample() makes a PortSample with its work.
+template <class Signal> struct HeldTick {
+    Number<Signal> period{};
+    Signal position{};
+    Signal velocity{};
+    Signal displacement{};
+    Signal applied{};
+
+    PortSample<Signal> sample() const noexcept
+    {
+        constexpr std::size_t count = sizeof(Signal) / sizeof(Number<Signal>);
+        std::array<Number<Signal>, count> moved{}, force{};
+        std::memcpy(moved.data(), &displacement, sizeof displacement);
+        std::memcpy(force.data(), &applied, sizeof applied);
+        for (std::size_t at = 0; at < count; ++at) {
+            force[at] *= moved[at];
+        }
+        PortSample<Signal> sample{period, position, velocity, displacement, applied, Signal{}};
+        std::memcpy(&sample.work, force.data(), sizeof sample.work);
+        return sample;
+    }
+};
+
+// Largest damping that a stabilizer may inject, N.s/m.
+template <class T> struct DampingLimit {
+    T most{};
+
+    // The limit cap * mass / period, for an effort that acts `late` ticks late.
+    Status of_mass(T cap, T mass, T period, std::uint32_t late = 0) noexcept
+    {
+        if constexpr (std::is_same<T, float>::value) {
+            return Status(lyapunov_damping_limit_f32_of_mass(cap, mass, period, late, &most));
+        } else {
+            return Status(lyapunov_damping_limit_f64_of_mass(cap, mass, period, late, &most));
+        }
+    }
+
+    // The limit of a mobility, cap / (stiffness * period), m/(N.s).
+    Status of_stiffness(T cap, T stiffness, T period, std::uint32_t late = 0) noexcept
+    {
+        if constexpr (std::is_same<T, float>::value) {
+            return Status(lyapunov_damping_limit_f32_of_stiffness(cap, stiffness, period, late, &most));
+        } else {
+            return Status(lyapunov_damping_limit_f64_of_stiffness(cap, stiffness, period, late, &most));
+        }
+    }
+};
+
+#ifdef EIGEN_WORLD_VERSION
+// The axes as a vector of Eigen that reads the same memory; Eigen is included before this header.
+template <class Form> auto eigen(const Form &axes) noexcept
+{
+    using T = Number<Form>;
+    return Eigen::Map<const Eigen::Matrix<T, static_cast<int>(sizeof(Form) / sizeof(T)), 1>>(
+        View<T, sizeof(Form) / sizeof(T)>(axes).data());
+}
+#endif
+
+/* Readings at a fixed period (Readings::every), with velocities by differences: the memory of a port. The first reading displaces nothing, one that is NaN or jumps is rejected, the next spans the gap. */
+template <class Signal> class Readings;
+
+template <> class Readings<float> {
+public:
+    using Parameters = lyapunov_readings_f32_parameters;
+    using Memory = lyapunov_readings_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f32_memory save() const noexcept { lyapunov_readings_f32_memory memory{}; lyapunov_readings_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f32_memory &memory) noexcept { return Status(lyapunov_readings_f32_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_f32_missed(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f32 storage{};
+};
+
+template <> class Readings<double> {
+public:
+    using Parameters = lyapunov_readings_f64_parameters;
+    using Memory = lyapunov_readings_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f64_memory save() const noexcept { lyapunov_readings_f64_memory memory{}; lyapunov_readings_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f64_memory &memory) noexcept { return Status(lyapunov_readings_f64_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_f64_missed(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f64 storage{};
+};
+
+template <> class Readings<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_readings_f32x3_parameters;
+    using Memory = lyapunov_readings_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f32x3_memory save() const noexcept { lyapunov_readings_f32x3_memory memory{}; lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_f32x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f32x3 storage{};
+};
+
+template <> class Readings<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_readings_f64x3_parameters;
+    using Memory = lyapunov_readings_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f64x3_memory save() const noexcept { lyapunov_readings_f64x3_memory memory{}; lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_f64x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f64x3 storage{};
+};
+
+template <> class Readings<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_readings_f32x6_parameters;
+    using Memory = lyapunov_readings_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f32x6_memory save() const noexcept { lyapunov_readings_f32x6_memory memory{}; lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_f32x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f32x6 storage{};
+};
+
+template <> class Readings<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_readings_f64x6_parameters;
+    using Memory = lyapunov_readings_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f64x6_memory save() const noexcept { lyapunov_readings_f64x6_memory memory{}; lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_f64x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f64x6 storage{};
+};
+
+template <> class Readings<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_f32screw_parameters;
+    using Memory = lyapunov_readings_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f32screw_memory save() const noexcept { lyapunov_readings_f32screw_memory memory{}; lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_f32screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f32screw storage{};
+};
+
+template <> class Readings<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_f64screw_parameters;
+    using Memory = lyapunov_readings_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_f64screw_memory save() const noexcept { lyapunov_readings_f64screw_memory memory{}; lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_f64screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
+    lyapunov_readings_f64screw storage{};
+};
+
+/* Readings at a fixed period, with velocities that the device measures (Readings::measured). */
+template <class Signal> class ReadingsMeasured;
+
+template <> class ReadingsMeasured<float> {
+public:
+    using Parameters = lyapunov_readings_measured_f32_parameters;
+    using Memory = lyapunov_readings_measured_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f32_memory save() const noexcept { lyapunov_readings_measured_f32_memory memory{}; lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32 missed_moving(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_f32_missed_moving(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f32 storage{};
+};
+
+template <> class ReadingsMeasured<double> {
+public:
+    using Parameters = lyapunov_readings_measured_f64_parameters;
+    using Memory = lyapunov_readings_measured_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f64_memory save() const noexcept { lyapunov_readings_measured_f64_memory memory{}; lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64 missed_moving(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_f64_missed_moving(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f64 storage{};
+};
+
+template <> class ReadingsMeasured<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_readings_measured_f32x3_parameters;
+    using Memory = lyapunov_readings_measured_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f32x3_memory save() const noexcept { lyapunov_readings_measured_f32x3_memory memory{}; lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x3 missed_moving(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_f32x3_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f32x3 storage{};
+};
+
+template <> class ReadingsMeasured<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_readings_measured_f64x3_parameters;
+    using Memory = lyapunov_readings_measured_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f64x3_memory save() const noexcept { lyapunov_readings_measured_f64x3_memory memory{}; lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x3 missed_moving(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_f64x3_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f64x3 storage{};
+};
+
+template <> class ReadingsMeasured<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_readings_measured_f32x6_parameters;
+    using Memory = lyapunov_readings_measured_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f32x6_memory save() const noexcept { lyapunov_readings_measured_f32x6_memory memory{}; lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x6 missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_f32x6_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f32x6 storage{};
+};
+
+template <> class ReadingsMeasured<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_readings_measured_f64x6_parameters;
+    using Memory = lyapunov_readings_measured_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f64x6_memory save() const noexcept { lyapunov_readings_measured_f64x6_memory memory{}; lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x6 missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_f64x6_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f64x6 storage{};
+};
+
+template <> class ReadingsMeasured<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_measured_f32screw_parameters;
+    using Memory = lyapunov_readings_measured_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f32screw_memory save() const noexcept { lyapunov_readings_measured_f32screw_memory memory{}; lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f32screw storage{};
+};
+
+template <> class ReadingsMeasured<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_measured_f64screw_parameters;
+    using Memory = lyapunov_readings_measured_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_f64screw_memory save() const noexcept { lyapunov_readings_measured_f64screw_memory memory{}; lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_f64screw storage{};
+};
+
+/* Readings at a fixed period, with velocities through a low pass (Readings::low_passed). */
+template <class Signal> class ReadingsLowPassed;
+
+template <> class ReadingsLowPassed<float> {
+public:
+    using Parameters = lyapunov_readings_low_passed_f32_parameters;
+    using Memory = lyapunov_readings_low_passed_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_low_passed_f32_memory save() const noexcept { lyapunov_readings_low_passed_f32_memory memory{}; lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_low_passed_f32_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_low_passed_f32_missed(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_low_passed_f32 storage{};
+};
+
+template <> class ReadingsLowPassed<double> {
+public:
+    using Parameters = lyapunov_readings_low_passed_f64_parameters;
+    using Memory = lyapunov_readings_low_passed_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_low_passed_f64_memory save() const noexcept { lyapunov_readings_low_passed_f64_memory memory{}; lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_low_passed_f64_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_low_passed_f64_missed(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_low_passed_f64 storage{};
+};
+
+template <> class ReadingsLowPassed<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_readings_low_passed_f32x3_parameters;
+    using Memory = lyapunov_readings_low_passed_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_low_passed_f32x3_memory save() const noexcept { lyapunov_readings_low_passed_f32x3_memory memory{}; lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_low_passed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_low_passed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_low_passed_f32x3 storage{};
+};
+
+template <> class ReadingsLowPassed<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_readings_low_passed_f64x3_parameters;
+    using Memory = lyapunov_readings_low_passed_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_low_passed_f64x3_memory save() const noexcept { lyapunov_readings_low_passed_f64x3_memory memory{}; lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_low_passed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_low_passed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_low_passed_f64x3 storage{};
+};
+
+template <> class ReadingsLowPassed<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_readings_low_passed_f32x6_parameters;
+    using Memory = lyapunov_readings_low_passed_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_low_passed_f32x6_memory save() const noexcept { lyapunov_readings_low_passed_f32x6_memory memory{}; lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_low_passed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_low_passed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_low_passed_f32x6 storage{};
+};
+
+template <> class ReadingsLowPassed<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_readings_low_passed_f64x6_parameters;
+    using Memory = lyapunov_readings_low_passed_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_low_passed_f64x6_memory save() const noexcept { lyapunov_readings_low_passed_f64x6_memory memory{}; lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_low_passed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_low_passed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_low_passed_f64x6 storage{};
+};
+
+/* Readings at a fixed period, with velocities over up to 16 readings (Readings::windowed). */
+template <class Signal> class ReadingsWindowed;
+
+template <> class ReadingsWindowed<float> {
+public:
+    using Parameters = lyapunov_readings_windowed_f32_parameters;
+    using Memory = lyapunov_readings_windowed_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_windowed_f32_memory save() const noexcept { lyapunov_readings_windowed_f32_memory memory{}; lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_windowed_f32_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_windowed_f32_missed(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_windowed_f32 storage{};
+};
+
+template <> class ReadingsWindowed<double> {
+public:
+    using Parameters = lyapunov_readings_windowed_f64_parameters;
+    using Memory = lyapunov_readings_windowed_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_windowed_f64_memory save() const noexcept { lyapunov_readings_windowed_f64_memory memory{}; lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_windowed_f64_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_windowed_f64_missed(&storage, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_windowed_f64 storage{};
+};
+
+template <> class ReadingsWindowed<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_readings_windowed_f32x3_parameters;
+    using Memory = lyapunov_readings_windowed_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_windowed_f32x3_memory save() const noexcept { lyapunov_readings_windowed_f32x3_memory memory{}; lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_windowed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_windowed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_windowed_f32x3 storage{};
+};
+
+template <> class ReadingsWindowed<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_readings_windowed_f64x3_parameters;
+    using Memory = lyapunov_readings_windowed_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_windowed_f64x3_memory save() const noexcept { lyapunov_readings_windowed_f64x3_memory memory{}; lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_windowed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x3_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_windowed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_windowed_f64x3 storage{};
+};
+
+template <> class ReadingsWindowed<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_readings_windowed_f32x6_parameters;
+    using Memory = lyapunov_readings_windowed_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_windowed_f32x6_memory save() const noexcept { lyapunov_readings_windowed_f32x6_memory memory{}; lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_windowed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_windowed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_windowed_f32x6 storage{};
+};
+
+template <> class ReadingsWindowed<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_readings_windowed_f64x6_parameters;
+    using Memory = lyapunov_readings_windowed_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_windowed_f64x6_memory save() const noexcept { lyapunov_readings_windowed_f64x6_memory memory{}; lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_windowed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x6_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_windowed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_windowed_f64x6 storage{};
+};
+
+/* Readings at the times of a clock (Readings::clocked), with velocities by differences. */
+template <class Signal> class ReadingsClocked;
+
+template <> class ReadingsClocked<float> {
+public:
+    using Parameters = lyapunov_readings_clocked_f32_parameters;
+    using Memory = lyapunov_readings_clocked_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_clocked_f32_memory save() const noexcept { lyapunov_readings_clocked_f32_memory memory{}; lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32 missed_at(double now, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_clocked_f32_missed_at(&storage, now, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_clocked_f32 storage{};
+};
+
+template <> class ReadingsClocked<double> {
+public:
+    using Parameters = lyapunov_readings_clocked_f64_parameters;
+    using Memory = lyapunov_readings_clocked_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_clocked_f64_memory save() const noexcept { lyapunov_readings_clocked_f64_memory memory{}; lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64 missed_at(double now, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_clocked_f64_missed_at(&storage, now, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_clocked_f64 storage{};
+};
+
+template <> class ReadingsClocked<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_readings_clocked_f32x3_parameters;
+    using Memory = lyapunov_readings_clocked_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_clocked_f32x3_memory save() const noexcept { lyapunov_readings_clocked_f32x3_memory memory{}; lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x3_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32x3 missed_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_clocked_f32x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_clocked_f32x3 storage{};
+};
+
+template <> class ReadingsClocked<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_readings_clocked_f64x3_parameters;
+    using Memory = lyapunov_readings_clocked_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_clocked_f64x3_memory save() const noexcept { lyapunov_readings_clocked_f64x3_memory memory{}; lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x3_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64x3 missed_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_clocked_f64x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_clocked_f64x3 storage{};
+};
+
+template <> class ReadingsClocked<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_readings_clocked_f32x6_parameters;
+    using Memory = lyapunov_readings_clocked_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_clocked_f32x6_memory save() const noexcept { lyapunov_readings_clocked_f32x6_memory memory{}; lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x6_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32x6 missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_clocked_f32x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_clocked_f32x6 storage{};
+};
+
+template <> class ReadingsClocked<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_readings_clocked_f64x6_parameters;
+    using Memory = lyapunov_readings_clocked_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_clocked_f64x6_memory save() const noexcept { lyapunov_readings_clocked_f64x6_memory memory{}; lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x6_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64x6 missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_clocked_f64x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_clocked_f64x6 storage{};
+};
+
+/* Readings at the times of a clock, with velocities that the device measures. */
+template <class Signal> class ReadingsMeasuredClocked;
+
+template <> class ReadingsMeasuredClocked<float> {
+public:
+    using Parameters = lyapunov_readings_measured_clocked_f32_parameters;
+    using Memory = lyapunov_readings_measured_clocked_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_clocked_f32_memory save() const noexcept { lyapunov_readings_measured_clocked_f32_memory memory{}; lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32 missed_moving_at(double now, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_clocked_f32_missed_moving_at(&storage, now, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_clocked_f32 storage{};
+};
+
+template <> class ReadingsMeasuredClocked<double> {
+public:
+    using Parameters = lyapunov_readings_measured_clocked_f64_parameters;
+    using Memory = lyapunov_readings_measured_clocked_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_clocked_f64_memory save() const noexcept { lyapunov_readings_measured_clocked_f64_memory memory{}; lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64 missed_moving_at(double now, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_clocked_f64_missed_moving_at(&storage, now, applied, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_clocked_f64 storage{};
+};
+
+template <> class ReadingsMeasuredClocked<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_readings_measured_clocked_f32x3_parameters;
+    using Memory = lyapunov_readings_measured_clocked_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { lyapunov_readings_measured_clocked_f32x3_memory memory{}; lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32x3 missed_moving_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_clocked_f32x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_clocked_f32x3 storage{};
+};
+
+template <> class ReadingsMeasuredClocked<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_readings_measured_clocked_f64x3_parameters;
+    using Memory = lyapunov_readings_measured_clocked_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { lyapunov_readings_measured_clocked_f64x3_memory memory{}; lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64x3 missed_moving_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_clocked_f64x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x3_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_clocked_f64x3 storage{};
+};
+
+template <> class ReadingsMeasuredClocked<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_readings_measured_clocked_f32x6_parameters;
+    using Memory = lyapunov_readings_measured_clocked_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { lyapunov_readings_measured_clocked_f32x6_memory memory{}; lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32x6 missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_clocked_f32x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_clocked_f32x6 storage{};
+};
+
+template <> class ReadingsMeasuredClocked<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_readings_measured_clocked_f64x6_parameters;
+    using Memory = lyapunov_readings_measured_clocked_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { lyapunov_readings_measured_clocked_f64x6_memory memory{}; lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_measured_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64x6 missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_clocked_f64x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x6_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_measured_clocked_f64x6 storage{};
+};
+
+/* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. */
+template <class Signal> class Popc;
+
+template <> class Popc<float> {
+public:
+    using Parameters = lyapunov_popc_f32_parameters;
+    using Memory = lyapunov_popc_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f32_memory save() const noexcept { lyapunov_popc_f32_memory memory{}; lyapunov_popc_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f32_memory &memory) noexcept { return Status(lyapunov_popc_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_popc_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f32 storage{};
+};
+
+template <> class Popc<double> {
+public:
+    using Parameters = lyapunov_popc_f64_parameters;
+    using Memory = lyapunov_popc_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f64_memory save() const noexcept { lyapunov_popc_f64_memory memory{}; lyapunov_popc_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f64_memory &memory) noexcept { return Status(lyapunov_popc_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_popc_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f64 storage{};
+};
+
+template <> class Popc<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_popc_f32x3_parameters;
+    using Memory = lyapunov_popc_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f32x3_memory save() const noexcept { lyapunov_popc_f32x3_memory memory{}; lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f32x3_memory &memory) noexcept { return Status(lyapunov_popc_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_popc_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f32x3 storage{};
+};
+
+template <> class Popc<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_popc_f64x3_parameters;
+    using Memory = lyapunov_popc_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f64x3_memory save() const noexcept { lyapunov_popc_f64x3_memory memory{}; lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f64x3_memory &memory) noexcept { return Status(lyapunov_popc_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_popc_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f64x3 storage{};
+};
+
+template <> class Popc<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_popc_f32x6_parameters;
+    using Memory = lyapunov_popc_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f32x6_memory save() const noexcept { lyapunov_popc_f32x6_memory memory{}; lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f32x6_memory &memory) noexcept { return Status(lyapunov_popc_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_popc_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f32x6 storage{};
+};
+
+template <> class Popc<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_popc_f64x6_parameters;
+    using Memory = lyapunov_popc_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f64x6_memory save() const noexcept { lyapunov_popc_f64x6_memory memory{}; lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f64x6_memory &memory) noexcept { return Status(lyapunov_popc_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_popc_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f64x6 storage{};
+};
+
+template <> class Popc<Screw<float>> {
+public:
+    using Parameters = lyapunov_popc_f32screw_parameters;
+    using Memory = lyapunov_popc_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f32screw_memory save() const noexcept { lyapunov_popc_f32screw_memory memory{}; lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f32screw_memory &memory) noexcept { return Status(lyapunov_popc_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_popc_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f32screw storage{};
+};
+
+template <> class Popc<Screw<double>> {
+public:
+    using Parameters = lyapunov_popc_f64screw_parameters;
+    using Memory = lyapunov_popc_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_popc_f64screw_memory save() const noexcept { lyapunov_popc_f64screw_memory memory{}; lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_popc_f64screw_memory &memory) noexcept { return Status(lyapunov_popc_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_popc_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
+    lyapunov_popc_f64screw storage{};
+};
+
+/* Lyapunov observer/controller (Lolc) that credits what the device's own damper burns. */
+template <class Signal> class Lolc;
+
+template <> class Lolc<float> {
+public:
+    using Parameters = lyapunov_lolc_f32_parameters;
+    using Memory = lyapunov_lolc_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f32_memory save() const noexcept { lyapunov_lolc_f32_memory memory{}; lyapunov_lolc_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f32_memory &memory) noexcept { return Status(lyapunov_lolc_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f32 storage{};
+};
+
+template <> class Lolc<double> {
+public:
+    using Parameters = lyapunov_lolc_f64_parameters;
+    using Memory = lyapunov_lolc_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f64_memory save() const noexcept { lyapunov_lolc_f64_memory memory{}; lyapunov_lolc_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f64_memory &memory) noexcept { return Status(lyapunov_lolc_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f64 storage{};
+};
+
+template <> class Lolc<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_lolc_f32x3_parameters;
+    using Memory = lyapunov_lolc_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f32x3_memory save() const noexcept { lyapunov_lolc_f32x3_memory memory{}; lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f32x3 storage{};
+};
+
+template <> class Lolc<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_lolc_f64x3_parameters;
+    using Memory = lyapunov_lolc_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f64x3_memory save() const noexcept { lyapunov_lolc_f64x3_memory memory{}; lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f64x3 storage{};
+};
+
+template <> class Lolc<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_lolc_f32x6_parameters;
+    using Memory = lyapunov_lolc_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f32x6_memory save() const noexcept { lyapunov_lolc_f32x6_memory memory{}; lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f32x6 storage{};
+};
+
+template <> class Lolc<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_lolc_f64x6_parameters;
+    using Memory = lyapunov_lolc_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f64x6_memory save() const noexcept { lyapunov_lolc_f64x6_memory memory{}; lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f64x6 storage{};
+};
+
+template <> class Lolc<Screw<float>> {
+public:
+    using Parameters = lyapunov_lolc_f32screw_parameters;
+    using Memory = lyapunov_lolc_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f32screw_memory save() const noexcept { lyapunov_lolc_f32screw_memory memory{}; lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f32screw storage{};
+};
+
+template <> class Lolc<Screw<double>> {
+public:
+    using Parameters = lyapunov_lolc_f64screw_parameters;
+    using Memory = lyapunov_lolc_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_f64screw_memory save() const noexcept { lyapunov_lolc_f64screw_memory memory{}; lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
+    lyapunov_lolc_f64screw storage{};
+};
+
+/* LOLC whose candidate is a function of yours (Lolc with a LyapunovCandidate): it is handed to every step and gives the decrease over the sample, J, which is sample->work and what your candidate credits. Storage keeps neither function nor context. */
+template <class Signal> class LolcCustom;
+
+template <> class LolcCustom<float> {
+public:
+    using Parameters = lyapunov_lolc_custom_f32_parameters;
+    using Memory = lyapunov_lolc_custom_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f32_memory save() const noexcept { lyapunov_lolc_custom_f32_memory memory{}; lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f32_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_custom_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f32 storage{};
+};
+
+template <> class LolcCustom<double> {
+public:
+    using Parameters = lyapunov_lolc_custom_f64_parameters;
+    using Memory = lyapunov_lolc_custom_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f64_memory save() const noexcept { lyapunov_lolc_custom_f64_memory memory{}; lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f64_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_custom_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f64 storage{};
+};
+
+template <> class LolcCustom<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_lolc_custom_f32x3_parameters;
+    using Memory = lyapunov_lolc_custom_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f32x3_memory save() const noexcept { lyapunov_lolc_custom_f32x3_memory memory{}; lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x3_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_custom_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x3>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f32x3 storage{};
+};
+
+template <> class LolcCustom<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_lolc_custom_f64x3_parameters;
+    using Memory = lyapunov_lolc_custom_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f64x3_memory save() const noexcept { lyapunov_lolc_custom_f64x3_memory memory{}; lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x3_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_custom_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x3>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f64x3 storage{};
+};
+
+template <> class LolcCustom<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_lolc_custom_f32x6_parameters;
+    using Memory = lyapunov_lolc_custom_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f32x6_memory save() const noexcept { lyapunov_lolc_custom_f32x6_memory memory{}; lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x6_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_custom_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x6>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f32x6 storage{};
+};
+
+template <> class LolcCustom<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_lolc_custom_f64x6_parameters;
+    using Memory = lyapunov_lolc_custom_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f64x6_memory save() const noexcept { lyapunov_lolc_custom_f64x6_memory memory{}; lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x6_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_custom_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x6>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f64x6 storage{};
+};
+
+template <> class LolcCustom<Screw<float>> {
+public:
+    using Parameters = lyapunov_lolc_custom_f32screw_parameters;
+    using Memory = lyapunov_lolc_custom_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f32screw_memory save() const noexcept { lyapunov_lolc_custom_f32screw_memory memory{}; lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32screw_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_custom_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32screw>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f32screw storage{};
+};
+
+template <> class LolcCustom<Screw<double>> {
+public:
+    using Parameters = lyapunov_lolc_custom_f64screw_parameters;
+    using Memory = lyapunov_lolc_custom_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_custom_f64screw_memory save() const noexcept { lyapunov_lolc_custom_f64screw_memory memory{}; lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_custom_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64screw_restore(&storage, &memory)); }
+    /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
+    template <class Function>
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_custom_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64screw>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
+    lyapunov_lolc_custom_f64screw storage{};
+};
+
+/* LOLC whose candidate is a storage function of yours (Lolc with a StorageFunction): it is handed to every step and gives the energy V at the sample's position and velocity, J. */
+template <class Signal> class LolcStorage;
+
+template <> class LolcStorage<float> {
+public:
+    using Parameters = lyapunov_lolc_storage_f32_parameters;
+    using Memory = lyapunov_lolc_storage_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f32_memory save() const noexcept { lyapunov_lolc_storage_f32_memory memory{}; lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f32_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_storage_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f32 storage{};
+};
+
+template <> class LolcStorage<double> {
+public:
+    using Parameters = lyapunov_lolc_storage_f64_parameters;
+    using Memory = lyapunov_lolc_storage_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f64_memory save() const noexcept { lyapunov_lolc_storage_f64_memory memory{}; lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f64_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_storage_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f64 storage{};
+};
+
+template <> class LolcStorage<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_lolc_storage_f32x3_parameters;
+    using Memory = lyapunov_lolc_storage_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f32x3_memory save() const noexcept { lyapunov_lolc_storage_f32x3_memory memory{}; lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x3_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_storage_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x3>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f32x3 storage{};
+};
+
+template <> class LolcStorage<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_lolc_storage_f64x3_parameters;
+    using Memory = lyapunov_lolc_storage_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f64x3_memory save() const noexcept { lyapunov_lolc_storage_f64x3_memory memory{}; lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x3_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_storage_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x3>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f64x3 storage{};
+};
+
+template <> class LolcStorage<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_lolc_storage_f32x6_parameters;
+    using Memory = lyapunov_lolc_storage_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f32x6_memory save() const noexcept { lyapunov_lolc_storage_f32x6_memory memory{}; lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x6_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_storage_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x6>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f32x6 storage{};
+};
+
+template <> class LolcStorage<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_lolc_storage_f64x6_parameters;
+    using Memory = lyapunov_lolc_storage_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f64x6_memory save() const noexcept { lyapunov_lolc_storage_f64x6_memory memory{}; lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x6_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_storage_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x6>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f64x6 storage{};
+};
+
+template <> class LolcStorage<Screw<float>> {
+public:
+    using Parameters = lyapunov_lolc_storage_f32screw_parameters;
+    using Memory = lyapunov_lolc_storage_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f32screw_memory save() const noexcept { lyapunov_lolc_storage_f32screw_memory memory{}; lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32screw_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_storage_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32screw>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f32screw storage{};
+};
+
+template <> class LolcStorage<Screw<double>> {
+public:
+    using Parameters = lyapunov_lolc_storage_f64screw_parameters;
+    using Memory = lyapunov_lolc_storage_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_storage_f64screw_memory save() const noexcept { lyapunov_lolc_storage_f64screw_memory memory{}; lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_storage_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64screw_restore(&storage, &memory)); }
+    /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
+    template <class Function>
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_storage_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64screw>, detail::address(function), &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
+    lyapunov_lolc_storage_f64screw storage{};
+};
+
+/* LOLC with the credit of a wall's own damper while in contact (Dissipation::gated InContact): the paper's example 2. It can credit more than really burns; start with lolc. */
+template <class Signal> class LolcInContact;
+
+template <> class LolcInContact<float> {
+public:
+    using Parameters = lyapunov_lolc_in_contact_f32_parameters;
+    using Memory = lyapunov_lolc_in_contact_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_in_contact_f32_memory save() const noexcept { lyapunov_lolc_in_contact_f32_memory memory{}; lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_in_contact_f32_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_in_contact_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_in_contact_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_in_contact_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_in_contact_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcInContact &a, const LolcInContact &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcInContact &a, const LolcInContact &b) noexcept { return !(a == b); }
+    lyapunov_lolc_in_contact_f32 storage{};
+};
+
+template <> class LolcInContact<double> {
+public:
+    using Parameters = lyapunov_lolc_in_contact_f64_parameters;
+    using Memory = lyapunov_lolc_in_contact_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_in_contact_f64_memory save() const noexcept { lyapunov_lolc_in_contact_f64_memory memory{}; lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_in_contact_f64_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_in_contact_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_in_contact_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_in_contact_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_in_contact_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcInContact &a, const LolcInContact &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcInContact &a, const LolcInContact &b) noexcept { return !(a == b); }
+    lyapunov_lolc_in_contact_f64 storage{};
+};
+
+/* LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples. */
+template <class Signal> class LolcSampled;
+
+template <> class LolcSampled<float> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f32_parameters;
+    using Memory = lyapunov_lolc_sampled_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f32_memory save() const noexcept { lyapunov_lolc_sampled_f32_memory memory{}; lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f32_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f32 storage{};
+};
+
+template <> class LolcSampled<double> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f64_parameters;
+    using Memory = lyapunov_lolc_sampled_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f64_memory save() const noexcept { lyapunov_lolc_sampled_f64_memory memory{}; lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f64_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f64 storage{};
+};
+
+template <> class LolcSampled<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f32x3_parameters;
+    using Memory = lyapunov_lolc_sampled_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f32x3_memory save() const noexcept { lyapunov_lolc_sampled_f32x3_memory memory{}; lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f32x3 storage{};
+};
+
+template <> class LolcSampled<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f64x3_parameters;
+    using Memory = lyapunov_lolc_sampled_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f64x3_memory save() const noexcept { lyapunov_lolc_sampled_f64x3_memory memory{}; lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f64x3 storage{};
+};
+
+template <> class LolcSampled<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f32x6_parameters;
+    using Memory = lyapunov_lolc_sampled_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f32x6_memory save() const noexcept { lyapunov_lolc_sampled_f32x6_memory memory{}; lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f32x6 storage{};
+};
+
+template <> class LolcSampled<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f64x6_parameters;
+    using Memory = lyapunov_lolc_sampled_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f64x6_memory save() const noexcept { lyapunov_lolc_sampled_f64x6_memory memory{}; lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f64x6 storage{};
+};
+
+template <> class LolcSampled<Screw<float>> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f32screw_parameters;
+    using Memory = lyapunov_lolc_sampled_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f32screw_memory save() const noexcept { lyapunov_lolc_sampled_f32screw_memory memory{}; lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f32screw storage{};
+};
+
+template <> class LolcSampled<Screw<double>> {
+public:
+    using Parameters = lyapunov_lolc_sampled_f64screw_parameters;
+    using Memory = lyapunov_lolc_sampled_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_sampled_f64screw_memory save() const noexcept { lyapunov_lolc_sampled_f64screw_memory memory{}; lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_sampled_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
+    lyapunov_lolc_sampled_f64screw storage{};
+};
+
+/* LOLC with a compensated sum (Lolc::summed_in Compensated): in float too it keeps its digits for a year. */
+template <class Signal> class LolcCompensated;
+
+template <> class LolcCompensated<float> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f32_parameters;
+    using Memory = lyapunov_lolc_compensated_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f32_memory save() const noexcept { lyapunov_lolc_compensated_f32_memory memory{}; lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f32_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f32 storage{};
+};
+
+template <> class LolcCompensated<double> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f64_parameters;
+    using Memory = lyapunov_lolc_compensated_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f64_memory save() const noexcept { lyapunov_lolc_compensated_f64_memory memory{}; lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f64_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f64 storage{};
+};
+
+template <> class LolcCompensated<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f32x3_parameters;
+    using Memory = lyapunov_lolc_compensated_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f32x3_memory save() const noexcept { lyapunov_lolc_compensated_f32x3_memory memory{}; lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f32x3 storage{};
+};
+
+template <> class LolcCompensated<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f64x3_parameters;
+    using Memory = lyapunov_lolc_compensated_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f64x3_memory save() const noexcept { lyapunov_lolc_compensated_f64x3_memory memory{}; lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f64x3 storage{};
+};
+
+template <> class LolcCompensated<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f32x6_parameters;
+    using Memory = lyapunov_lolc_compensated_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f32x6_memory save() const noexcept { lyapunov_lolc_compensated_f32x6_memory memory{}; lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f32x6 storage{};
+};
+
+template <> class LolcCompensated<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f64x6_parameters;
+    using Memory = lyapunov_lolc_compensated_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f64x6_memory save() const noexcept { lyapunov_lolc_compensated_f64x6_memory memory{}; lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f64x6 storage{};
+};
+
+template <> class LolcCompensated<Screw<float>> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f32screw_parameters;
+    using Memory = lyapunov_lolc_compensated_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f32screw_memory save() const noexcept { lyapunov_lolc_compensated_f32screw_memory memory{}; lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f32screw storage{};
+};
+
+template <> class LolcCompensated<Screw<double>> {
+public:
+    using Parameters = lyapunov_lolc_compensated_f64screw_parameters;
+    using Memory = lyapunov_lolc_compensated_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_lolc_compensated_f64screw_memory save() const noexcept { lyapunov_lolc_compensated_f64screw_memory memory{}; lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_lolc_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
+    lyapunov_lolc_compensated_f64screw storage{};
+};
+
+/* LOLC that carries a bounded credit from tick to tick (BoundedCredit). */
+template <class Signal> class BoundedCredit;
+
+template <> class BoundedCredit<float> {
+public:
+    using Parameters = lyapunov_bounded_credit_f32_parameters;
+    using Memory = lyapunov_bounded_credit_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f32_memory save() const noexcept { lyapunov_bounded_credit_f32_memory memory{}; lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f32_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f32 storage{};
+};
+
+template <> class BoundedCredit<double> {
+public:
+    using Parameters = lyapunov_bounded_credit_f64_parameters;
+    using Memory = lyapunov_bounded_credit_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f64_memory save() const noexcept { lyapunov_bounded_credit_f64_memory memory{}; lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f64_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f64 storage{};
+};
+
+template <> class BoundedCredit<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_bounded_credit_f32x3_parameters;
+    using Memory = lyapunov_bounded_credit_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f32x3_memory save() const noexcept { lyapunov_bounded_credit_f32x3_memory memory{}; lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f32x3 storage{};
+};
+
+template <> class BoundedCredit<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_bounded_credit_f64x3_parameters;
+    using Memory = lyapunov_bounded_credit_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f64x3_memory save() const noexcept { lyapunov_bounded_credit_f64x3_memory memory{}; lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f64x3 storage{};
+};
+
+template <> class BoundedCredit<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_bounded_credit_f32x6_parameters;
+    using Memory = lyapunov_bounded_credit_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f32x6_memory save() const noexcept { lyapunov_bounded_credit_f32x6_memory memory{}; lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f32x6 storage{};
+};
+
+template <> class BoundedCredit<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_bounded_credit_f64x6_parameters;
+    using Memory = lyapunov_bounded_credit_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f64x6_memory save() const noexcept { lyapunov_bounded_credit_f64x6_memory memory{}; lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f64x6 storage{};
+};
+
+template <> class BoundedCredit<Screw<float>> {
+public:
+    using Parameters = lyapunov_bounded_credit_f32screw_parameters;
+    using Memory = lyapunov_bounded_credit_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f32screw_memory save() const noexcept { lyapunov_bounded_credit_f32screw_memory memory{}; lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f32screw storage{};
+};
+
+template <> class BoundedCredit<Screw<double>> {
+public:
+    using Parameters = lyapunov_bounded_credit_f64screw_parameters;
+    using Memory = lyapunov_bounded_credit_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_bounded_credit_f64screw_memory save() const noexcept { lyapunov_bounded_credit_f64screw_memory memory{}; lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_bounded_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
+    lyapunov_bounded_credit_f64screw storage{};
+};
+
+/* LOLC whose credit expires after a window of ticks, kept in 8 slots (WindowedCredit): it expires between 7 and 8 times `ticks` later. */
+template <class Signal> class WindowedCredit;
+
+template <> class WindowedCredit<float> {
+public:
+    using Parameters = lyapunov_windowed_credit_f32_parameters;
+    using Memory = lyapunov_windowed_credit_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f32_memory save() const noexcept { lyapunov_windowed_credit_f32_memory memory{}; lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f32_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f32 storage{};
+};
+
+template <> class WindowedCredit<double> {
+public:
+    using Parameters = lyapunov_windowed_credit_f64_parameters;
+    using Memory = lyapunov_windowed_credit_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f64_memory save() const noexcept { lyapunov_windowed_credit_f64_memory memory{}; lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f64_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f64 storage{};
+};
+
+template <> class WindowedCredit<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_windowed_credit_f32x3_parameters;
+    using Memory = lyapunov_windowed_credit_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f32x3_memory save() const noexcept { lyapunov_windowed_credit_f32x3_memory memory{}; lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f32x3 storage{};
+};
+
+template <> class WindowedCredit<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_windowed_credit_f64x3_parameters;
+    using Memory = lyapunov_windowed_credit_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f64x3_memory save() const noexcept { lyapunov_windowed_credit_f64x3_memory memory{}; lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f64x3 storage{};
+};
+
+template <> class WindowedCredit<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_windowed_credit_f32x6_parameters;
+    using Memory = lyapunov_windowed_credit_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f32x6_memory save() const noexcept { lyapunov_windowed_credit_f32x6_memory memory{}; lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f32x6 storage{};
+};
+
+template <> class WindowedCredit<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_windowed_credit_f64x6_parameters;
+    using Memory = lyapunov_windowed_credit_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f64x6_memory save() const noexcept { lyapunov_windowed_credit_f64x6_memory memory{}; lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f64x6 storage{};
+};
+
+template <> class WindowedCredit<Screw<float>> {
+public:
+    using Parameters = lyapunov_windowed_credit_f32screw_parameters;
+    using Memory = lyapunov_windowed_credit_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f32screw_memory save() const noexcept { lyapunov_windowed_credit_f32screw_memory memory{}; lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f32screw storage{};
+};
+
+template <> class WindowedCredit<Screw<double>> {
+public:
+    using Parameters = lyapunov_windowed_credit_f64screw_parameters;
+    using Memory = lyapunov_windowed_credit_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_windowed_credit_f64screw_memory save() const noexcept { lyapunov_windowed_credit_f64screw_memory memory{}; lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_windowed_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
+    lyapunov_windowed_credit_f64screw storage{};
+};
+
+/* LOLC that forfeits its credit whenever it comes into contact with a wall (ContactReset). */
+template <class Signal> class ContactReset;
+
+template <> class ContactReset<float> {
+public:
+    using Parameters = lyapunov_contact_reset_f32_parameters;
+    using Memory = lyapunov_contact_reset_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_contact_reset_f32_memory save() const noexcept { lyapunov_contact_reset_f32_memory memory{}; lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_contact_reset_f32_memory &memory) noexcept { return Status(lyapunov_contact_reset_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_contact_reset_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_contact_reset_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_contact_reset_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_contact_reset_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ContactReset &a, const ContactReset &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ContactReset &a, const ContactReset &b) noexcept { return !(a == b); }
+    lyapunov_contact_reset_f32 storage{};
+};
+
+template <> class ContactReset<double> {
+public:
+    using Parameters = lyapunov_contact_reset_f64_parameters;
+    using Memory = lyapunov_contact_reset_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_contact_reset_f64_memory save() const noexcept { lyapunov_contact_reset_f64_memory memory{}; lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_contact_reset_f64_memory &memory) noexcept { return Status(lyapunov_contact_reset_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_contact_reset_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_contact_reset_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_contact_reset_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_contact_reset_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ContactReset &a, const ContactReset &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ContactReset &a, const ContactReset &b) noexcept { return !(a == b); }
+    lyapunov_contact_reset_f64 storage{};
+};
+
+/* LOLC that corrects only from a velocity on (VelocityThreshold). */
+template <class Signal> class VelocityThreshold;
+
+template <> class VelocityThreshold<float> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f32_parameters;
+    using Memory = lyapunov_velocity_threshold_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f32_memory save() const noexcept { lyapunov_velocity_threshold_f32_memory memory{}; lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f32_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f32 storage{};
+};
+
+template <> class VelocityThreshold<double> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f64_parameters;
+    using Memory = lyapunov_velocity_threshold_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f64_memory save() const noexcept { lyapunov_velocity_threshold_f64_memory memory{}; lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f64_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f64 storage{};
+};
+
+template <> class VelocityThreshold<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f32x3_parameters;
+    using Memory = lyapunov_velocity_threshold_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f32x3_memory save() const noexcept { lyapunov_velocity_threshold_f32x3_memory memory{}; lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f32x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f32x3 storage{};
+};
+
+template <> class VelocityThreshold<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f64x3_parameters;
+    using Memory = lyapunov_velocity_threshold_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f64x3_memory save() const noexcept { lyapunov_velocity_threshold_f64x3_memory memory{}; lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f64x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f64x3 storage{};
+};
+
+template <> class VelocityThreshold<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f32x6_parameters;
+    using Memory = lyapunov_velocity_threshold_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f32x6_memory save() const noexcept { lyapunov_velocity_threshold_f32x6_memory memory{}; lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f32x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f32x6 storage{};
+};
+
+template <> class VelocityThreshold<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f64x6_parameters;
+    using Memory = lyapunov_velocity_threshold_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f64x6_memory save() const noexcept { lyapunov_velocity_threshold_f64x6_memory memory{}; lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f64x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f64x6 storage{};
+};
+
+template <> class VelocityThreshold<Screw<float>> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f32screw_parameters;
+    using Memory = lyapunov_velocity_threshold_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f32screw_memory save() const noexcept { lyapunov_velocity_threshold_f32screw_memory memory{}; lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f32screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f32screw storage{};
+};
+
+template <> class VelocityThreshold<Screw<double>> {
+public:
+    using Parameters = lyapunov_velocity_threshold_f64screw_parameters;
+    using Memory = lyapunov_velocity_threshold_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_velocity_threshold_f64screw_memory save() const noexcept { lyapunov_velocity_threshold_f64screw_memory memory{}; lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_velocity_threshold_f64screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
+    lyapunov_velocity_threshold_f64screw storage{};
+};
+
+/* LOLC that pays a debt in parts (Spread). */
+template <class Signal> class Spread;
+
+template <> class Spread<float> {
+public:
+    using Parameters = lyapunov_spread_f32_parameters;
+    using Memory = lyapunov_spread_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f32_memory save() const noexcept { lyapunov_spread_f32_memory memory{}; lyapunov_spread_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f32_memory &memory) noexcept { return Status(lyapunov_spread_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_spread_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f32 storage{};
+};
+
+template <> class Spread<double> {
+public:
+    using Parameters = lyapunov_spread_f64_parameters;
+    using Memory = lyapunov_spread_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f64_memory save() const noexcept { lyapunov_spread_f64_memory memory{}; lyapunov_spread_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f64_memory &memory) noexcept { return Status(lyapunov_spread_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_spread_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f64 storage{};
+};
+
+template <> class Spread<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_spread_f32x3_parameters;
+    using Memory = lyapunov_spread_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f32x3_memory save() const noexcept { lyapunov_spread_f32x3_memory memory{}; lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f32x3_memory &memory) noexcept { return Status(lyapunov_spread_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_spread_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f32x3 storage{};
+};
+
+template <> class Spread<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_spread_f64x3_parameters;
+    using Memory = lyapunov_spread_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f64x3_memory save() const noexcept { lyapunov_spread_f64x3_memory memory{}; lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f64x3_memory &memory) noexcept { return Status(lyapunov_spread_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_spread_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f64x3 storage{};
+};
+
+template <> class Spread<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_spread_f32x6_parameters;
+    using Memory = lyapunov_spread_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f32x6_memory save() const noexcept { lyapunov_spread_f32x6_memory memory{}; lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f32x6_memory &memory) noexcept { return Status(lyapunov_spread_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_spread_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f32x6 storage{};
+};
+
+template <> class Spread<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_spread_f64x6_parameters;
+    using Memory = lyapunov_spread_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f64x6_memory save() const noexcept { lyapunov_spread_f64x6_memory memory{}; lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f64x6_memory &memory) noexcept { return Status(lyapunov_spread_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_spread_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f64x6 storage{};
+};
+
+template <> class Spread<Screw<float>> {
+public:
+    using Parameters = lyapunov_spread_f32screw_parameters;
+    using Memory = lyapunov_spread_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f32screw_memory save() const noexcept { lyapunov_spread_f32screw_memory memory{}; lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f32screw_memory &memory) noexcept { return Status(lyapunov_spread_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_spread_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f32screw storage{};
+};
+
+template <> class Spread<Screw<double>> {
+public:
+    using Parameters = lyapunov_spread_f64screw_parameters;
+    using Memory = lyapunov_spread_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_spread_f64screw_memory save() const noexcept { lyapunov_spread_f64screw_memory memory{}; lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_spread_f64screw_memory &memory) noexcept { return Status(lyapunov_spread_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_spread_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
+    lyapunov_spread_f64screw storage{};
+};
+
+/* LOLC whose correction rises over the first ticks of each engagement (SoftStart). */
+template <class Signal> class SoftStart;
+
+template <> class SoftStart<float> {
+public:
+    using Parameters = lyapunov_soft_start_f32_parameters;
+    using Memory = lyapunov_soft_start_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f32_memory save() const noexcept { lyapunov_soft_start_f32_memory memory{}; lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f32_memory &memory) noexcept { return Status(lyapunov_soft_start_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_soft_start_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f32 storage{};
+};
+
+template <> class SoftStart<double> {
+public:
+    using Parameters = lyapunov_soft_start_f64_parameters;
+    using Memory = lyapunov_soft_start_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f64_memory save() const noexcept { lyapunov_soft_start_f64_memory memory{}; lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f64_memory &memory) noexcept { return Status(lyapunov_soft_start_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_soft_start_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f64 storage{};
+};
+
+template <> class SoftStart<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_soft_start_f32x3_parameters;
+    using Memory = lyapunov_soft_start_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f32x3_memory save() const noexcept { lyapunov_soft_start_f32x3_memory memory{}; lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f32x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_soft_start_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f32x3 storage{};
+};
+
+template <> class SoftStart<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_soft_start_f64x3_parameters;
+    using Memory = lyapunov_soft_start_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f64x3_memory save() const noexcept { lyapunov_soft_start_f64x3_memory memory{}; lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f64x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_soft_start_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f64x3 storage{};
+};
+
+template <> class SoftStart<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_soft_start_f32x6_parameters;
+    using Memory = lyapunov_soft_start_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f32x6_memory save() const noexcept { lyapunov_soft_start_f32x6_memory memory{}; lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f32x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_soft_start_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f32x6 storage{};
+};
+
+template <> class SoftStart<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_soft_start_f64x6_parameters;
+    using Memory = lyapunov_soft_start_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f64x6_memory save() const noexcept { lyapunov_soft_start_f64x6_memory memory{}; lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f64x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_soft_start_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f64x6 storage{};
+};
+
+template <> class SoftStart<Screw<float>> {
+public:
+    using Parameters = lyapunov_soft_start_f32screw_parameters;
+    using Memory = lyapunov_soft_start_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f32screw_memory save() const noexcept { lyapunov_soft_start_f32screw_memory memory{}; lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f32screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_soft_start_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f32screw storage{};
+};
+
+template <> class SoftStart<Screw<double>> {
+public:
+    using Parameters = lyapunov_soft_start_f64screw_parameters;
+    using Memory = lyapunov_soft_start_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_soft_start_f64screw_memory save() const noexcept { lyapunov_soft_start_f64screw_memory memory{}; lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_soft_start_f64screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_soft_start_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
+    lyapunov_soft_start_f64screw storage{};
+};
+
+/* LOLC whose correction grows no faster than a rate (RateLimit). */
+template <class Signal> class RateLimit;
+
+template <> class RateLimit<float> {
+public:
+    using Parameters = lyapunov_rate_limit_f32_parameters;
+    using Memory = lyapunov_rate_limit_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f32_memory save() const noexcept { lyapunov_rate_limit_f32_memory memory{}; lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f32_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_rate_limit_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f32 storage{};
+};
+
+template <> class RateLimit<double> {
+public:
+    using Parameters = lyapunov_rate_limit_f64_parameters;
+    using Memory = lyapunov_rate_limit_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f64_memory save() const noexcept { lyapunov_rate_limit_f64_memory memory{}; lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f64_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_rate_limit_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f64 storage{};
+};
+
+template <> class RateLimit<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_rate_limit_f32x3_parameters;
+    using Memory = lyapunov_rate_limit_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f32x3_memory save() const noexcept { lyapunov_rate_limit_f32x3_memory memory{}; lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_rate_limit_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f32x3 storage{};
+};
+
+template <> class RateLimit<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_rate_limit_f64x3_parameters;
+    using Memory = lyapunov_rate_limit_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f64x3_memory save() const noexcept { lyapunov_rate_limit_f64x3_memory memory{}; lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_rate_limit_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f64x3 storage{};
+};
+
+template <> class RateLimit<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_rate_limit_f32x6_parameters;
+    using Memory = lyapunov_rate_limit_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f32x6_memory save() const noexcept { lyapunov_rate_limit_f32x6_memory memory{}; lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_rate_limit_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f32x6 storage{};
+};
+
+template <> class RateLimit<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_rate_limit_f64x6_parameters;
+    using Memory = lyapunov_rate_limit_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f64x6_memory save() const noexcept { lyapunov_rate_limit_f64x6_memory memory{}; lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_rate_limit_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f64x6 storage{};
+};
+
+template <> class RateLimit<Screw<float>> {
+public:
+    using Parameters = lyapunov_rate_limit_f32screw_parameters;
+    using Memory = lyapunov_rate_limit_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f32screw_memory save() const noexcept { lyapunov_rate_limit_f32screw_memory memory{}; lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f32screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_rate_limit_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f32screw storage{};
+};
+
+template <> class RateLimit<Screw<double>> {
+public:
+    using Parameters = lyapunov_rate_limit_f64screw_parameters;
+    using Memory = lyapunov_rate_limit_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_rate_limit_f64screw_memory save() const noexcept { lyapunov_rate_limit_f64screw_memory memory{}; lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_rate_limit_f64screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_rate_limit_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
+    lyapunov_rate_limit_f64screw storage{};
+};
+
+/* LOLC that dissipates on some axes more than on others (DirectedDamping with AxisWeights). */
+template <class Signal> class AxisWeights;
+
+template <> class AxisWeights<float> {
+public:
+    using Parameters = lyapunov_axis_weights_f32_parameters;
+    using Memory = lyapunov_axis_weights_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f32_memory save() const noexcept { lyapunov_axis_weights_f32_memory memory{}; lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f32_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_axis_weights_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f32 storage{};
+};
+
+template <> class AxisWeights<double> {
+public:
+    using Parameters = lyapunov_axis_weights_f64_parameters;
+    using Memory = lyapunov_axis_weights_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f64_memory save() const noexcept { lyapunov_axis_weights_f64_memory memory{}; lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f64_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_axis_weights_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f64 storage{};
+};
+
+template <> class AxisWeights<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_axis_weights_f32x3_parameters;
+    using Memory = lyapunov_axis_weights_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f32x3_memory save() const noexcept { lyapunov_axis_weights_f32x3_memory memory{}; lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f32x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_axis_weights_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f32x3 storage{};
+};
+
+template <> class AxisWeights<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_axis_weights_f64x3_parameters;
+    using Memory = lyapunov_axis_weights_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f64x3_memory save() const noexcept { lyapunov_axis_weights_f64x3_memory memory{}; lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f64x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_axis_weights_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f64x3 storage{};
+};
+
+template <> class AxisWeights<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_axis_weights_f32x6_parameters;
+    using Memory = lyapunov_axis_weights_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f32x6_memory save() const noexcept { lyapunov_axis_weights_f32x6_memory memory{}; lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f32x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_axis_weights_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f32x6 storage{};
+};
+
+template <> class AxisWeights<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_axis_weights_f64x6_parameters;
+    using Memory = lyapunov_axis_weights_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f64x6_memory save() const noexcept { lyapunov_axis_weights_f64x6_memory memory{}; lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f64x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_axis_weights_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f64x6 storage{};
+};
+
+template <> class AxisWeights<Screw<float>> {
+public:
+    using Parameters = lyapunov_axis_weights_f32screw_parameters;
+    using Memory = lyapunov_axis_weights_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f32screw_memory save() const noexcept { lyapunov_axis_weights_f32screw_memory memory{}; lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f32screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_axis_weights_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f32screw storage{};
+};
+
+template <> class AxisWeights<Screw<double>> {
+public:
+    using Parameters = lyapunov_axis_weights_f64screw_parameters;
+    using Memory = lyapunov_axis_weights_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_axis_weights_f64screw_memory save() const noexcept { lyapunov_axis_weights_f64screw_memory memory{}; lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_axis_weights_f64screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_axis_weights_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
+    lyapunov_axis_weights_f64screw storage{};
+};
+
+/* LOLC that dissipates in one direction only (DirectedDamping with AlongDirection). */
+template <class Signal> class AlongDirection;
+
+template <> class AlongDirection<float> {
+public:
+    using Parameters = lyapunov_along_direction_f32_parameters;
+    using Memory = lyapunov_along_direction_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f32_memory save() const noexcept { lyapunov_along_direction_f32_memory memory{}; lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f32_memory &memory) noexcept { return Status(lyapunov_along_direction_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_along_direction_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f32 storage{};
+};
+
+template <> class AlongDirection<double> {
+public:
+    using Parameters = lyapunov_along_direction_f64_parameters;
+    using Memory = lyapunov_along_direction_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f64_memory save() const noexcept { lyapunov_along_direction_f64_memory memory{}; lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f64_memory &memory) noexcept { return Status(lyapunov_along_direction_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_along_direction_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f64 storage{};
+};
+
+template <> class AlongDirection<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_along_direction_f32x3_parameters;
+    using Memory = lyapunov_along_direction_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f32x3_memory save() const noexcept { lyapunov_along_direction_f32x3_memory memory{}; lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f32x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_along_direction_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f32x3 storage{};
+};
+
+template <> class AlongDirection<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_along_direction_f64x3_parameters;
+    using Memory = lyapunov_along_direction_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f64x3_memory save() const noexcept { lyapunov_along_direction_f64x3_memory memory{}; lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f64x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_along_direction_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f64x3 storage{};
+};
+
+template <> class AlongDirection<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_along_direction_f32x6_parameters;
+    using Memory = lyapunov_along_direction_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f32x6_memory save() const noexcept { lyapunov_along_direction_f32x6_memory memory{}; lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f32x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_along_direction_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f32x6 storage{};
+};
+
+template <> class AlongDirection<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_along_direction_f64x6_parameters;
+    using Memory = lyapunov_along_direction_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f64x6_memory save() const noexcept { lyapunov_along_direction_f64x6_memory memory{}; lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f64x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_along_direction_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f64x6 storage{};
+};
+
+template <> class AlongDirection<Screw<float>> {
+public:
+    using Parameters = lyapunov_along_direction_f32screw_parameters;
+    using Memory = lyapunov_along_direction_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f32screw_memory save() const noexcept { lyapunov_along_direction_f32screw_memory memory{}; lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f32screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_along_direction_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f32screw storage{};
+};
+
+template <> class AlongDirection<Screw<double>> {
+public:
+    using Parameters = lyapunov_along_direction_f64screw_parameters;
+    using Memory = lyapunov_along_direction_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_along_direction_f64screw_memory save() const noexcept { lyapunov_along_direction_f64screw_memory memory{}; lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_along_direction_f64screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_along_direction_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
+    lyapunov_along_direction_f64screw storage{};
+};
+
+/* LOLC that rejects samples and efforts which no device can have (Plausible). */
+template <class Signal> class Plausible;
+
+template <> class Plausible<float> {
+public:
+    using Parameters = lyapunov_plausible_f32_parameters;
+    using Memory = lyapunov_plausible_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f32_memory save() const noexcept { lyapunov_plausible_f32_memory memory{}; lyapunov_plausible_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f32_memory &memory) noexcept { return Status(lyapunov_plausible_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_plausible_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f32 storage{};
+};
+
+template <> class Plausible<double> {
+public:
+    using Parameters = lyapunov_plausible_f64_parameters;
+    using Memory = lyapunov_plausible_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f64_memory save() const noexcept { lyapunov_plausible_f64_memory memory{}; lyapunov_plausible_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f64_memory &memory) noexcept { return Status(lyapunov_plausible_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_plausible_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f64 storage{};
+};
+
+template <> class Plausible<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_plausible_f32x3_parameters;
+    using Memory = lyapunov_plausible_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f32x3_memory save() const noexcept { lyapunov_plausible_f32x3_memory memory{}; lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f32x3_memory &memory) noexcept { return Status(lyapunov_plausible_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_plausible_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f32x3 storage{};
+};
+
+template <> class Plausible<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_plausible_f64x3_parameters;
+    using Memory = lyapunov_plausible_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f64x3_memory save() const noexcept { lyapunov_plausible_f64x3_memory memory{}; lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f64x3_memory &memory) noexcept { return Status(lyapunov_plausible_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_plausible_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f64x3 storage{};
+};
+
+template <> class Plausible<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_plausible_f32x6_parameters;
+    using Memory = lyapunov_plausible_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f32x6_memory save() const noexcept { lyapunov_plausible_f32x6_memory memory{}; lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f32x6_memory &memory) noexcept { return Status(lyapunov_plausible_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_plausible_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f32x6 storage{};
+};
+
+template <> class Plausible<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_plausible_f64x6_parameters;
+    using Memory = lyapunov_plausible_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f64x6_memory save() const noexcept { lyapunov_plausible_f64x6_memory memory{}; lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f64x6_memory &memory) noexcept { return Status(lyapunov_plausible_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_plausible_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f64x6 storage{};
+};
+
+template <> class Plausible<Screw<float>> {
+public:
+    using Parameters = lyapunov_plausible_f32screw_parameters;
+    using Memory = lyapunov_plausible_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f32screw_memory save() const noexcept { lyapunov_plausible_f32screw_memory memory{}; lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f32screw_memory &memory) noexcept { return Status(lyapunov_plausible_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_plausible_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f32screw storage{};
+};
+
+template <> class Plausible<Screw<double>> {
+public:
+    using Parameters = lyapunov_plausible_f64screw_parameters;
+    using Memory = lyapunov_plausible_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_plausible_f64screw_memory save() const noexcept { lyapunov_plausible_f64screw_memory memory{}; lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_plausible_f64screw_memory &memory) noexcept { return Status(lyapunov_plausible_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_plausible_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
+    lyapunov_plausible_f64screw storage{};
+};
+
+/* LOLC that holds its last effort for a while without sound samples, then lets go, and comes back gently (Watchdog). */
+template <class Signal> class Watchdog;
+
+template <> class Watchdog<float> {
+public:
+    using Parameters = lyapunov_watchdog_f32_parameters;
+    using Memory = lyapunov_watchdog_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f32_memory save() const noexcept { lyapunov_watchdog_f32_memory memory{}; lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f32_memory &memory) noexcept { return Status(lyapunov_watchdog_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_watchdog_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f32 storage{};
+};
+
+template <> class Watchdog<double> {
+public:
+    using Parameters = lyapunov_watchdog_f64_parameters;
+    using Memory = lyapunov_watchdog_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f64_memory save() const noexcept { lyapunov_watchdog_f64_memory memory{}; lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f64_memory &memory) noexcept { return Status(lyapunov_watchdog_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_watchdog_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f64 storage{};
+};
+
+template <> class Watchdog<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_watchdog_f32x3_parameters;
+    using Memory = lyapunov_watchdog_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f32x3_memory save() const noexcept { lyapunov_watchdog_f32x3_memory memory{}; lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f32x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_watchdog_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f32x3 storage{};
+};
+
+template <> class Watchdog<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_watchdog_f64x3_parameters;
+    using Memory = lyapunov_watchdog_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f64x3_memory save() const noexcept { lyapunov_watchdog_f64x3_memory memory{}; lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f64x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_watchdog_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f64x3 storage{};
+};
+
+template <> class Watchdog<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_watchdog_f32x6_parameters;
+    using Memory = lyapunov_watchdog_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f32x6_memory save() const noexcept { lyapunov_watchdog_f32x6_memory memory{}; lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f32x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_watchdog_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f32x6 storage{};
+};
+
+template <> class Watchdog<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_watchdog_f64x6_parameters;
+    using Memory = lyapunov_watchdog_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f64x6_memory save() const noexcept { lyapunov_watchdog_f64x6_memory memory{}; lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f64x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_watchdog_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f64x6 storage{};
+};
+
+template <> class Watchdog<Screw<float>> {
+public:
+    using Parameters = lyapunov_watchdog_f32screw_parameters;
+    using Memory = lyapunov_watchdog_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f32screw_memory save() const noexcept { lyapunov_watchdog_f32screw_memory memory{}; lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f32screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_watchdog_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f32screw storage{};
+};
+
+template <> class Watchdog<Screw<double>> {
+public:
+    using Parameters = lyapunov_watchdog_f64screw_parameters;
+    using Memory = lyapunov_watchdog_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_watchdog_f64screw_memory save() const noexcept { lyapunov_watchdog_f64screw_memory memory{}; lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_watchdog_f64screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_watchdog_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
+    lyapunov_watchdog_f64screw storage{};
+};
+
+/* What a loop on real hardware wants at once: LOLC with a bounded credit, a correction that grows no faster than a rate, implausible samples rejected, and a watchdog (Watchdog of Plausible of RateLimit of BoundedCredit). */
+template <class Signal> class Safeguarded;
+
+template <> class Safeguarded<float> {
+public:
+    using Parameters = lyapunov_safeguarded_f32_parameters;
+    using Memory = lyapunov_safeguarded_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f32_memory save() const noexcept { lyapunov_safeguarded_f32_memory memory{}; lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f32_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_safeguarded_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f32 storage{};
+};
+
+template <> class Safeguarded<double> {
+public:
+    using Parameters = lyapunov_safeguarded_f64_parameters;
+    using Memory = lyapunov_safeguarded_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f64_memory save() const noexcept { lyapunov_safeguarded_f64_memory memory{}; lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f64_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_safeguarded_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f64 storage{};
+};
+
+template <> class Safeguarded<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_safeguarded_f32x3_parameters;
+    using Memory = lyapunov_safeguarded_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f32x3_memory save() const noexcept { lyapunov_safeguarded_f32x3_memory memory{}; lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f32x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_safeguarded_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f32x3 storage{};
+};
+
+template <> class Safeguarded<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_safeguarded_f64x3_parameters;
+    using Memory = lyapunov_safeguarded_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f64x3_memory save() const noexcept { lyapunov_safeguarded_f64x3_memory memory{}; lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f64x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_safeguarded_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f64x3 storage{};
+};
+
+template <> class Safeguarded<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_safeguarded_f32x6_parameters;
+    using Memory = lyapunov_safeguarded_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f32x6_memory save() const noexcept { lyapunov_safeguarded_f32x6_memory memory{}; lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f32x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_safeguarded_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f32x6 storage{};
+};
+
+template <> class Safeguarded<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_safeguarded_f64x6_parameters;
+    using Memory = lyapunov_safeguarded_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f64x6_memory save() const noexcept { lyapunov_safeguarded_f64x6_memory memory{}; lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f64x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_safeguarded_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f64x6 storage{};
+};
+
+template <> class Safeguarded<Screw<float>> {
+public:
+    using Parameters = lyapunov_safeguarded_f32screw_parameters;
+    using Memory = lyapunov_safeguarded_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f32screw_memory save() const noexcept { lyapunov_safeguarded_f32screw_memory memory{}; lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f32screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_safeguarded_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f32screw storage{};
+};
+
+template <> class Safeguarded<Screw<double>> {
+public:
+    using Parameters = lyapunov_safeguarded_f64screw_parameters;
+    using Memory = lyapunov_safeguarded_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_safeguarded_f64screw_memory save() const noexcept { lyapunov_safeguarded_f64screw_memory memory{}; lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_safeguarded_f64screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_safeguarded_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
+    lyapunov_safeguarded_f64screw storage{};
+};
+
+/* LOLC with a sum for each axis (PerAxis): what one axis absorbed does not pay for another. */
+template <class Signal> class PerAxis;
+
+template <> class PerAxis<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_per_axis_f32x3_parameters;
+    using Memory = lyapunov_per_axis_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_per_axis_f32x3_memory save() const noexcept { lyapunov_per_axis_f32x3_memory memory{}; lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_per_axis_f32x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
+    lyapunov_per_axis_f32x3 storage{};
+};
+
+template <> class PerAxis<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_per_axis_f64x3_parameters;
+    using Memory = lyapunov_per_axis_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_per_axis_f64x3_memory save() const noexcept { lyapunov_per_axis_f64x3_memory memory{}; lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_per_axis_f64x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
+    lyapunov_per_axis_f64x3 storage{};
+};
+
+template <> class PerAxis<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_per_axis_f32x6_parameters;
+    using Memory = lyapunov_per_axis_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_per_axis_f32x6_memory save() const noexcept { lyapunov_per_axis_f32x6_memory memory{}; lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_per_axis_f32x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
+    lyapunov_per_axis_f32x6 storage{};
+};
+
+template <> class PerAxis<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_per_axis_f64x6_parameters;
+    using Memory = lyapunov_per_axis_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_per_axis_f64x6_memory save() const noexcept { lyapunov_per_axis_f64x6_memory memory{}; lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_per_axis_f64x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
+    lyapunov_per_axis_f64x6 storage{};
+};
+
+/* LOLC with a sum for translation and one for rotation (PerPart). */
+template <class Signal> class PerPart;
+
+template <> class PerPart<Screw<float>> {
+public:
+    using Parameters = lyapunov_per_part_f32screw_parameters;
+    using Memory = lyapunov_per_part_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_per_part_f32screw_memory save() const noexcept { lyapunov_per_part_f32screw_memory memory{}; lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_per_part_f32screw_memory &memory) noexcept { return Status(lyapunov_per_part_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
+    lyapunov_per_part_f32screw storage{};
+};
+
+template <> class PerPart<Screw<double>> {
+public:
+    using Parameters = lyapunov_per_part_f64screw_parameters;
+    using Memory = lyapunov_per_part_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_per_part_f64screw_memory save() const noexcept { lyapunov_per_part_f64screw_memory memory{}; lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_per_part_f64screw_memory &memory) noexcept { return Status(lyapunov_per_part_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
+    lyapunov_per_part_f64screw storage{};
+};
+
+/* LOLC with one sum for a rigid body, and a damping limit for each part (DirectedDamping::within PartLimits). */
+template <class Signal> class PartLimits;
+
+template <> class PartLimits<Screw<float>> {
+public:
+    using Parameters = lyapunov_part_limits_f32screw_parameters;
+    using Memory = lyapunov_part_limits_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_part_limits_f32screw_memory save() const noexcept { lyapunov_part_limits_f32screw_memory memory{}; lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_part_limits_f32screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_part_limits_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_part_limits_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_part_limits_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_part_limits_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PartLimits &a, const PartLimits &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PartLimits &a, const PartLimits &b) noexcept { return !(a == b); }
+    lyapunov_part_limits_f32screw storage{};
+};
+
+template <> class PartLimits<Screw<double>> {
+public:
+    using Parameters = lyapunov_part_limits_f64screw_parameters;
+    using Memory = lyapunov_part_limits_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_part_limits_f64screw_memory save() const noexcept { lyapunov_part_limits_f64screw_memory memory{}; lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_part_limits_f64screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_part_limits_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_part_limits_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_part_limits_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_part_limits_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PartLimits &a, const PartLimits &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PartLimits &a, const PartLimits &b) noexcept { return !(a == b); }
+    lyapunov_part_limits_f64screw storage{};
+};
+
+/* Force bounding that keeps what free motion dissipated (ForceBound). */
+template <class Signal> class ForceBound;
+
+template <> class ForceBound<float> {
+public:
+    using Parameters = lyapunov_force_bound_f32_parameters;
+    using Memory = lyapunov_force_bound_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f32_memory save() const noexcept { lyapunov_force_bound_f32_memory memory{}; lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f32_memory &memory) noexcept { return Status(lyapunov_force_bound_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bound_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f32 storage{};
+};
+
+template <> class ForceBound<double> {
+public:
+    using Parameters = lyapunov_force_bound_f64_parameters;
+    using Memory = lyapunov_force_bound_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f64_memory save() const noexcept { lyapunov_force_bound_f64_memory memory{}; lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f64_memory &memory) noexcept { return Status(lyapunov_force_bound_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bound_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f64 storage{};
+};
+
+template <> class ForceBound<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_force_bound_f32x3_parameters;
+    using Memory = lyapunov_force_bound_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f32x3_memory save() const noexcept { lyapunov_force_bound_f32x3_memory memory{}; lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bound_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f32x3 storage{};
+};
+
+template <> class ForceBound<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_force_bound_f64x3_parameters;
+    using Memory = lyapunov_force_bound_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f64x3_memory save() const noexcept { lyapunov_force_bound_f64x3_memory memory{}; lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bound_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f64x3 storage{};
+};
+
+template <> class ForceBound<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_force_bound_f32x6_parameters;
+    using Memory = lyapunov_force_bound_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f32x6_memory save() const noexcept { lyapunov_force_bound_f32x6_memory memory{}; lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bound_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f32x6 storage{};
+};
+
+template <> class ForceBound<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_force_bound_f64x6_parameters;
+    using Memory = lyapunov_force_bound_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f64x6_memory save() const noexcept { lyapunov_force_bound_f64x6_memory memory{}; lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bound_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f64x6 storage{};
+};
+
+template <> class ForceBound<Screw<float>> {
+public:
+    using Parameters = lyapunov_force_bound_f32screw_parameters;
+    using Memory = lyapunov_force_bound_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f32screw_memory save() const noexcept { lyapunov_force_bound_f32screw_memory memory{}; lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bound_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f32screw storage{};
+};
+
+template <> class ForceBound<Screw<double>> {
+public:
+    using Parameters = lyapunov_force_bound_f64screw_parameters;
+    using Memory = lyapunov_force_bound_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bound_f64screw_memory save() const noexcept { lyapunov_force_bound_f64screw_memory memory{}; lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bound_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
+    lyapunov_force_bound_f64screw storage{};
+};
+
+/* Force bounding that starts anew at each contact (ForceBounding). */
+template <class Signal> class ForceBounding;
+
+template <> class ForceBounding<float> {
+public:
+    using Parameters = lyapunov_force_bounding_f32_parameters;
+    using Memory = lyapunov_force_bounding_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f32_memory save() const noexcept { lyapunov_force_bounding_f32_memory memory{}; lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f32_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bounding_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f32 storage{};
+};
+
+template <> class ForceBounding<double> {
+public:
+    using Parameters = lyapunov_force_bounding_f64_parameters;
+    using Memory = lyapunov_force_bounding_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f64_memory save() const noexcept { lyapunov_force_bounding_f64_memory memory{}; lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f64_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bounding_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f64 storage{};
+};
+
+template <> class ForceBounding<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_force_bounding_f32x3_parameters;
+    using Memory = lyapunov_force_bounding_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f32x3_memory save() const noexcept { lyapunov_force_bounding_f32x3_memory memory{}; lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bounding_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f32x3 storage{};
+};
+
+template <> class ForceBounding<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_force_bounding_f64x3_parameters;
+    using Memory = lyapunov_force_bounding_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f64x3_memory save() const noexcept { lyapunov_force_bounding_f64x3_memory memory{}; lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bounding_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f64x3 storage{};
+};
+
+template <> class ForceBounding<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_force_bounding_f32x6_parameters;
+    using Memory = lyapunov_force_bounding_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f32x6_memory save() const noexcept { lyapunov_force_bounding_f32x6_memory memory{}; lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bounding_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f32x6 storage{};
+};
+
+template <> class ForceBounding<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_force_bounding_f64x6_parameters;
+    using Memory = lyapunov_force_bounding_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f64x6_memory save() const noexcept { lyapunov_force_bounding_f64x6_memory memory{}; lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bounding_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f64x6 storage{};
+};
+
+template <> class ForceBounding<Screw<float>> {
+public:
+    using Parameters = lyapunov_force_bounding_f32screw_parameters;
+    using Memory = lyapunov_force_bounding_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f32screw_memory save() const noexcept { lyapunov_force_bounding_f32screw_memory memory{}; lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_force_bounding_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f32screw storage{};
+};
+
+template <> class ForceBounding<Screw<double>> {
+public:
+    using Parameters = lyapunov_force_bounding_f64screw_parameters;
+    using Memory = lyapunov_force_bounding_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_force_bounding_f64screw_memory save() const noexcept { lyapunov_force_bounding_f64screw_memory memory{}; lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_force_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_force_bounding_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
+    lyapunov_force_bounding_f64screw storage{};
+};
+
+/* Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
+template <class Signal> class Tank;
+
+template <> class Tank<float> {
+public:
+    using Parameters = lyapunov_tank_f32_parameters;
+    using Memory = lyapunov_tank_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f32_memory save() const noexcept { lyapunov_tank_f32_memory memory{}; lyapunov_tank_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f32_memory &memory) noexcept { return Status(lyapunov_tank_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_tank_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f32 storage{};
+};
+
+template <> class Tank<double> {
+public:
+    using Parameters = lyapunov_tank_f64_parameters;
+    using Memory = lyapunov_tank_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f64_memory save() const noexcept { lyapunov_tank_f64_memory memory{}; lyapunov_tank_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f64_memory &memory) noexcept { return Status(lyapunov_tank_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_tank_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f64 storage{};
+};
+
+template <> class Tank<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_tank_f32x3_parameters;
+    using Memory = lyapunov_tank_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f32x3_memory save() const noexcept { lyapunov_tank_f32x3_memory memory{}; lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_tank_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_tank_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f32x3 storage{};
+};
+
+template <> class Tank<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_tank_f64x3_parameters;
+    using Memory = lyapunov_tank_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f64x3_memory save() const noexcept { lyapunov_tank_f64x3_memory memory{}; lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_tank_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_tank_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f64x3 storage{};
+};
+
+template <> class Tank<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_tank_f32x6_parameters;
+    using Memory = lyapunov_tank_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f32x6_memory save() const noexcept { lyapunov_tank_f32x6_memory memory{}; lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_tank_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_tank_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f32x6 storage{};
+};
+
+template <> class Tank<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_tank_f64x6_parameters;
+    using Memory = lyapunov_tank_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f64x6_memory save() const noexcept { lyapunov_tank_f64x6_memory memory{}; lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_tank_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_tank_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f64x6 storage{};
+};
+
+template <> class Tank<Screw<float>> {
+public:
+    using Parameters = lyapunov_tank_f32screw_parameters;
+    using Memory = lyapunov_tank_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f32screw_memory save() const noexcept { lyapunov_tank_f32screw_memory memory{}; lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_tank_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_tank_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f32screw storage{};
+};
+
+template <> class Tank<Screw<double>> {
+public:
+    using Parameters = lyapunov_tank_f64screw_parameters;
+    using Memory = lyapunov_tank_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_tank_f64screw_memory save() const noexcept { lyapunov_tank_f64screw_memory memory{}; lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_tank_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_tank_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
+    lyapunov_tank_f64screw storage{};
+};
+
+/* Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
+template <class Signal> class EnergyBounding;
+
+template <> class EnergyBounding<float> {
+public:
+    using Parameters = lyapunov_energy_bounding_f32_parameters;
+    using Memory = lyapunov_energy_bounding_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f32_memory save() const noexcept { lyapunov_energy_bounding_f32_memory memory{}; lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f32_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f32 storage{};
+};
+
+template <> class EnergyBounding<double> {
+public:
+    using Parameters = lyapunov_energy_bounding_f64_parameters;
+    using Memory = lyapunov_energy_bounding_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f64_memory save() const noexcept { lyapunov_energy_bounding_f64_memory memory{}; lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f64_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f64 storage{};
+};
+
+template <> class EnergyBounding<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_energy_bounding_f32x3_parameters;
+    using Memory = lyapunov_energy_bounding_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f32x3_memory save() const noexcept { lyapunov_energy_bounding_f32x3_memory memory{}; lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f32x3 storage{};
+};
+
+template <> class EnergyBounding<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_energy_bounding_f64x3_parameters;
+    using Memory = lyapunov_energy_bounding_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f64x3_memory save() const noexcept { lyapunov_energy_bounding_f64x3_memory memory{}; lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f64x3 storage{};
+};
+
+template <> class EnergyBounding<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_energy_bounding_f32x6_parameters;
+    using Memory = lyapunov_energy_bounding_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f32x6_memory save() const noexcept { lyapunov_energy_bounding_f32x6_memory memory{}; lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f32x6 storage{};
+};
+
+template <> class EnergyBounding<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_energy_bounding_f64x6_parameters;
+    using Memory = lyapunov_energy_bounding_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f64x6_memory save() const noexcept { lyapunov_energy_bounding_f64x6_memory memory{}; lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f64x6 storage{};
+};
+
+template <> class EnergyBounding<Screw<float>> {
+public:
+    using Parameters = lyapunov_energy_bounding_f32screw_parameters;
+    using Memory = lyapunov_energy_bounding_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f32screw_memory save() const noexcept { lyapunov_energy_bounding_f32screw_memory memory{}; lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f32screw storage{};
+};
+
+template <> class EnergyBounding<Screw<double>> {
+public:
+    using Parameters = lyapunov_energy_bounding_f64screw_parameters;
+    using Memory = lyapunov_energy_bounding_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_bounding_f64screw_memory save() const noexcept { lyapunov_energy_bounding_f64screw_memory memory{}; lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
+    lyapunov_energy_bounding_f64screw storage{};
+};
+
+/* Least-norm filter (LeastNorm): the least damping that keeps the observed energy above a decaying barrier. */
+template <class Signal> class LeastNorm;
+
+template <> class LeastNorm<float> {
+public:
+    using Parameters = lyapunov_least_norm_f32_parameters;
+    using Memory = lyapunov_least_norm_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f32_memory save() const noexcept { lyapunov_least_norm_f32_memory memory{}; lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f32_memory &memory) noexcept { return Status(lyapunov_least_norm_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_least_norm_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f32 storage{};
+};
+
+template <> class LeastNorm<double> {
+public:
+    using Parameters = lyapunov_least_norm_f64_parameters;
+    using Memory = lyapunov_least_norm_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f64_memory save() const noexcept { lyapunov_least_norm_f64_memory memory{}; lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f64_memory &memory) noexcept { return Status(lyapunov_least_norm_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_least_norm_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f64 storage{};
+};
+
+template <> class LeastNorm<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_least_norm_f32x3_parameters;
+    using Memory = lyapunov_least_norm_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f32x3_memory save() const noexcept { lyapunov_least_norm_f32x3_memory memory{}; lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f32x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_least_norm_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f32x3 storage{};
+};
+
+template <> class LeastNorm<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_least_norm_f64x3_parameters;
+    using Memory = lyapunov_least_norm_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f64x3_memory save() const noexcept { lyapunov_least_norm_f64x3_memory memory{}; lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f64x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_least_norm_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f64x3 storage{};
+};
+
+template <> class LeastNorm<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_least_norm_f32x6_parameters;
+    using Memory = lyapunov_least_norm_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f32x6_memory save() const noexcept { lyapunov_least_norm_f32x6_memory memory{}; lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f32x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_least_norm_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f32x6 storage{};
+};
+
+template <> class LeastNorm<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_least_norm_f64x6_parameters;
+    using Memory = lyapunov_least_norm_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f64x6_memory save() const noexcept { lyapunov_least_norm_f64x6_memory memory{}; lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f64x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_least_norm_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f64x6 storage{};
+};
+
+template <> class LeastNorm<Screw<float>> {
+public:
+    using Parameters = lyapunov_least_norm_f32screw_parameters;
+    using Memory = lyapunov_least_norm_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f32screw_memory save() const noexcept { lyapunov_least_norm_f32screw_memory memory{}; lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f32screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_least_norm_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f32screw storage{};
+};
+
+template <> class LeastNorm<Screw<double>> {
+public:
+    using Parameters = lyapunov_least_norm_f64screw_parameters;
+    using Memory = lyapunov_least_norm_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_least_norm_f64screw_memory save() const noexcept { lyapunov_least_norm_f64screw_memory memory{}; lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_least_norm_f64screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_least_norm_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
+    lyapunov_least_norm_f64screw storage{};
+};
+
+/* Slope bound (SlopeBound): efforts change no faster with the displacement than a slope. */
+template <class Signal> class SlopeBound;
+
+template <> class SlopeBound<float> {
+public:
+    using Parameters = lyapunov_slope_bound_f32_parameters;
+    using Memory = lyapunov_slope_bound_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f32_memory save() const noexcept { lyapunov_slope_bound_f32_memory memory{}; lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f32_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_slope_bound_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f32 storage{};
+};
+
+template <> class SlopeBound<double> {
+public:
+    using Parameters = lyapunov_slope_bound_f64_parameters;
+    using Memory = lyapunov_slope_bound_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f64_memory save() const noexcept { lyapunov_slope_bound_f64_memory memory{}; lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f64_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_slope_bound_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f64 storage{};
+};
+
+template <> class SlopeBound<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_slope_bound_f32x3_parameters;
+    using Memory = lyapunov_slope_bound_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f32x3_memory save() const noexcept { lyapunov_slope_bound_f32x3_memory memory{}; lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_slope_bound_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f32x3 storage{};
+};
+
+template <> class SlopeBound<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_slope_bound_f64x3_parameters;
+    using Memory = lyapunov_slope_bound_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f64x3_memory save() const noexcept { lyapunov_slope_bound_f64x3_memory memory{}; lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_slope_bound_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f64x3 storage{};
+};
+
+template <> class SlopeBound<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_slope_bound_f32x6_parameters;
+    using Memory = lyapunov_slope_bound_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f32x6_memory save() const noexcept { lyapunov_slope_bound_f32x6_memory memory{}; lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_slope_bound_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f32x6 storage{};
+};
+
+template <> class SlopeBound<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_slope_bound_f64x6_parameters;
+    using Memory = lyapunov_slope_bound_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f64x6_memory save() const noexcept { lyapunov_slope_bound_f64x6_memory memory{}; lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_slope_bound_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f64x6 storage{};
+};
+
+template <> class SlopeBound<Screw<float>> {
+public:
+    using Parameters = lyapunov_slope_bound_f32screw_parameters;
+    using Memory = lyapunov_slope_bound_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f32screw_memory save() const noexcept { lyapunov_slope_bound_f32screw_memory memory{}; lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_slope_bound_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f32screw storage{};
+};
+
+template <> class SlopeBound<Screw<double>> {
+public:
+    using Parameters = lyapunov_slope_bound_f64screw_parameters;
+    using Memory = lyapunov_slope_bound_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_slope_bound_f64screw_memory save() const noexcept { lyapunov_slope_bound_f64screw_memory memory{}; lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_slope_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_slope_bound_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64screw_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
+    lyapunov_slope_bound_f64screw storage{};
+};
+
+/* Memory-based passivation (MemoryBased): forces on the way out no larger than those kept from the way in, in 64 cells. */
+template <class Signal> class MemoryBased;
+
+template <> class MemoryBased<float> {
+public:
+    using Parameters = lyapunov_memory_based_f32_parameters;
+    using Memory = lyapunov_memory_based_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_memory_based_f32_memory save() const noexcept { lyapunov_memory_based_f32_memory memory{}; lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_memory_based_f32_memory &memory) noexcept { return Status(lyapunov_memory_based_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_memory_based_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_memory_based_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_memory_based_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_memory_based_f32_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const MemoryBased &a, const MemoryBased &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const MemoryBased &a, const MemoryBased &b) noexcept { return !(a == b); }
+    lyapunov_memory_based_f32 storage{};
+};
+
+template <> class MemoryBased<double> {
+public:
+    using Parameters = lyapunov_memory_based_f64_parameters;
+    using Memory = lyapunov_memory_based_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_memory_based_f64_memory save() const noexcept { lyapunov_memory_based_f64_memory memory{}; lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_memory_based_f64_memory &memory) noexcept { return Status(lyapunov_memory_based_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_memory_based_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_memory_based_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_memory_based_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_memory_based_f64_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const MemoryBased &a, const MemoryBased &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const MemoryBased &a, const MemoryBased &b) noexcept { return !(a == b); }
+    lyapunov_memory_based_f64 storage{};
+};
+
+/* Path memory (PathMemory): energies on the way out no larger than those kept from the way in, in 64 cells. */
+template <class Signal> class PathMemory;
+
+template <> class PathMemory<float> {
+public:
+    using Parameters = lyapunov_path_memory_f32_parameters;
+    using Memory = lyapunov_path_memory_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_path_memory_f32_memory save() const noexcept { lyapunov_path_memory_f32_memory memory{}; lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_path_memory_f32_memory &memory) noexcept { return Status(lyapunov_path_memory_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
+    lyapunov_path_memory_f32 storage{};
+};
+
+template <> class PathMemory<double> {
+public:
+    using Parameters = lyapunov_path_memory_f64_parameters;
+    using Memory = lyapunov_path_memory_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_path_memory_f64_memory save() const noexcept { lyapunov_path_memory_f64_memory memory{}; lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_path_memory_f64_memory &memory) noexcept { return Status(lyapunov_path_memory_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
+    lyapunov_path_memory_f64 storage{};
+};
+
+/* Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. */
+template <class Signal> class TwoPortSide;
+
+template <> class TwoPortSide<float> {
+public:
+    using Parameters = lyapunov_two_port_side_f32_parameters;
+    using Memory = lyapunov_two_port_side_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f32_memory save() const noexcept { lyapunov_two_port_side_f32_memory memory{}; lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f32_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_port_side_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_two_port_side_f32_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f32 storage{};
+};
+
+template <> class TwoPortSide<double> {
+public:
+    using Parameters = lyapunov_two_port_side_f64_parameters;
+    using Memory = lyapunov_two_port_side_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f64_memory save() const noexcept { lyapunov_two_port_side_f64_memory memory{}; lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f64_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_port_side_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_two_port_side_f64_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f64 storage{};
+};
+
+template <> class TwoPortSide<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_two_port_side_f32x3_parameters;
+    using Memory = lyapunov_two_port_side_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f32x3_memory save() const noexcept { lyapunov_two_port_side_f32x3_memory memory{}; lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f32x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_port_side_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32x3_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_two_port_side_f32x3_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f32x3 storage{};
+};
+
+template <> class TwoPortSide<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_two_port_side_f64x3_parameters;
+    using Memory = lyapunov_two_port_side_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f64x3_memory save() const noexcept { lyapunov_two_port_side_f64x3_memory memory{}; lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f64x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_port_side_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64x3_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_two_port_side_f64x3_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f64x3 storage{};
+};
+
+template <> class TwoPortSide<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_two_port_side_f32x6_parameters;
+    using Memory = lyapunov_two_port_side_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f32x6_memory save() const noexcept { lyapunov_two_port_side_f32x6_memory memory{}; lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f32x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_port_side_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32x6_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_two_port_side_f32x6_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f32x6 storage{};
+};
+
+template <> class TwoPortSide<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_two_port_side_f64x6_parameters;
+    using Memory = lyapunov_two_port_side_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f64x6_memory save() const noexcept { lyapunov_two_port_side_f64x6_memory memory{}; lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f64x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_port_side_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64x6_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_two_port_side_f64x6_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f64x6 storage{};
+};
+
+template <> class TwoPortSide<Screw<float>> {
+public:
+    using Parameters = lyapunov_two_port_side_f32screw_parameters;
+    using Memory = lyapunov_two_port_side_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f32screw_memory save() const noexcept { lyapunov_two_port_side_f32screw_memory memory{}; lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f32screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_port_side_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32screw_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_two_port_side_f32screw_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f32screw storage{};
+};
+
+template <> class TwoPortSide<Screw<double>> {
+public:
+    using Parameters = lyapunov_two_port_side_f64screw_parameters;
+    using Memory = lyapunov_two_port_side_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_port_side_f64screw_memory save() const noexcept { lyapunov_two_port_side_f64screw_memory memory{}; lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_port_side_f64screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_port_side_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64screw_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_two_port_side_f64screw_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
+    lyapunov_two_port_side_f64screw storage{};
+};
+
+/* Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). */
+template <class Signal> class DriftCompensated;
+
+template <> class DriftCompensated<float> {
+public:
+    using Parameters = lyapunov_drift_compensated_f32_parameters;
+    using Memory = lyapunov_drift_compensated_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f32_memory save() const noexcept { lyapunov_drift_compensated_f32_memory memory{}; lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f32_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_drift_compensated_f32_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f32 storage{};
+};
+
+template <> class DriftCompensated<double> {
+public:
+    using Parameters = lyapunov_drift_compensated_f64_parameters;
+    using Memory = lyapunov_drift_compensated_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f64_memory save() const noexcept { lyapunov_drift_compensated_f64_memory memory{}; lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f64_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_drift_compensated_f64_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f64 storage{};
+};
+
+template <> class DriftCompensated<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_drift_compensated_f32x3_parameters;
+    using Memory = lyapunov_drift_compensated_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f32x3_memory save() const noexcept { lyapunov_drift_compensated_f32x3_memory memory{}; lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32x3_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_drift_compensated_f32x3_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f32x3 storage{};
+};
+
+template <> class DriftCompensated<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_drift_compensated_f64x3_parameters;
+    using Memory = lyapunov_drift_compensated_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f64x3_memory save() const noexcept { lyapunov_drift_compensated_f64x3_memory memory{}; lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64x3_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_drift_compensated_f64x3_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f64x3 storage{};
+};
+
+template <> class DriftCompensated<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_drift_compensated_f32x6_parameters;
+    using Memory = lyapunov_drift_compensated_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f32x6_memory save() const noexcept { lyapunov_drift_compensated_f32x6_memory memory{}; lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32x6_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_drift_compensated_f32x6_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f32x6 storage{};
+};
+
+template <> class DriftCompensated<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_drift_compensated_f64x6_parameters;
+    using Memory = lyapunov_drift_compensated_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f64x6_memory save() const noexcept { lyapunov_drift_compensated_f64x6_memory memory{}; lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64x6_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_drift_compensated_f64x6_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f64x6 storage{};
+};
+
+template <> class DriftCompensated<Screw<float>> {
+public:
+    using Parameters = lyapunov_drift_compensated_f32screw_parameters;
+    using Memory = lyapunov_drift_compensated_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f32screw_memory save() const noexcept { lyapunov_drift_compensated_f32screw_memory memory{}; lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32screw_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    float absorbed() const noexcept { return lyapunov_drift_compensated_f32screw_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f32screw storage{};
+};
+
+template <> class DriftCompensated<Screw<double>> {
+public:
+    using Parameters = lyapunov_drift_compensated_f64screw_parameters;
+    using Memory = lyapunov_drift_compensated_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_drift_compensated_f64screw_memory save() const noexcept { lyapunov_drift_compensated_f64screw_memory memory{}; lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_drift_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64screw_owe(&storage, debt)); }
+    /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
+    double absorbed() const noexcept { return lyapunov_drift_compensated_f64screw_absorbed(&storage); }
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
+    lyapunov_drift_compensated_f64screw storage{};
+};
+
+/* Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give `receive` what came. A slave has a level and a gain of 0. */
+template <class Signal> class TwoLayer;
+
+template <> class TwoLayer<float> {
+public:
+    using Parameters = lyapunov_two_layer_f32_parameters;
+    using Memory = lyapunov_two_layer_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f32_memory save() const noexcept { lyapunov_two_layer_f32_memory memory{}; lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f32_memory &memory) noexcept { return Status(lyapunov_two_layer_f32_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_layer_f32_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    float sent() const noexcept { return lyapunov_two_layer_f32_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f32 storage{};
+};
+
+template <> class TwoLayer<double> {
+public:
+    using Parameters = lyapunov_two_layer_f64_parameters;
+    using Memory = lyapunov_two_layer_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f64_memory save() const noexcept { lyapunov_two_layer_f64_memory memory{}; lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f64_memory &memory) noexcept { return Status(lyapunov_two_layer_f64_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_layer_f64_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    double sent() const noexcept { return lyapunov_two_layer_f64_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f64 storage{};
+};
+
+template <> class TwoLayer<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_two_layer_f32x3_parameters;
+    using Memory = lyapunov_two_layer_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f32x3_memory save() const noexcept { lyapunov_two_layer_f32x3_memory memory{}; lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f32x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_layer_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32x3_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    float sent() const noexcept { return lyapunov_two_layer_f32x3_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f32x3 storage{};
+};
+
+template <> class TwoLayer<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_two_layer_f64x3_parameters;
+    using Memory = lyapunov_two_layer_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f64x3_memory save() const noexcept { lyapunov_two_layer_f64x3_memory memory{}; lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f64x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_layer_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64x3_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    double sent() const noexcept { return lyapunov_two_layer_f64x3_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f64x3 storage{};
+};
+
+template <> class TwoLayer<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_two_layer_f32x6_parameters;
+    using Memory = lyapunov_two_layer_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f32x6_memory save() const noexcept { lyapunov_two_layer_f32x6_memory memory{}; lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f32x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_layer_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32x6_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    float sent() const noexcept { return lyapunov_two_layer_f32x6_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f32x6 storage{};
+};
+
+template <> class TwoLayer<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_two_layer_f64x6_parameters;
+    using Memory = lyapunov_two_layer_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f64x6_memory save() const noexcept { lyapunov_two_layer_f64x6_memory memory{}; lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f64x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_layer_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64x6_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    double sent() const noexcept { return lyapunov_two_layer_f64x6_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f64x6 storage{};
+};
+
+template <> class TwoLayer<Screw<float>> {
+public:
+    using Parameters = lyapunov_two_layer_f32screw_parameters;
+    using Memory = lyapunov_two_layer_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f32screw_memory save() const noexcept { lyapunov_two_layer_f32screw_memory memory{}; lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f32screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f32screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_two_layer_f32screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32screw_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    float sent() const noexcept { return lyapunov_two_layer_f32screw_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f32screw storage{};
+};
+
+template <> class TwoLayer<Screw<double>> {
+public:
+    using Parameters = lyapunov_two_layer_f64screw_parameters;
+    using Memory = lyapunov_two_layer_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_two_layer_f64screw_memory save() const noexcept { lyapunov_two_layer_f64screw_memory memory{}; lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_two_layer_f64screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f64screw_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_two_layer_f64screw_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64screw_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64screw_owe(&storage, debt)); }
+    /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
+    double sent() const noexcept { return lyapunov_two_layer_f64screw_sent(&storage); }
+    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_receive(&storage, energy)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
+    lyapunov_two_layer_f64screw storage{};
+};
+
+/* Observer alone (Observer): sums the port's energy and what the device's own damper burns, and changes no effort. */
+template <class Signal> class Observer;
+
+template <> class Observer<float> {
+public:
+    using Parameters = lyapunov_observer_f32_parameters;
+    using Memory = lyapunov_observer_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f32_memory save() const noexcept { lyapunov_observer_f32_memory memory{}; lyapunov_observer_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f32_memory &memory) noexcept { return Status(lyapunov_observer_f32_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    float observe(const lyapunov_sample_f32 &sample) noexcept { float energy{}; lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f32 storage{};
+};
+
+template <> class Observer<double> {
+public:
+    using Parameters = lyapunov_observer_f64_parameters;
+    using Memory = lyapunov_observer_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f64_memory save() const noexcept { lyapunov_observer_f64_memory memory{}; lyapunov_observer_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f64_memory &memory) noexcept { return Status(lyapunov_observer_f64_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    double observe(const lyapunov_sample_f64 &sample) noexcept { double energy{}; lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f64 storage{};
+};
+
+template <> class Observer<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_observer_f32x3_parameters;
+    using Memory = lyapunov_observer_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f32x3_memory save() const noexcept { lyapunov_observer_f32x3_memory memory{}; lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f32x3_memory &memory) noexcept { return Status(lyapunov_observer_f32x3_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    float observe(const lyapunov_sample_f32x3 &sample) noexcept { float energy{}; lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f32x3 storage{};
+};
+
+template <> class Observer<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_observer_f64x3_parameters;
+    using Memory = lyapunov_observer_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f64x3_memory save() const noexcept { lyapunov_observer_f64x3_memory memory{}; lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f64x3_memory &memory) noexcept { return Status(lyapunov_observer_f64x3_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    double observe(const lyapunov_sample_f64x3 &sample) noexcept { double energy{}; lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f64x3 storage{};
+};
+
+template <> class Observer<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_observer_f32x6_parameters;
+    using Memory = lyapunov_observer_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f32x6_memory save() const noexcept { lyapunov_observer_f32x6_memory memory{}; lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f32x6_memory &memory) noexcept { return Status(lyapunov_observer_f32x6_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    float observe(const lyapunov_sample_f32x6 &sample) noexcept { float energy{}; lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f32x6 storage{};
+};
+
+template <> class Observer<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_observer_f64x6_parameters;
+    using Memory = lyapunov_observer_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f64x6_memory save() const noexcept { lyapunov_observer_f64x6_memory memory{}; lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f64x6_memory &memory) noexcept { return Status(lyapunov_observer_f64x6_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    double observe(const lyapunov_sample_f64x6 &sample) noexcept { double energy{}; lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f64x6 storage{};
+};
+
+template <> class Observer<Screw<float>> {
+public:
+    using Parameters = lyapunov_observer_f32screw_parameters;
+    using Memory = lyapunov_observer_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f32screw_memory save() const noexcept { lyapunov_observer_f32screw_memory memory{}; lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f32screw_memory &memory) noexcept { return Status(lyapunov_observer_f32screw_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    float observe(const lyapunov_sample_f32screw &sample) noexcept { float energy{}; lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f32screw storage{};
+};
+
+template <> class Observer<Screw<double>> {
+public:
+    using Parameters = lyapunov_observer_f64screw_parameters;
+    using Memory = lyapunov_observer_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_observer_f64screw_memory save() const noexcept { lyapunov_observer_f64screw_memory memory{}; lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_observer_f64screw_memory &memory) noexcept { return Status(lyapunov_observer_f64screw_restore(&storage, &memory)); }
+    /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
+    double observe(const lyapunov_sample_f64screw &sample) noexcept { double energy{}; lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
+    lyapunov_observer_f64screw storage{};
+};
+
+/* Run-time summary (EnergyMeter): energies and counts of all ticks so far, in sums that keep their digits for a year. */
+template <class Signal> class EnergyMeter;
+
+template <> class EnergyMeter<float> {
+public:
+    using Parameters = lyapunov_energy_meter_f32_parameters;
+    using Memory = lyapunov_energy_meter_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f32_memory save() const noexcept { lyapunov_energy_meter_f32_memory memory{}; lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f32_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f32 &sample, const lyapunov_correction_f32 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f32 storage{};
+};
+
+template <> class EnergyMeter<double> {
+public:
+    using Parameters = lyapunov_energy_meter_f64_parameters;
+    using Memory = lyapunov_energy_meter_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f64_memory save() const noexcept { lyapunov_energy_meter_f64_memory memory{}; lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f64_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f64 &sample, const lyapunov_correction_f64 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f64 storage{};
+};
+
+template <> class EnergyMeter<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_energy_meter_f32x3_parameters;
+    using Memory = lyapunov_energy_meter_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f32x3_memory save() const noexcept { lyapunov_energy_meter_f32x3_memory memory{}; lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x3_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f32x3 &sample, const lyapunov_correction_f32x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x3_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f32x3 storage{};
+};
+
+template <> class EnergyMeter<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_energy_meter_f64x3_parameters;
+    using Memory = lyapunov_energy_meter_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f64x3_memory save() const noexcept { lyapunov_energy_meter_f64x3_memory memory{}; lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x3_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f64x3 &sample, const lyapunov_correction_f64x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x3_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f64x3 storage{};
+};
+
+template <> class EnergyMeter<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_energy_meter_f32x6_parameters;
+    using Memory = lyapunov_energy_meter_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f32x6_memory save() const noexcept { lyapunov_energy_meter_f32x6_memory memory{}; lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x6_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f32x6 &sample, const lyapunov_correction_f32x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x6_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f32x6 storage{};
+};
+
+template <> class EnergyMeter<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_energy_meter_f64x6_parameters;
+    using Memory = lyapunov_energy_meter_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f64x6_memory save() const noexcept { lyapunov_energy_meter_f64x6_memory memory{}; lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x6_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f64x6 &sample, const lyapunov_correction_f64x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x6_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f64x6 storage{};
+};
+
+template <> class EnergyMeter<Screw<float>> {
+public:
+    using Parameters = lyapunov_energy_meter_f32screw_parameters;
+    using Memory = lyapunov_energy_meter_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f32screw_memory save() const noexcept { lyapunov_energy_meter_f32screw_memory memory{}; lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32screw_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f32screw &sample, const lyapunov_correction_f32screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32screw_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f32screw storage{};
+};
+
+template <> class EnergyMeter<Screw<double>> {
+public:
+    using Parameters = lyapunov_energy_meter_f64screw_parameters;
+    using Memory = lyapunov_energy_meter_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_meter_f64screw_memory save() const noexcept { lyapunov_energy_meter_f64screw_memory memory{}; lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_meter_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64screw_restore(&storage, &memory)); }
+    /* Adds a tick. */
+    Code add(const lyapunov_sample_f64screw &sample, const lyapunov_correction_f64screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64screw_add(&storage, &sample, &correction)); }
+    /* Writes the energies up to now. */
+    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
+    lyapunov_energy_meter_f64screw storage{};
+};
+
+} // namespace lyapunov
+
+#endif

@@ -1,0 +1,143 @@
+//! The header for C++: a class for each block on each signal, of the same functions as the header for C.
+
+use std::fmt::Write;
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::Header;
+
+/// Function of C.
+#[derive(Debug)]
+pub struct Function {
+    pub(super) name: String,
+    pub(super) about: String,
+    pub(super) returned: String,
+    pub(super) arguments: Vec<(String, String)>,
+}
+
+impl Header {
+    /// The classes.
+    pub fn classes(&self) -> String {
+        let mut text = String::new();
+        let mut declared = Vec::new();
+        for (name, about) in &self.blocks {
+            let Some((block, signal)) = split(name) else { continue };
+            let class = camel(block);
+            if !declared.contains(&class) {
+                let _ = writeln!(text, "\n/* {about} */\ntemplate <class Signal> class {class};");
+                declared.push(class.clone());
+            }
+            let _ =
+                write!(text, "\ntemplate <> class {class}<{}> {{\npublic:\n", cpp_signal(signal));
+            let _ = writeln!(text, "    using Parameters = {name}_parameters;");
+            let _ = writeln!(text, "    using Memory = {name}_memory;");
+            for function in &self.described {
+                if let Some(verb) = function.name.strip_prefix(&format!("{name}_")) {
+                    method(&mut text, signal, verb, function);
+                }
+            }
+            let _ = writeln!(text, "    /* The same bytes: the same block in the same state. */");
+            let _ = writeln!(
+                text,
+                "    friend bool operator==(const {class} &a, const {class} &b) noexcept {{ return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }}"
+            );
+            let _ = writeln!(
+                text,
+                "    friend bool operator!=(const {class} &a, const {class} &b) noexcept {{ return !(a == b); }}"
+            );
+            let _ = writeln!(text, "    {name} storage{{}};\n}};");
+        }
+        text
+    }
+}
+
+/// The block and the signal of a name.
+fn split(name: &str) -> Option<(&str, &str)> {
+    name.strip_prefix("lyapunov_")?.rsplit_once('_')
+}
+
+fn camel(block: &str) -> String {
+    let upper = |word: &str| word[..1].to_uppercase() + &word[1..];
+    block.split('_').map(upper).collect::<Vec<_>>().concat()
+}
+
+fn number(signal: &str) -> &'static str {
+    if signal.starts_with("f32") { "float" } else { "double" }
+}
+
+/// The signal as the parameter of a class.
+fn cpp_signal(signal: &str) -> String {
+    match &signal[3..] {
+        "" => number(signal).to_string(),
+        "screw" => format!("Screw<{}>", number(signal)),
+        axes => format!("Axes<{}, {}>", number(signal), &axes[1..]),
+    }
+}
+
+/// How many numbers a signal has.
+fn numbers(signal: &str) -> &str {
+    match &signal[3..] {
+        "screw" => "6",
+        axes => &axes[1..],
+    }
+}
+
+fn method(text: &mut String, signal: &str, verb: &str, function: &Function) {
+    let verb = verb.trim_end_matches("_abi");
+    let form = format!("const lyapunov_{signal} *");
+    let (mut taken, mut handed) = (Vec::new(), std::vec!["&storage".to_string()]);
+    let (mut before, mut given_back) = (String::new(), None);
+    let (mut template, mut is_const) = ("", false);
+    for (name, c) in &function.arguments {
+        match c.as_str() {
+            _ if name == "storage" => is_const = c.starts_with("const"),
+            _ if name == "abi" => handed.push("LYAPUNOV_ABI".into()),
+            _ if name == "context" => handed.push(format!("detail::address({})", "function")),
+            c if c.starts_with("lyapunov_candidate") => {
+                template = "    template <class Function>\n";
+                taken.push("Function &&function".to_string());
+                let sample = format!("lyapunov_sample_{signal}");
+                handed.push(format!(
+                    "&detail::call<std::remove_reference_t<Function>, {}, {sample}>",
+                    number(signal)
+                ));
+            }
+            c if c == form => {
+                taken.push(format!("View<{}, {}> {name}", number(signal), numbers(signal)));
+                handed.push(format!("&{name}_form"));
+                let _ = write!(
+                    before,
+                    "const auto {name}_form = detail::form<{}>({name}); ",
+                    &c[6..c.len() - 2]
+                );
+            }
+            c if c.starts_with("const ") => {
+                taken.push(format!("{}&{name}", &c[..c.len() - 1]));
+                handed.push(format!("&{name}"));
+            }
+            c if c.ends_with('*') => {
+                let value = c.trim_end_matches([' ', '*']).to_string();
+                let _ = write!(before, "{value} {name}{{}}; ");
+                handed.push(format!("&{name}"));
+                given_back = Some((value, name.clone()));
+            }
+            c => {
+                taken.push(format!("{c} {name}"));
+                handed.push(name.clone());
+            }
+        }
+    }
+    let call = format!("{}({})", function.name, handed.join(", "));
+    let taken = taken.join(", ");
+    let constant = if is_const { " const" } else { "" };
+    let _ = writeln!(text, "    /* {} */", function.about);
+    let (returned, body) = match (function.returned.as_str(), given_back) {
+        (_, Some((value, name))) => (value, format!("{before}{call}; return {name};")),
+        ("lyapunov_status", None) => ("Status".into(), format!("{before}return Status({call});")),
+        ("uint32_t", None) => ("Code".into(), format!("{before}return static_cast<Code>({call});")),
+        (number, None) => (number.into(), format!("{before}return {call};")),
+    };
+    let _ =
+        writeln!(text, "{template}    {returned} {verb}({taken}){constant} noexcept {{ {body} }}");
+}

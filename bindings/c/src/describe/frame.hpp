@@ -1,0 +1,201 @@
+// Stabilizers for sampled control loops, for C++17. Generated: edit src/describe/frame.hpp, or the functions themselves.
+//
+// A header around lyapunov.h: value types, without exceptions, allocation or virtual functions. Names are those of the
+// library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
+// View of them: an array, std::array, a signal, or an Eigen vector.
+//
+// SPDX-License-Identifier: MIT OR Apache-2.0
+#ifndef LYAPUNOV_HPP
+#define LYAPUNOV_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "lyapunov.h"
+
+namespace lyapunov {
+
+namespace detail {
+
+template <class T, std::size_t N> struct axes_of;
+template <> struct axes_of<float, 3> { using type = lyapunov_f32x3; };
+template <> struct axes_of<float, 6> { using type = lyapunov_f32x6; };
+template <> struct axes_of<double, 3> { using type = lyapunov_f64x3; };
+template <> struct axes_of<double, 6> { using type = lyapunov_f64x6; };
+template <class T> struct screw_of;
+template <> struct screw_of<float> { using type = lyapunov_f32screw; };
+template <> struct screw_of<double> { using type = lyapunov_f64screw; };
+
+} // namespace detail
+
+// Several axes.
+template <class T, std::size_t N> using Axes = typename detail::axes_of<T, N>::type;
+
+// Twist or wrench: translation, rotation.
+template <class T> using Screw = typename detail::screw_of<T>::type;
+
+// What became of a call.
+enum class Code : lyapunov_code {
+    Ok = LYAPUNOV_OK,
+    Null = LYAPUNOV_NULL,
+    Misaligned = LYAPUNOV_MISALIGNED,
+    NotInitialised = LYAPUNOV_NOT_INITIALISED,
+    OtherAbi = LYAPUNOV_OTHER_ABI,
+    Parameter = LYAPUNOV_PARAMETER,
+    Memory = LYAPUNOV_MEMORY
+};
+
+// What became of a call that may be refused; true if it was done.
+class Status {
+public:
+    explicit Status(const lyapunov_status &status) noexcept : status_(status) {}
+    explicit operator bool() const noexcept { return status_.code == LYAPUNOV_OK; }
+    Code code() const noexcept { return static_cast<Code>(status_.code); }
+    // The parameter, its value and what would be right, closed by a zero.
+    std::array<char, 192> text() const noexcept
+    {
+        std::array<char, 192> text{};
+        lyapunov_status_text(&status_, text.data(), text.size());
+        return text;
+    }
+
+private:
+    lyapunov_status status_;
+};
+
+// N numbers that somebody else keeps.
+template <class T, std::size_t N> class View {
+public:
+    View(const T (&numbers)[N]) noexcept : numbers_(numbers) {}
+    View(const std::array<T, N> &numbers) noexcept : numbers_(numbers.data()) {}
+    View(const Axes<T, N> &axes) noexcept : numbers_(axes.axis) {}
+    // A twist or wrench is three numbers of translation and three of rotation, one after another.
+    template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
+    View(const Screw<T> &screw) noexcept : numbers_(reinterpret_cast<const T *>(&screw)) {}
+    // Whatever has its size in its type as Eigen has it, and data() of its own: a vector, not an expression.
+    template <class Vector, std::size_t Size = static_cast<std::size_t>(Vector::SizeAtCompileTime),
+              class = decltype(std::declval<const Vector &>().data())>
+    View(const Vector &vector) noexcept : numbers_(vector.data())
+    {
+        static_assert(Size == N, "a vector with as many numbers as the signal");
+        static_assert(std::is_same<typename Vector::Scalar, T>::value, "a vector of the signal's number");
+    }
+    const T *data() const noexcept { return numbers_; }
+    static constexpr std::size_t size() noexcept { return N; }
+    const T *begin() const noexcept { return numbers_; }
+    const T *end() const noexcept { return numbers_ + N; }
+    const T &operator[](std::size_t at) const noexcept { return numbers_[at]; }
+
+private:
+    const T *numbers_;
+};
+
+namespace detail {
+
+template <class Form, class T, std::size_t N> Form form(View<T, N> view) noexcept
+{
+    static_assert(sizeof(Form) == N * sizeof(T), "as many numbers");
+    Form form;
+    std::memcpy(&form, view.data(), sizeof form);
+    return form;
+}
+
+template <class Function> void *address(Function &function) noexcept
+{
+    return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
+}
+
+template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
+{
+    return (*static_cast<Function *>(function))(*sample);
+}
+
+template <class Signal> struct of;
+template <> struct of<float> { using Number = float; using Sample = lyapunov_sample_f32; };
+template <> struct of<double> { using Number = double; using Sample = lyapunov_sample_f64; };
+template <> struct of<lyapunov_f32x3> { using Number = float; using Sample = lyapunov_sample_f32x3; };
+template <> struct of<lyapunov_f64x3> { using Number = double; using Sample = lyapunov_sample_f64x3; };
+template <> struct of<lyapunov_f32x6> { using Number = float; using Sample = lyapunov_sample_f32x6; };
+template <> struct of<lyapunov_f64x6> { using Number = double; using Sample = lyapunov_sample_f64x6; };
+template <> struct of<lyapunov_f32screw> { using Number = float; using Sample = lyapunov_sample_f32screw; };
+template <> struct of<lyapunov_f64screw> { using Number = double; using Sample = lyapunov_sample_f64screw; };
+
+} // namespace detail
+
+// A signal of the numbers in a view.
+template <class Signal, class T, std::size_t N> Signal signal(View<T, N> view) noexcept
+{
+    return detail::form<Signal>(view);
+}
+
+template <class Signal> using Number = typename detail::of<Signal>::Number;
+
+// What the other side of a port did since the last call.
+template <class Signal> using PortSample = typename detail::of<Signal>::Sample;
+
+// One period under one held effort, of which sample() makes a PortSample with its work.
+template <class Signal> struct HeldTick {
+    Number<Signal> period{};
+    Signal position{};
+    Signal velocity{};
+    Signal displacement{};
+    Signal applied{};
+
+    PortSample<Signal> sample() const noexcept
+    {
+        constexpr std::size_t count = sizeof(Signal) / sizeof(Number<Signal>);
+        std::array<Number<Signal>, count> moved{}, force{};
+        std::memcpy(moved.data(), &displacement, sizeof displacement);
+        std::memcpy(force.data(), &applied, sizeof applied);
+        for (std::size_t at = 0; at < count; ++at) {
+            force[at] *= moved[at];
+        }
+        PortSample<Signal> sample{period, position, velocity, displacement, applied, Signal{}};
+        std::memcpy(&sample.work, force.data(), sizeof sample.work);
+        return sample;
+    }
+};
+
+// Largest damping that a stabilizer may inject, N.s/m.
+template <class T> struct DampingLimit {
+    T most{};
+
+    // The limit cap * mass / period, for an effort that acts `late` ticks late.
+    Status of_mass(T cap, T mass, T period, std::uint32_t late = 0) noexcept
+    {
+        if constexpr (std::is_same<T, float>::value) {
+            return Status(lyapunov_damping_limit_f32_of_mass(cap, mass, period, late, &most));
+        } else {
+            return Status(lyapunov_damping_limit_f64_of_mass(cap, mass, period, late, &most));
+        }
+    }
+
+    // The limit of a mobility, cap / (stiffness * period), m/(N.s).
+    Status of_stiffness(T cap, T stiffness, T period, std::uint32_t late = 0) noexcept
+    {
+        if constexpr (std::is_same<T, float>::value) {
+            return Status(lyapunov_damping_limit_f32_of_stiffness(cap, stiffness, period, late, &most));
+        } else {
+            return Status(lyapunov_damping_limit_f64_of_stiffness(cap, stiffness, period, late, &most));
+        }
+    }
+};
+
+#ifdef EIGEN_WORLD_VERSION
+// The axes as a vector of Eigen that reads the same memory; Eigen is included before this header.
+template <class Form> auto eigen(const Form &axes) noexcept
+{
+    using T = Number<Form>;
+    return Eigen::Map<const Eigen::Matrix<T, static_cast<int>(sizeof(Form) / sizeof(T)), 1>>(
+        View<T, sizeof(Form) / sizeof(T)>(axes).data());
+}
+#endif
+// The classes, generated.
+
+} // namespace lyapunov
+
+#endif
