@@ -1,4 +1,4 @@
-/* Random ticks and a hash of what comes out, the same here and in examples/equal.rs. */
+/* Random ticks and a hash of what comes out, the same here and in equal/src/main.rs. */
 #ifndef RANDOM_H
 #define RANDOM_H
 
