@@ -1,0 +1,172 @@
+#!/usr/bin/env bash
+# Every check of the library for C and C++; `check.sh long` takes more ticks. Installs what it needs where apt-get can.
+# A check that cannot run says SKIPPED and why.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+long=${1:-}
+host_ticks=$([ "$long" = long ] && echo 1000000 || echo 20000)
+bare_ticks=$([ "$long" = long ] && echo 10000 || echo 500)
+out=$PWD/target/check
+mkdir -p "$out"
+export CARGO_TARGET_DIR=$PWD/target
+
+step() { printf '\n== %s\n' "$1"; }
+skipped() { printf '\n== SKIPPED: %s\n' "$*"; }
+have() { command -v "$1" >/dev/null; }
+
+install_what_is_missing() {
+    local packages=()
+    have clang || packages+=(clang)
+    have cmake || packages+=(cmake)
+    have valgrind || packages+=(valgrind)
+    have pkg-config || packages+=(pkg-config)
+    have abidiff || packages+=(abigail-tools)
+    have arm-none-eabi-gcc || packages+=(gcc-arm-none-eabi libnewlib-arm-none-eabi)
+    have qemu-system-arm || packages+=(qemu-system-arm)
+    [ -d /usr/include/eigen3 ] || packages+=(libeigen3-dev)
+    [ ${#packages[@]} -eq 0 ] && return
+    have apt-get && [ "$(id -u)" = 0 ] || return 0
+    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -qq -y "${packages[@]}"; } >"$out/apt.log" 2>&1 ||
+        echo "apt-get could not install: ${packages[*]}"
+}
+
+archive() { # of a target, or of this machine
+    cargo rustc --quiet --release --features library --crate-type "${2:-staticlib}" ${1:+--target "$1"}
+}
+
+warnings=(-Wall -Wextra -Wpedantic -Wconversion -Werror -Wno-psabi)
+
+compiles_without_a_warning() {
+    local compiler file standard
+    for compiler in gcc clang; do
+        have $compiler || { skipped "$compiler is not here: nothing is compiled with it"; continue; }
+        for standard in c99 c11; do
+            for file in examples/*.c tests/c/hard.c tests/c/equal.c; do
+                $compiler -std=$standard "${warnings[@]}" -Iinclude -fsyntax-only "$file"
+            done
+        done
+    done
+    for compiler in g++ clang++; do
+        have $compiler || { skipped "$compiler is not here: nothing is compiled with it"; continue; }
+        for file in examples/*.cpp; do
+            $compiler -std=c++17 -fno-exceptions "${warnings[@]}" -Iinclude -fsyntax-only "$file"
+            [ -d /usr/include/eigen3 ] &&
+                $compiler -std=c++17 "${warnings[@]}" -Iinclude -isystem /usr/include/eigen3 -fsyntax-only "$file"
+        done
+        echo '#include <lyapunov.h>' | $compiler -std=c++17 -x c++ "${warnings[@]}" -Iinclude -fsyntax-only -
+    done
+}
+
+shares() { # of a shared library, what it exports
+    nm -D --defined-only "$1" | awk '$2 == "T" && $3 ~ /^lyapunov_/ { print $3 }' | sort
+}
+
+exports_what_the_header_says() {
+    grep -o '^LYAPUNOV_API [^;]*(' include/lyapunov.h | sed 's/($//; s/.*[ *]//' | sort >"$out/declared"
+    shares target/release/liblyapunov_c.so >"$out/exported"
+    diff "$out/declared" "$out/exported"
+}
+
+bytes_are_equal() { # how many ticks
+    cargo run --quiet --profile equal -p lyapunov-equal -- "$1" >"$out/equal.rust"
+    "$out/equal" "$1" | diff "$out/equal.rust" -
+    echo "$(wc -l <"$out/equal.rust") blocks, $1 ticks each: equal"
+}
+
+bare() { # output, flags of the processor, sources
+    local output=$1 flags=$2
+    shift 2
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $flags -mthumb -O2 -std=c11 -Iinclude -ffunction-sections -fdata-sections "$@" -Wl,--gc-sections -o "$output"
+}
+
+no_panic_is_linked() {
+    ! arm-none-eabi-nm -C "$1" | grep -iE 'panic|rust_begin_unwind|core::fmt|__rust_alloc'
+}
+
+flash() { # target, flags: bytes of code and of memory beyond a loop without a stabilizer
+    local name
+    for name in empty by_hand small; do
+        bare "$out/$name.elf" "$2" -Os -nostartfiles -Wl,-e,loop -Wl,--entry=loop "tests/bare/$name.c" "target/$1/release/liblyapunov_c.a" -lgcc 2>/dev/null
+    done
+    no_panic_is_linked "$out/small.elf"
+    arm-none-eabi-size "$out/empty.elf" "$out/by_hand.elf" "$out/small.elf" | awk -v target="$1" '
+        NR == 2 { text = $1; data = $2 + $3 }
+        NR > 2 { printf "%s %-8s %5d bytes of flash, %3d of memory\n", target, NR == 3 ? "by hand" : "library", $1 - text, $2 + $3 - data }'
+}
+
+on_a_microcontroller() {
+    local target flags board
+    if ! have arm-none-eabi-gcc; then
+        skipped "microcontrollers: arm-none-eabi-gcc is not here (Debian: gcc-arm-none-eabi, libnewlib-arm-none-eabi)"
+        return
+    fi
+    for target in thumbv7em-none-eabihf thumbv6m-none-eabi; do
+        if ! [ -d "$(rustc --print sysroot)/lib/rustlib/$target" ] && ! rustup target add $target >/dev/null 2>&1; then
+            skipped "$target: the target cannot be had here (rustup target add failed)"
+            continue
+        fi
+        step "$target"
+        archive $target
+        case $target in
+            thumbv6m*) flash $target "-mcpu=cortex-m0" ;;
+            *) flash $target "-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
+        esac
+    done
+    if ! have qemu-system-arm; then
+        skipped "running on a microcontroller: qemu-system-arm is not here"
+        return
+    fi
+    [ -f target/thumbv7em-none-eabihf/release/liblyapunov_c.a ] || return 0
+    cargo run --quiet --profile equal -p lyapunov-equal -- "$bare_ticks" >"$out/equal.bare"
+    for board in mps2-an386:cortex-m4 mps2-an500:cortex-m7; do
+        flags="-mcpu=${board#*:} -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
+        bare "$out/${board#*:}.elf" "$flags" --specs=rdimon.specs -nostartfiles -T tests/bare/mps2.ld \
+            tests/bare/start.c tests/c/equal.c "$(arm-none-eabi-gcc $flags -mthumb -print-file-name=crti.o)" \
+            "$(arm-none-eabi-gcc $flags -mthumb -print-file-name=rdimon-crt0.o)" target/thumbv7em-none-eabihf/release/liblyapunov_c.a \
+            "$(arm-none-eabi-gcc $flags -mthumb -print-file-name=crtn.o)"
+        timeout 600 qemu-system-arm -M "${board%:*}" -nographic -monitor none -serial none \
+            -semihosting-config enable=on,target=native,arg=equal,arg="$bare_ticks" \
+            -kernel "$out/${board#*:}.elf" | diff "$out/equal.bare" -
+        echo "${board%:*}: $(wc -l <"$out/equal.bare") blocks, $bare_ticks ticks each: equal"
+    done
+}
+
+install_what_is_missing
+
+step "formatting and lints"
+cargo fmt --all --check
+cargo clippy --quiet --features describe --all-targets -- -D warnings
+step "the header, its classes and the table of the binary interface are those of the functions"
+cargo test --quiet --features describe
+step "the library"
+archive "" staticlib,cdylib
+step "what it exports"
+exports_what_the_header_says
+step "no warning"
+compiles_without_a_warning
+library=target/release/liblyapunov_c.a
+step "examples by cmake"
+if have cmake; then
+    cmake -S examples -B "$out/examples" -DCMAKE_BUILD_TYPE=Release -DLYAPUNOV_BUILT="$CARGO_TARGET_DIR" >"$out/cmake.log" || { cat "$out/cmake.log"; exit 1; }
+    cmake --build "$out/examples"
+else
+    skipped "the examples by cmake: cmake is not here"
+fi
+step "hard inputs"
+for compiler in gcc clang; do
+    have $compiler || { skipped "hard inputs with $compiler: it is not here"; continue; }
+    $compiler -std=c11 -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude tests/c/hard.c $library -lm -o "$out/hard"
+    "$out/hard"
+done
+if have valgrind; then
+    gcc -std=c11 -g -Iinclude tests/c/hard.c $library -lm -o "$out/hard"
+    valgrind --quiet --error-exitcode=1 "$out/hard"
+else
+    skipped "hard inputs under valgrind: it is not here"
+fi
+step "C equals Rust"
+gcc -O2 -std=c11 "${warnings[@]}" -Iinclude tests/c/equal.c $library -o "$out/equal"
+bytes_are_equal "$host_ticks"
+on_a_microcontroller
