@@ -1,0 +1,163 @@
+//! Every byte of a block is initialised, and what it should be; under Miri, that none is read before.
+
+use std::mem::MaybeUninit;
+
+use lyapunov::{Correction, PortSample};
+use lyapunov_c::abi::ABI;
+use lyapunov_c::blocks;
+use lyapunov_c::kept::{Kind, Storage};
+use lyapunov_c::port::{CorrectionForm, SampleForm};
+use lyapunov_c::readings::CheckedForm;
+use lyapunov_c::status::Code;
+
+/// The bytes of a value, each read once.
+fn bytes<T>(value: &T) -> Vec<u8> {
+    let start = (&raw const *value).cast::<u8>();
+    // SAFETY: as many bytes as the value has; that each is initialised is what Miri looks at here.
+    (0..size_of::<T>()).map(|at| unsafe { start.add(at).read() }).collect()
+}
+
+/// Storage that was never written, made a block by `init`.
+fn fresh<K: Kind>(init: impl FnOnce(*mut Storage<K>) -> u32) -> Storage<K> {
+    let mut storage = MaybeUninit::<Storage<K>>::uninit();
+    assert_eq!(init(storage.as_mut_ptr()), Code::Ok as u32);
+    // SAFETY: `init` wrote it.
+    unsafe { storage.assume_init() }
+}
+
+fn sample(period: f64, work: f64) -> SampleForm<f64> {
+    let (velocity, displacement) = (0.1, 1e-4);
+    SampleForm::of(&PortSample {
+        period,
+        position: 0.0,
+        velocity,
+        displacement,
+        applied: -2.0,
+        work,
+    })
+}
+
+/// Ticks that make a debt, bring nothing, are no ticks, or are rejected.
+const TICKS: [(f64, f64); 5] =
+    [(1e-3, -2e-4), (1e-3, 0.0), (0.0, 1.0), (1e-3, f64::NAN), (1e-3, 1e-3)];
+
+macro_rules! stabilizer {
+    ($name:ident, $block:ident, $given:expr) => {
+        #[test]
+        fn $name() {
+            #[allow(unused_imports)]
+            use blocks::lolc::of_f64::Parameters as L;
+            use blocks::$block::of_f64::{Block, Parameters as P, life, stabilizer};
+            let given: P = ($given)(L { damping_limit: 80.0, device_damping: 0.5, budget: 0.0 });
+            // SAFETY: here and below all pointers lead to variables of this function.
+            let make = || fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+            let (mut one, other) = (make(), make());
+            assert_eq!(bytes(&one), bytes(&other));
+            let mut out = CorrectionForm::of(&Correction::none(0.0));
+            for (period, work) in TICKS {
+                // SAFETY: as above.
+                let code =
+                    unsafe { stabilizer::step(&mut one, &sample(period, work), 1.0, &mut out) };
+                assert_eq!(code, Code::Ok as u32);
+                assert!(bytes(&one).len() == size_of::<Storage<Block>>() && out.effort.is_finite());
+                let mut memory = <Block as Kind>::EMPTY;
+                let mut again = make();
+                // SAFETY: as above.
+                let restored = unsafe {
+                    assert_eq!(life::save(&one, &mut memory), Code::Ok as u32);
+                    life::restore(&mut again, &memory)
+                };
+                assert_eq!(restored.code, Code::Ok as u32);
+                assert_eq!(bytes(&one), bytes(&again));
+            }
+            // SAFETY: as above.
+            let retuned = unsafe { life::retune(&mut one, &given) };
+            assert_eq!((retuned.code, bytes(&one).len()), (0, size_of::<Storage<Block>>()));
+        }
+    };
+}
+
+stabilizer!(popc, popc, |_| P { damping_limit: 80.0, budget: 0.0 });
+stabilizer!(lolc, lolc, |lolc| lolc);
+stabilizer!(compensated, lolc_compensated, |lolc| P { lolc });
+stabilizer!(windowed, windowed_credit, |lolc| P { lolc, ticks: 3 });
+stabilizer!(contact, contact_reset, |lolc| P { lolc, surface: 0.0 });
+stabilizer!(spread, spread, |lolc| P { lolc, ticks: 3 });
+stabilizer!(watchdog, watchdog, |lolc| P { lolc, hold: 0.01, rise: 0.1 });
+stabilizer!(slope, slope_bound, |_| P { slope: 1000.0, creep: 0.5 });
+stabilizer!(tank, tank, |_| P {
+    start: 0.01,
+    floor: 0.0,
+    ceiling: 1.0,
+    power: 1.0,
+    device_damping: 0.5
+});
+stabilizer!(side, two_port_side, |_| P { damping_limit: 80.0 });
+
+#[test]
+fn readings() {
+    use blocks::readings::of_f64::{Block, Parameters, life, reading};
+    use blocks::readings_clocked::of_f64 as clocked;
+    let given = Parameters { period: 1e-3, fastest: 2.0 };
+    // SAFETY: here and below all pointers lead to variables of this function.
+    let mut plain = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+    let given = clocked::Parameters { period: 1e-3, fastest: 2.0 };
+    // SAFETY: as above.
+    let mut timed =
+        fresh::<clocked::Block>(|it| unsafe { clocked::life::init_abi(it, &given, ABI) }.code);
+    let mut out = MaybeUninit::<CheckedForm<f64>>::uninit();
+    for (tick, position) in [0.3, 0.301, f64::NAN, 0.302, 9.0].into_iter().enumerate() {
+        // SAFETY: as above; both write `out` before it is read.
+        let (told, accepted) = unsafe {
+            let told = reading::read(&mut plain, position, 1.0, out.as_mut_ptr());
+            let accepted = out.assume_init().accepted;
+            clocked::reading_at::read_at(
+                &mut timed,
+                tick as f64 * 1e-3,
+                position,
+                1.0,
+                out.as_mut_ptr(),
+            );
+            (told, accepted)
+        };
+        assert_eq!((told, accepted), (0, u32::from(position < 1.0)));
+        assert_eq!(
+            bytes(&plain).len() + bytes(&timed).len(),
+            size_of_val(&plain) + size_of_val(&timed)
+        );
+    }
+}
+
+/// What stands behind a tag may be anything.
+#[test]
+fn bytes_gone_bad() {
+    use blocks::slope_bound::of_f64::{Block, Parameters, life, stabilizer};
+    let given = Parameters { slope: 1000.0, creep: 0.5 };
+    // No slope at all; tiny and huge numbers, which are a slope bound; NaN.
+    for (fill, refused) in [(0x00, true), (0x01, false), (0x7f, false), (0xff, true)] {
+        // SAFETY: here and below all pointers lead to variables of this function.
+        let mut it = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+        let (start, tag) = ((&raw mut it).cast::<u8>(), size_of::<f64>());
+        // SAFETY: within the storage, which is words of any bits.
+        (tag..size_of::<Storage<Block>>()).for_each(|at| unsafe { start.add(at).write(fill) });
+        let mut out = CorrectionForm::of(&Correction::none(0.0));
+        // SAFETY: as above.
+        let code = unsafe { stabilizer::step(&mut it, &sample(1e-3, 0.0), 1.0, &mut out) };
+        assert_eq!(code == Code::Memory as u32, refused, "{fill}");
+        assert!(out.effort.is_finite() && !(refused && out.accepted != 0));
+    }
+}
+
+/// No two blocks share a tag.
+#[test]
+fn tags_differ() {
+    let mut tags: Vec<_> = include_str!("../abi.txt")
+        .lines()
+        .filter_map(|line| line.split_once(": tag "))
+        .map(|(_, tag)| tag)
+        .collect();
+    let all = tags.len();
+    tags.sort_unstable();
+    tags.dedup();
+    assert!(all > 200 && tags.len() == all);
+}
