@@ -108,7 +108,7 @@ impl<T: Scalar> Laned<T> for NoStabilizer {
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         let damping = |scene: &Draft| scene.damping(scene.damping_cap());
-        let limit = Damping::limit_of_lanes(|lane| damping(lanes.of(lane)))?;
+        let limit = Damping::limit_of_lanes(&|lane| damping(lanes.of(lane)))?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
     }
 }
