@@ -256,9 +256,7 @@ def test_every_result_draws_itself():
     matplotlib.use("Agg")
     drawn = [
         ly.run(WALL).plot(),
-        ly.compare(WALL, stabilizers="none,popc").plot(column="short_peak_n")
-        if "short_peak_n" in ly.compare(WALL, stabilizers="popc").document["rows"][0]
-        else ly.compare(WALL, stabilizers="none,popc").plot(),
+        ly.compare(WALL, stabilizers="none,popc").plot(column="peak_force_short_contact_n"),
         ly.map(WALL, X, Y, stabilizers="popc").plot(),
         ly.map(WALL, X, stabilizers="popc").plot(),
         ly.bound(WALL).plot(),
