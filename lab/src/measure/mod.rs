@@ -29,7 +29,7 @@ pub(crate) mod verdict;
 pub use balance::Balance;
 pub(crate) use chatter::Chatter;
 pub(crate) use energies::Energies;
-pub(crate) use fate::Fate;
+pub(crate) use fate::{Fate, Watched};
 pub(crate) use force_felt::ForceFelt;
 pub(crate) use given::{Given, device_damper};
 pub use linear::{Limits, LinearPart};
