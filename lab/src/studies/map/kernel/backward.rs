@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn zeros_and_the_ends_of_the_range_are_divided() {
+    fn zeros_keep_their_sign_and_the_ends_of_the_range_are_divided() {
         let ends = [0.0, f64::MIN_POSITIVE, 5e-324, 1e-160, 1e-154, 1e153, 1e155, 1e306, f64::MAX];
         for moved in ends.into_iter().chain([f64::INFINITY, 1e-19, 1e-23, 1e19, 1e38]) {
             for period in [1e-3, 1.0, 0.7, 1e-9, 5e8, 1e12, 1e-300] {

@@ -61,7 +61,7 @@ pub struct Kernel {
 pub enum Lanes {
     /// One at a time, the reference for the speed of the lanes.
     One,
-    /// As many as fill a vector of 512 bits.
+    /// As many as fill two vectors, or those that the compiler finds vectors for.
     Many,
 }
 
