@@ -31,7 +31,7 @@ pub(crate) mod verdict;
 pub use balance::Balance;
 pub(crate) use chatter::Chatter;
 pub(crate) use energies::Energies;
-pub(crate) use fate::Fate;
+pub(crate) use fate::{Fate, Watched};
 pub(crate) use force_error::ForceError;
 pub(crate) use given::device_damper;
 pub use linear::{Limits, LinearPart};
