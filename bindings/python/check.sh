@@ -16,8 +16,6 @@ if [ ! -x "$venv/bin/pip" ]; then
 fi
 "$venv/bin/pip" install --quiet 'maturin>=1.9,<2' -r requirements.txt \
     || skipped "the Python package: its tools cannot be installed from the registry"
-"$venv/bin/pip" install --quiet -r requirements-robots.txt \
-    || printf '\n== SKIPPED: robots and notebooks: their tools cannot be installed from the registry\n'
 export VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH
 
 step cargo fmt --check
@@ -32,4 +30,5 @@ step pyright --pythonpath "$venv/bin/python" python/lyapunov tests/typed.py
 # From a folder without the sources, so that it is the wheel that is tested.
 tests=$PWD/tests
 cd "$target"
-step python -m pytest --quiet -rs -p no:cacheprovider --rootdir "$tests" "$tests"
+step python -m pytest --quiet -p no:cacheprovider --rootdir "$tests" "$tests"
+step bash "$OLDPWD/examples/check.sh"

@@ -13,7 +13,7 @@ import pytest
 reason = "SKIPPED: the robots: there is no wheel of MuJoCo or of franka-sim"
 pytest.importorskip("mujoco", reason=reason)
 pytest.importorskip("franka_sim", reason=reason)
-EXAMPLES = pathlib.Path(__file__).parents[1] / "examples"
+EXAMPLES = pathlib.Path(__file__).parents[1]
 sys.path.insert(0, str(EXAMPLES))
 
 import arm_impedance  # noqa: E402
