@@ -92,8 +92,9 @@ def test_two_arms_settle_over_a_channel_that_drives_them_apart(changed):
     assert free.max() > 100.0 * free[0]
     assert held.max() < 1.1 * held[0]
     assert held[-100:].max() < 0.05 * held[0]
-    assert np.abs(angles[-1, :7] - angles[-1, 7:]).max() < np.radians(1.0)
-    assert np.abs(angles[-1, 7:] - angles[0, 7:]).max() > np.radians(0.4)  # The slave went along.
+    apart = np.abs(angles[-1, :7] - angles[-1, 7:]).max()
+    moved = np.abs(angles[-1, 7:] - angles[0, 7:]).max()
+    assert apart < 0.5 * moved  # The slave went along.
 
 
 WIRE = """
@@ -127,7 +128,7 @@ def test_a_torque_loop_over_the_wire_stands_at_four_times_the_stiffness():
     if any(arrived < 0.9 or "communication" in stopped for _, stopped, arrived in runs):
         pytest.skip("SKIPPED: the wire: this machine is too busy for 1 kHz, commands were lost")
     for (energies, stopped, _), (name, stiffness) in zip(runs, zip(words[::2], words[1::2])):
-        first, last = max(energies[:150]), max(energies[-100:])
+        first, last = max(energies[:50]), max(energies[-100:])
         if name == "popc":
             assert not stopped and last < 1e-3 * first, (name, stiffness)
         elif stiffness == "300":
