@@ -31,3 +31,4 @@ step pyright --pythonpath "$venv/bin/python" python/lyapunov tests/typed.py
 tests=$PWD/tests
 cd "$target"
 step python -m pytest --quiet -p no:cacheprovider --rootdir "$tests" "$tests"
+step bash "$OLDPWD/examples/check.sh"
