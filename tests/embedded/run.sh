@@ -112,7 +112,7 @@ realtime() {
 cargo build --quiet --release --bin host
 "$CARGO_TARGET_DIR/release/host" >"$out/host.txt"
 # Every member is in the list, lanes are their scalar runs, and this processor without optimization.
-cargo test --quiet
+cargo test --quiet --release
 cargo run --quiet --bin host >"$out/debug.txt"
 same "$out/debug.txt" "this processor in debug"
 boards
