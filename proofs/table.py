@@ -43,7 +43,7 @@ def cell(formats):
 
 def table(rows):
     """The lines of the table, as lists of cells."""
-    rows = [row for row in rows if not row["mutant"] and row["scalar"] != "reals"]
+    rows = [row for row in rows if not row["mutant"] and row["scalar"] != "reals" and row["property"] != "rounding"]
     lines = []
     for member in dict.fromkeys(row["member"] for row in rows):
         for axes in ("1", "3"):

@@ -69,7 +69,7 @@ exports_what_the_header_says() {
 }
 
 bytes_are_equal() { # how many ticks
-    cargo run --quiet --profile equal -p lyapunov-equal -- "$1" >"$out/equal.rust"
+    cargo run --quiet --release -p lyapunov-equal --bin lyapunov-equal -- "$1" >"$out/equal.rust"
     "$out/equal" "$1" | diff "$out/equal.rust" -
     echo "$(wc -l <"$out/equal.rust") blocks, $1 ticks each: equal"
 }
@@ -119,7 +119,7 @@ on_a_microcontroller() {
         return
     fi
     [ -f target/thumbv7em-none-eabihf/release/liblyapunov_c.a ] || return 0
-    cargo run --quiet --profile equal -p lyapunov-equal -- "$bare_ticks" >"$out/equal.bare"
+    cargo run --quiet --release -p lyapunov-equal --bin lyapunov-equal -- "$bare_ticks" >"$out/equal.bare"
     for board in mps2-an386:cortex-m4 mps2-an500:cortex-m7; do
         flags="-mcpu=${board#*:} -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
         bare "$out/${board#*:}.elf" "$flags" --specs=rdimon.specs -nostartfiles -T tests/bare/mps2.ld \
@@ -179,3 +179,5 @@ bytes_are_equal "$host_ticks"
 on_a_microcontroller
 # Those machines for which the library is built by now, or all of them.
 if [ "$long" = long ]; then tests/frames.sh long; else tests/frames.sh "$(uname -m)-linux" cortex-m0 cortex-m4f; fi
+step "what a step costs through C"
+cargo run --quiet --release -p lyapunov-equal --bin cost -- target/release/liblyapunov_c.so

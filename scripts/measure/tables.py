@@ -165,7 +165,8 @@ PARTS = {
 
 def fenced(file):
     """The text of a file, as the terminal shows it."""
-    return f"```text\n{file.read_text().strip()}\n```"
+    text = file.read_text().strip("\n")
+    return f"```text\n{text}\n```"
 
 
 def write(root, results, measured, parts):

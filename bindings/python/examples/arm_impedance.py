@@ -6,8 +6,8 @@ Franka's FR3 (`fr3.py`) presses with 20 N on MuJoCo's own stiff table and is kno
 damper in six axes, runs at 1 kHz, and its torques act five ticks late. The stabilizer stands at the joints, in coordinates in
 which the arm has the mass 1 in every direction: the work is that of the torques, exactly, and the limit is known.
 
-What it shows: at 40 kN/m the energy that MuJoCo counts grows without a stabilizer, and with POPC dies after a first burst, to
-twice what arm and virtual spring start with; at 1 kN/m the controller needs no help. Five ticks late and at 60 kN/m POPC does not
+What it shows: at 40 kN/m the energy that MuJoCo counts grows without a stabilizer, and with POPC dies after a first burst, to less
+than three times what arm and virtual spring start with; at 1 kN/m the controller needs no help. Five ticks late and at 60 kN/m POPC does not
 save it. What it does not show: joint friction at rest, elastic joints, or limits of the torques.
 """
 

@@ -15,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "examples"))
 import arm_impedance  # noqa: E402
 import haptic_one_axis  # noqa: E402
 import haptic_six_axes  # noqa: E402
+import two_arms  # noqa: E402
 
 
 def test_the_wall_of_the_virtual_world_is_as_stiff_as_said():
@@ -78,3 +79,14 @@ def test_the_arm_needs_no_stabilizer_where_the_controller_is_soft():
     told, _, pressed = arm_impedance.run("none", stiffness=1e3)
     assert told.max() < 1.01 * told[0] and told[-1] < 0.01 * told[0]
     assert pressed == pytest.approx(arm_impedance.PRESS, rel=0.15)
+
+
+@pytest.mark.parametrize("changed", [{}, {"seed": 2, "loss": 0.5}, {"delay": 14}, {"delay": 5, "stiffness": 400.0}])
+def test_two_arms_settle_over_a_channel_that_drives_them_apart(changed):
+    free, _ = two_arms.run("none", **changed)
+    held, angles = two_arms.run("lolc", **changed)
+    assert free.max() > 100.0 * free[0]
+    assert held.max() < 1.1 * held[0]
+    assert held[-100:].max() < 0.05 * held[0]
+    assert np.abs(angles[-1, :7] - angles[-1, 7:]).max() < np.radians(1.0)
+    assert np.abs(angles[-1, 7:] - angles[0, 7:]).max() > np.radians(0.4)  # The slave went along.

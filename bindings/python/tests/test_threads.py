@@ -38,8 +38,8 @@ def test_a_block_that_threads_share_never_gives_a_wrong_answer():
 
 
 def test_batches_run_without_the_interpreters_lock():
-    ticks = np.zeros((400, 20000))
-    batch = ly.Batch(ly.Stabilizer("popc", limit=1.0), 20000, PERIOD)
+    ticks = np.zeros((400, 4000))
+    batch = ly.Batch(ly.Stabilizer("popc", limit=1.0), 4000, PERIOD)
     thread = threading.Thread(target=batch.stabilize, args=(ticks, ticks, ticks))
     counted = 0
     thread.start()
@@ -50,15 +50,15 @@ def test_batches_run_without_the_interpreters_lock():
 
 
 def test_a_batch_in_use_says_so():
-    ticks = np.zeros((400, 20000))
-    batch = ly.Batch(ly.Stabilizer("popc", limit=1.0), 20000, PERIOD)
+    ticks = np.zeros((400, 4000))
+    batch = ly.Batch(ly.Stabilizer("popc", limit=1.0), 4000, PERIOD)
     thread = threading.Thread(target=batch.stabilize, args=(ticks, ticks, ticks))
     thread.start()
     said = None
     while thread.is_alive() and said is None:
         try:
             batch.stabilize(ticks[0], ticks[0], ticks[0])
-            time.sleep(1e-3)
+            time.sleep(0)
         except RuntimeError as error:
             said = str(error)
     thread.join()

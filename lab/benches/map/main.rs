@@ -1,8 +1,8 @@
 //! Rollout-steps per second of a stability map, on one core: the paper's wall, a 1 kHz servo over a 100 Hz
 //! environment, 2 s, LOLC with a cap of 0.5, stiffness 100 to 50,000 N/m by damping 0 to 100 N·s/m.
 //!
-//! `map/scalar` runs the cells one by one, `map/lanes` as many at once as fill a vector, on the best instructions that
-//! the processor has; both run each cell to its end, unless its verdict is certain before. `map/measures-scalar` and
+//! `map/scalar` runs the cells one by one, `map/lanes` as many at once as fill two vectors, on the best instructions
+//! that the processor has; both run each cell to its end, unless its verdict is certain before. `map/measures-scalar` and
 //! `map/measures-lanes` measure the same cells, each to its end.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

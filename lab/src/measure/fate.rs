@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use lyapunov::Scalar;
 
-use super::stretches::{ALL, FIRST, LAST_QUARTER, LAST_TENTH, SECOND, Stretches};
+use super::stretches::{ALL, FIRST, LAST_QUARTER, LAST_TENTH, SECOND, Span, Stretches};
 use super::verdict::{Findings, Verdict, Yardstick};
 use crate::files::scene::Draft;
 use crate::simulate::criterion::BAND;
@@ -68,6 +68,17 @@ impl<T: Scalar> Fate<T> {
         if let Some(speeds) = &mut self.speeds {
             add_speed(speeds, velocity);
         }
+    }
+
+    /// The ticks that may be [watched](Self::watched) from here on, at least one.
+    pub(crate) fn room(&mut self) -> u64 {
+        self.positions.room()
+    }
+
+    /// The fate over some ticks, no more than there is [room](Self::room) for.
+    #[inline(always)]
+    pub(crate) fn watched(&mut self) -> Watched<'_, T> {
+        Watched { span: self.positions.span(), fate: self }
     }
 
     /// The criterion of a lane.
@@ -144,6 +155,30 @@ impl<T: Scalar> Fate<T> {
             (Some(speeds), None) => speeds.extremes(stretches, lane)[1].max(0.0),
             (None, None) => 0.0,
         }
+    }
+}
+
+/// A fate over some ticks, with what changes at each of them apart, so that it may stay in registers.
+#[derive(Debug)]
+pub(crate) struct Watched<'a, T> {
+    span: Span<T>,
+    fate: &'a mut Fate<T>,
+}
+
+impl<T: Scalar> Watched<'_, T> {
+    /// Adds one more tick, as [`Fate::add`].
+    #[inline(always)]
+    pub(crate) fn add(&mut self, position: T, velocity: T) {
+        self.span.add(position);
+        if let Some(speeds) = &mut self.fate.speeds {
+            add_speed(speeds, velocity);
+        }
+    }
+
+    /// Ends after as many `ticks`.
+    #[inline(always)]
+    pub(crate) fn end(self, ticks: u64) {
+        self.fate.positions.take(self.span, ticks);
     }
 }
 

@@ -38,6 +38,21 @@ pub(crate) struct Stretches<T> {
     highs: [T; COUNT],
 }
 
+/// The extremes of some rows of one stretch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span<T> {
+    low: T,
+    high: T,
+}
+
+impl<T: Scalar> Span<T> {
+    #[inline(always)]
+    pub(crate) fn add(&mut self, value: T) {
+        self.low = value.smaller(self.low);
+        self.high = value.larger(self.high);
+    }
+}
+
 impl<T: Scalar> Stretches<T> {
     /// The meter of a run of the ticks 0 to `last`.
     pub(crate) fn new(last: u64) -> Self {
@@ -51,9 +66,31 @@ impl<T: Scalar> Stretches<T> {
         if self.rows == self.next {
             self.turn();
         }
-        self.low = value.smaller(self.low);
-        self.high = value.larger(self.high);
-        self.rows += 1;
+        let mut span = self.span();
+        span.add(value);
+        self.take(span, 1);
+    }
+
+    /// Begins the stretch of the next row, where it is its first. Returns how many rows are left in it; in the last one,
+    /// more than any run has.
+    pub(crate) fn room(&mut self) -> u64 {
+        if self.rows == self.next {
+            self.turn();
+        }
+        self.next - self.rows
+    }
+
+    /// The extremes of the stretch so far, for more rows of it.
+    #[inline(always)]
+    pub(crate) fn span(&self) -> Span<T> {
+        Span { low: self.low, high: self.high }
+    }
+
+    /// Takes the extremes of the stretch after as many more `rows`.
+    #[inline(always)]
+    pub(crate) fn take(&mut self, span: Span<T>, rows: u64) {
+        (self.low, self.high) = (span.low, span.high);
+        self.rows += rows;
     }
 
     /// Begins the stretch of this row.

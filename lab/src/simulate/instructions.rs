@@ -44,17 +44,6 @@ impl Instructions {
         }
     }
 
-    /// Whether one instruction computes eight products and sums in `f64`.
-    pub(crate) fn multiplies_and_adds_at_once(self) -> bool {
-        match self {
-            Self::Base => false,
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx2(_) => false,
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512(_) => true,
-        }
-    }
-
     /// Runs `job` compiled for these instructions. The compiler fuses no multiplication with an addition, so the bits
     /// are the same on all of them.
     #[inline(always)]

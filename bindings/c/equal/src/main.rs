@@ -1,6 +1,6 @@
 //! What tests/c/equal.c prints, by the library in Rust alone: every block over random ticks, as a hash of what came out.
 //!
-//! Nothing here goes through the functions of C. `cargo run --profile equal -p lyapunov-equal -- 1000000`
+//! Nothing here goes through the functions of C. `cargo run --release -p lyapunov-equal --bin lyapunov-equal -- 1000000`
 
 use lyapunov::accumulators::{Compensated, Plain};
 use lyapunov::candidates::InContact;

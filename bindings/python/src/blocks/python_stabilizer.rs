@@ -32,10 +32,15 @@ impl PythonStabilizer {
 
 impl<V: Axes> Stabilizer<V> for PythonStabilizer {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Corrected<V> {
+        // Not a number ends the run.
+        let rejected =
+            Corrected { observed_energy: f64::NAN, accepted: false, ..Corrected::none(effort) };
+        if self.raised.is_kept() {
+            return rejected;
+        }
         self.asked(sample, effort).unwrap_or_else(|error| {
             self.raised.keep(error);
-            // Not a number ends the run.
-            Corrected { observed_energy: f64::NAN, accepted: false, ..Corrected::none(effort) }
+            rejected
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use lyapunov::{DampingLimit, ParameterError, Scalar};
 
+use super::lanes::numbers;
 use super::{Cap, Draft};
 
 /// The factors of a loop's damping limit `cap · port_mass / T`.
@@ -26,14 +27,14 @@ impl Damping {
 
     /// The limit in the scalar of the loop.
     pub(crate) fn limit<T: Scalar>(self) -> Result<DampingLimit<T>, ParameterError> {
-        Self::limit_of_lanes(|_| self)
+        Self::limit_of_lanes(&|_| self)
     }
 
     /// The limit of each lane.
     pub(crate) fn limit_of_lanes<T: Scalar>(
-        lane: impl Fn(usize) -> Self,
+        lane: &dyn Fn(usize) -> Self,
     ) -> Result<DampingLimit<T>, ParameterError> {
-        let each = |number: fn(Self) -> f64| T::from_lanes(|index| number(lane(index)));
+        let each = |number: fn(Self) -> f64| numbers(&mut |index| number(lane(index)));
         DampingLimit::of_mass(each(|it| it.cap), each(|it| it.port_mass), each(|it| it.period))
     }
 }

@@ -37,6 +37,12 @@ impl<'a, A> Lanes<'a, A> {
 
     /// One number of each value, lane by lane.
     pub(crate) fn each<T: Scalar, N: Into<f64>>(self, number: impl Fn(&A) -> N) -> T {
-        T::from_lanes(|lane| number(self.lane(lane)).into())
+        numbers(&mut |lane| number(self.lane(lane)).into())
     }
+}
+
+/// The number of each lane, by a call through a table: a scene reads some hundred, each compiled for every scalar
+/// otherwise.
+pub(super) fn numbers<T: Scalar>(number: &mut dyn FnMut(usize) -> f64) -> T {
+    T::from_lanes(number)
 }

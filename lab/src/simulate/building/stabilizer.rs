@@ -80,17 +80,27 @@ impl<V: Space> AnyStabilizer<V> {
             scene::Stabilizer::Lolc(lolc) => (lolc.work, lolc.ledger, lolc.candidate),
             _ => return Err(scene::elsewhere()),
         };
-        let limit = Damping::limit_of_lanes(|lane| {
+        let limit = Damping::limit_of_lanes(&|lane| {
             let (scene, table) = (scenes.lane(lane), Lanes::new(tables).lane(lane));
             // The cap that is written, else the default of the scene.
             scene.damping(table.written("damping_cap").unwrap_or_else(|| scene.default_cap()))
         })?;
         let booking = Booking { work, ledger, limit, instructions: scenes.instructions() };
+        // A loop is compiled for the two candidates that most scenes have; environments have as many as they are.
+        let by_default = (work, ledger) == (Work::Held, Ledger::Plain);
         Ok(match candidate {
+            Candidate::Spring if by_default => {
+                Self::fused(Lolc::new(PortEnergy, limit), booking.instructions)
+            }
             Candidate::Spring => Self::watching(PortEnergy, booking),
             Candidate::DeviceDamping => {
                 let damper = Dissipation::of(scenes.each(|it| it.device.damping))?;
-                Self::watching((PortEnergy, damper), booking)
+                if by_default {
+                    let lolc = Lolc::new((PortEnergy, damper), limit);
+                    Self::fused(lolc, booking.instructions)
+                } else {
+                    Self::watching((PortEnergy, damper), booking)
+                }
             }
             Candidate::MassSpringDamper => V::render(scenes, booking)?,
         })
@@ -103,8 +113,8 @@ impl<V: Space> AnyStabilizer<V> {
         // Only the default ledger of held work is compiled for each candidate; the others pay for a box with a call.
         let boxed = |candidate| Lolc::new(AnyCandidate::<V>(Box::new(candidate)), limit);
         match (work, ledger) {
-            (Work::Held, Ledger::Plain) => Self::fused(Lolc::new(candidate, limit), on),
-            (Work::Sampled, Ledger::Plain) => Self::fused(boxed(candidate).sampled(), on),
+            (Work::Held, Ledger::Plain) => Self::called_on(Lolc::new(candidate, limit), on),
+            (Work::Sampled, Ledger::Plain) => Self::called_on(boxed(candidate).sampled(), on),
             (_, Ledger::Compensated) => {
                 Self::booked(boxed(candidate).summed_in::<Compensated<V::Scalar>>(), work, on)
             }
@@ -118,8 +128,8 @@ impl<V: Space> AnyStabilizer<V> {
         on: Instructions,
     ) -> Self {
         match work {
-            Work::Held => Self::fused(lolc, on),
-            Work::Sampled => Self::fused(lolc.sampled(), on),
+            Work::Held => Self::called_on(lolc, on),
+            Work::Sampled => Self::called_on(lolc.sampled(), on),
         }
     }
 }
@@ -195,7 +205,7 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
     }
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
-        take(&mut self.0, samples, corrections);
+        take(self, samples, corrections);
     }
 }
 
@@ -218,7 +228,7 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
     }
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
-        take(&mut self.0, samples, corrections);
+        take(self, samples, corrections);
     }
 }
 

@@ -111,7 +111,7 @@ mod tests {
         device = { mass = 0.2, damping = 0.01 }\ninitial.position = -0.004\n\
         effects.encoder.resolution = 1e-5\neffects.delay.ticks = 1\n\
         effects.noise = { deviation = 1e-6, seed = 7 }\n\
-        environment.wall = { stiffness = 6000.0, damping = 2.0 }\n\
+        environment.wall = { stiffness = 1000.0, damping = 2.0 }\n\
         stabilizer.popc.damping_cap = 0.1\n";
 
     fn on_lanes(scenes: &[Scene], objective: &str) -> Vec<Option<f64>> {

@@ -7,6 +7,7 @@ use lyapunov::{DampingLimit, OnePort, ParameterError, Scalar, Signal, Stabilizer
 use super::{Basis, Pledge};
 use crate::files::scene::book::Key;
 use crate::files::scene::check::Conflict;
+use crate::files::scene::lanes::numbers;
 use crate::files::scene::{Damping, Lanes, OutOfRange};
 
 /// A number of a stabilizer on a loop, by its key.
@@ -206,7 +207,7 @@ impl<'a, A: StabilizerKind> OnLoops<'a, A> {
     /// One number of each table on its loop, lane by lane.
     pub(super) fn each<T: Scalar>(self, number: impl Fn(&A, &Basis) -> f64) -> T {
         let (tables, bases) = (Lanes::new(self.tables), Lanes::new(self.bases));
-        T::from_lanes(|lane| number(tables.lane(lane), bases.lane(lane)))
+        numbers(&mut |lane| number(tables.lane(lane), bases.lane(lane)))
     }
 
     /// The damping limit of `cap` m / T on each loop.
@@ -215,7 +216,7 @@ impl<'a, A: StabilizerKind> OnLoops<'a, A> {
         cap: impl Fn(&A, &Basis) -> f64,
     ) -> Result<DampingLimit<T>, ParameterError> {
         let (tables, bases) = (Lanes::new(self.tables), Lanes::new(self.bases));
-        Damping::limit_of_lanes(|lane| {
+        Damping::limit_of_lanes(&|lane| {
             let on = bases.lane(lane);
             Damping { cap: cap(tables.lane(lane), on), ..on.limit }
         })

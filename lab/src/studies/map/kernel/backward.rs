@@ -1,34 +1,40 @@
 //! Backward-difference velocity over a constant period.
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
-use lyapunov::{Correction, Mask, OnePort, PortSample, Scalar};
+use lyapunov::{Mask, Scalar};
 
+use super::proven::Proven;
+use super::vectors::{F32s, F64s};
 use crate::simulate::Aligned;
 
 /// A scalar with fused multiplication and addition, in one rounding. A step of the loop must not use it, because its
 /// bits would depend on the instructions; here it computes a quotient that is the same with and without it.
 pub(super) trait Fuse: Scalar {
+    /// Whether the processor multiplies and adds in one instruction, and that is faster than a division.
+    const IS_FUSED: bool;
+
     /// `self factor + term`, rounded once.
     fn fused(self, factor: Self, term: Self) -> Self;
 }
 
-impl Fuse for f64 {
-    #[inline(always)]
-    fn fused(self, factor: Self, term: Self) -> Self {
-        self.mul_add(factor, term)
-    }
-}
+macro_rules! alone {
+    ($($real:ident),+) => {$(
+        impl Fuse for $real {
+            const IS_FUSED: bool = false;
 
-impl Fuse for f32 {
-    #[inline(always)]
-    fn fused(self, factor: Self, term: Self) -> Self {
-        self.mul_add(factor, term)
-    }
+            #[inline(always)]
+            fn fused(self, factor: Self, term: Self) -> Self {
+                self.mul_add(factor, term)
+            }
+        }
+    )+};
 }
 
 macro_rules! lanes {
     ($($lanes:ident),+) => {$(
         impl Fuse for Aligned<$lanes> {
+            const IS_FUSED: bool = false;
+
             #[inline(always)]
             fn fused(self, factor: Self, term: Self) -> Self {
                 let (value, factor, term) = (self.0.0, factor.0.0, term.0.0);
@@ -39,76 +45,65 @@ macro_rules! lanes {
     )+};
 }
 
+macro_rules! vectors {
+    ($($lanes:ident),+) => {$(
+        impl<S: Proven, const N: usize> Fuse for $lanes<S, N> {
+            const IS_FUSED: bool = true;
+
+            #[inline(always)]
+            fn fused(self, factor: Self, term: Self) -> Self {
+                Self::fused(self, factor, term)
+            }
+        }
+    )+};
+}
+
+alone!(f32, f64);
 lanes!(AutoF64x8, AutoF32x16);
+vectors!(F32s, F64s);
 
 /// Period as a divisor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Period<T> {
     period: T,
     inverse: T,
+    /// The range of the magnitudes that are not divided.
+    near: [T; 2],
     is_fused: bool,
 }
 
 impl<T: Fuse> Period<T> {
-    /// `period` in all lanes. `fuses`: the processor multiplies and adds in one instruction, and that is faster than a
-    /// division.
-    pub(super) fn of(period: f64, fuses: bool) -> Self {
+    /// `period` in all lanes, divided by in the way that is fastest for `T`.
+    pub(super) fn of(period: f64) -> Self {
+        Self::by(period, T::IS_FUSED)
+    }
+
+    fn by(period: f64, is_fused: bool) -> Self {
         // Farther out, an intermediate result may leave the range of the scalar.
-        let is_fused = fuses && (1e-9..1e9).contains(&period);
+        let is_fused = is_fused && (1e-9..1e9).contains(&period);
         let period = T::of(period);
-        Self { period, inverse: T::one() / period, is_fused }
+        let near = [T::smallest_normal().sqrt(), T::largest().sqrt()];
+        Self { period, inverse: T::one() / period, near, is_fused }
     }
 
     /// `moved / period`, correctly rounded.
     ///
     /// The product with the known inverse is within two units of the quotient, and its remainder, computed in one
     /// rounding, corrects it (Markstein, IBM Journal of Research and Development 34(1), 1990; Brisebarre, Muller and
-    /// Raina, IEEE Transactions on Computers 53(8), 2004). Zeros, whose sign that would lose, and numbers near the ends
-    /// of the range are divided.
+    /// Raina, IEEE Transactions on Computers 53(8), 2004). Zeros keep their sign; numbers near the ends of the range are
+    /// divided.
     #[inline(always)]
     pub(super) fn divide(&self, moved: T) -> T {
         if self.is_fused {
-            let square = moved * moved;
-            if (square.above(T::smallest_normal()) & square.below(T::largest())).all() {
+            let size = moved.magnitude();
+            let near = size.above(self.near[0]) & size.below(self.near[1]);
+            if (near | size.below(T::smallest_positive())).all() {
                 let near = moved * self.inverse;
-                let over = (-near).fused(self.period, moved);
-                return over.fused(self.inverse, near);
+                let beyond = near.fused(self.period, -moved);
+                return (-beyond).fused(self.inverse, near);
             }
         }
         moved / self.period
-    }
-}
-
-/// A port whose samples take their velocity from the displacement over one period: a
-/// [`BackwardDifference`](lyapunov::effects::BackwardDifference), bit for bit.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Backward<P, T> {
-    port: P,
-    period: Period<T>,
-}
-
-impl<P, T> Backward<P, T> {
-    pub(super) fn new(port: P, period: Period<T>) -> Self {
-        Self { port, period }
-    }
-
-    /// The port behind the difference.
-    #[inline(always)]
-    pub(super) fn port(&self) -> &P {
-        &self.port
-    }
-}
-
-impl<T: Fuse, P: OnePort<T>> OnePort<T> for Backward<P, T> {
-    #[inline(always)]
-    fn respond(&mut self, sample: &PortSample<T>) -> T {
-        let velocity = self.period.divide(sample.displacement);
-        self.port.respond(&PortSample { velocity, ..*sample })
-    }
-
-    #[inline(always)]
-    fn correction(&self) -> Correction<T> {
-        self.port.correction()
     }
 }
 
@@ -118,10 +113,10 @@ mod tests {
     use proptest::prelude::*;
 
     fn same(moved: f64, period: f64) {
-        let quotient = Period::of(period, true).divide(moved);
+        let quotient = Period::by(period, true).divide(moved);
         assert_eq!(quotient.to_bits(), (moved / period).to_bits(), "{moved:e} / {period:e}");
         let (moved, period) = (moved as f32, period as f32);
-        let quotient = Period::<f32>::of(period.into(), true).divide(moved);
+        let quotient = Period::<f32>::by(period.into(), true).divide(moved);
         assert_eq!(quotient.to_bits(), (moved / period).to_bits(), "{moved:e} / {period:e} in f32");
     }
 
@@ -165,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn zeros_and_the_ends_of_the_range_are_divided() {
+    fn zeros_keep_their_sign_and_the_ends_of_the_range_are_divided() {
         let ends = [0.0, f64::MIN_POSITIVE, 5e-324, 1e-160, 1e-154, 1e153, 1e155, 1e306, f64::MAX];
         for moved in ends.into_iter().chain([f64::INFINITY, 1e-19, 1e-23, 1e19, 1e38]) {
             for period in [1e-3, 1.0, 0.7, 1e-9, 5e8, 1e12, 1e-300] {
@@ -173,7 +168,7 @@ mod tests {
                 same(-moved, period);
             }
         }
-        assert!(Period::of(1e-3, true).divide(f64::NAN).is_nan());
+        assert!(Period::by(1e-3, true).divide(f64::NAN).is_nan());
     }
 
     proptest! {

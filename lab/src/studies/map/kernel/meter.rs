@@ -1,13 +1,13 @@
 //! Meters of the kernel's rollouts.
 
 use lyapunov::environments::{ForceLaw, Kinematics, Wall};
-use lyapunov::{Mask, OnePort, ParameterError, PortSample, Scalar, Stabilizer};
+use lyapunov::{Correction, Mask, ParameterError, PortSample, Scalar};
 
 use super::backward::Fuse;
-use super::parts::{Lanes, Watched};
+use super::parts::Lanes;
 use crate::files::scene::Draft;
 use crate::measure::runs::{Instant, Measures, Meter as _, Meters, Ran};
-use crate::measure::{Fate, Verdict, Yardstick, device_damper};
+use crate::measure::{Fate, Verdict, Watched, Yardstick, device_damper};
 use crate::simulate::Criterion;
 
 /// Meter of a rollout; each type measures no more than is asked for.
@@ -15,18 +15,38 @@ pub(super) trait Meter<T: Fuse> {
     /// Result of a lane.
     type Reading: Copy + Send;
 
+    /// What changes from tick to tick.
+    type Watch<'a>: Watch<T>
+    where
+        Self: 'a;
+
     fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError>
     where
         Self: Sized;
 
-    /// Adds one tick: the motion, and `applied`, the force from here on.
-    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>);
+    /// The ticks that one watch may take from here on, at least one.
+    fn room(&mut self) -> u64;
+
+    /// Takes apart, for some ticks, what changes from one to the next, so that it may stay in registers.
+    fn watch(&mut self) -> Self::Watch<'_>;
 
     /// Whether later ticks cannot change the result.
     fn is_decided(&self) -> bool;
 
+    /// The lanes that left the range of the scalar, whose later ticks do not matter; none if there is none.
+    fn out_of_range(&self) -> Option<T::Mask>;
+
     /// Result of a lane; `sound`: its last row is finite.
     fn read(&self, lane: usize, sound: bool) -> Self::Reading;
+}
+
+/// What a meter changes from tick to tick.
+pub(super) trait Watch<T: Scalar> {
+    /// Adds one tick: the motion, the wall's force, and its correction, applied from here on.
+    fn add(&mut self, sample: &PortSample<T>, wall: T, correction: &Correction<T>);
+
+    /// Ends after as many `ticks`.
+    fn end(self, ticks: u64);
 }
 
 /// Meter of the verdict alone.
@@ -36,22 +56,54 @@ pub(super) struct Verdicts<T: Scalar> {
     accepted: T::Mask,
 }
 
+/// Verdicts along some ticks.
+pub(super) struct WatchedVerdicts<'a, T: Scalar> {
+    fate: Watched<'a, T>,
+    accepted: T::Mask,
+    all: &'a mut T::Mask,
+}
+
+impl<T: Scalar> Watch<T> for WatchedVerdicts<'_, T> {
+    #[inline(always)]
+    fn add(&mut self, sample: &PortSample<T>, _wall: T, correction: &Correction<T>) {
+        self.fate.add(sample.position, sample.velocity);
+        self.accepted = self.accepted & correction.accepted;
+    }
+
+    #[inline(always)]
+    fn end(self, ticks: u64) {
+        self.fate.end(ticks);
+        *self.all = self.accepted;
+    }
+}
+
 impl<T: Fuse> Meter<T> for Verdicts<T> {
     type Reading = (Verdict, Yardstick);
+
+    type Watch<'a> = WatchedVerdicts<'a, T>;
 
     fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
         let (fate, accepted) = (Fate::of_lanes(lanes.0), Mask::of(true));
         Ok(Self { fate, lanes: lanes.0.len(), accepted })
     }
 
+    fn room(&mut self) -> u64 {
+        self.fate.room()
+    }
+
     #[inline(always)]
-    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, _applied: T, port: &Watched<T, S>) {
-        self.fate.add(sample.position, sample.velocity);
-        self.accepted = self.accepted & port.correction().accepted;
+    fn watch(&mut self) -> WatchedVerdicts<'_, T> {
+        let Self { fate, accepted, .. } = self;
+        WatchedVerdicts { fate: fate.watched(), accepted: *accepted, all: accepted }
     }
 
     fn is_decided(&self) -> bool {
         (0..self.lanes).all(|lane| self.fate.is_lost(lane))
+    }
+
+    fn out_of_range(&self) -> Option<T::Mask> {
+        let out = !self.accepted;
+        out.any().then_some(out)
     }
 
     fn read(&self, lane: usize, sound: bool) -> (Verdict, Yardstick) {
@@ -71,8 +123,36 @@ pub(super) struct Everything<T: Scalar> {
     stiffness: T,
 }
 
+impl<T: Scalar> Watch<T> for &mut Everything<T> {
+    #[inline(always)]
+    fn add(&mut self, sample: &PortSample<T>, wall: T, correction: &Correction<T>) {
+        let applied = correction.effort;
+        let (depth, magnitude) = (sample.position - self.surface, applied.magnitude());
+        self.meters.add(&Instant {
+            position: sample.position,
+            coordinate: sample.position,
+            moved: sample.displacement,
+            work: sample.work,
+            applied,
+            environment: wall,
+            controller: applied - wall,
+            magnitudes: [magnitude, wall.magnitude()],
+            alpha: correction.alpha,
+            ideal: self.wall.force(&Kinematics::at(sample.position, sample.velocity)),
+            pressed: [depth, applied],
+        });
+    }
+
+    fn end(self, _ticks: u64) {}
+}
+
 impl<T: Fuse> Meter<T> for Everything<T> {
     type Reading = Measures;
+
+    type Watch<'a>
+        = &'a mut Self
+    where
+        T: 'a;
 
     fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
         let common = lanes.common();
@@ -89,27 +169,21 @@ impl<T: Fuse> Meter<T> for Everything<T> {
         })
     }
 
+    fn room(&mut self) -> u64 {
+        u64::MAX
+    }
+
     #[inline(always)]
-    fn add<S: Stabilizer<T>>(&mut self, sample: &PortSample<T>, applied: T, port: &Watched<T, S>) {
-        let environment = port.port().port().effort();
-        let (depth, magnitude) = (sample.position - self.surface, applied.magnitude());
-        self.meters.add(&Instant {
-            position: sample.position,
-            coordinate: sample.position,
-            moved: sample.displacement,
-            work: sample.work,
-            applied,
-            environment,
-            controller: applied - environment,
-            magnitudes: [magnitude, environment.magnitude()],
-            alpha: port.correction().alpha,
-            ideal: self.wall.force(&Kinematics::at(sample.position, sample.velocity)),
-            pressed: [depth, applied],
-        });
+    fn watch(&mut self) -> &mut Self {
+        self
     }
 
     fn is_decided(&self) -> bool {
         false
+    }
+
+    fn out_of_range(&self) -> Option<T::Mask> {
+        None
     }
 
     fn read(&self, lane: usize, _sound: bool) -> Measures {

@@ -6,11 +6,15 @@
 //! see [`Runs`].
 
 mod backward;
+mod batch;
 mod field;
 mod meter;
 mod parts;
+mod port;
+mod proven;
 mod rollout;
 mod seats;
+mod vectors;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
 use lyapunov::{
@@ -18,7 +22,8 @@ use lyapunov::{
     stabilizers::NoStabilizer,
 };
 
-use pulp::NullaryFnOnce;
+#[cfg(target_arch = "x86_64")]
+use pulp::x86::{V3, V4};
 
 use crate::files::scene::{
     Candidate, Draft, Integrator, Ledger, Scalar as Width, Scene, Stabilizer, Velocity, Work,
@@ -30,11 +35,15 @@ use crate::measure::{Verdict, Yardstick};
 use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
-use backward::Fuse;
+use batch::Batch;
 use meter::{Everything, Meter, Verdicts};
 use parts::Laned;
+#[cfg(target_arch = "x86_64")]
+use proven::Proven;
 use rollout::Rollouts;
 use seats::{Along, Seats};
+#[cfg(target_arch = "x86_64")]
+use vectors::{F32s, F64s};
 
 /// The most ticks of a run in `f32`, which cannot count more.
 const COUNTED: u64 = 1 << 24;
@@ -54,7 +63,7 @@ pub struct Kernel {
 pub enum Lanes {
     /// One at a time, the reference for the speed of the lanes.
     One,
-    /// As many as fill a vector of 512 bits.
+    /// As many as fill two vectors, or those that the compiler finds vectors for.
     Many,
 }
 
@@ -99,10 +108,15 @@ impl Kernel {
 
     /// Number of rollouts that run side by side.
     pub fn lanes(&self) -> usize {
-        match (self.lanes, self.along.base.scalar) {
+        let is_wide = self.along.base.scalar == Width::F64;
+        match (self.lanes, self.instructions) {
             (Lanes::One, _) => 1,
-            (Lanes::Many, Width::F64) => AutoF64x8::LANES,
-            (Lanes::Many, Width::F32) => AutoF32x16::LANES,
+            (Lanes::Many, Instructions::Base) if is_wide => AutoF64x8::LANES,
+            (Lanes::Many, Instructions::Base) => AutoF32x16::LANES,
+            #[cfg(target_arch = "x86_64")]
+            (Lanes::Many, Instructions::Avx2(_)) => lanes_of::<V3>(is_wide),
+            #[cfg(target_arch = "x86_64")]
+            (Lanes::Many, Instructions::Avx512(_)) => lanes_of::<V4>(is_wide),
         }
     }
 
@@ -157,25 +171,39 @@ impl Kernel {
         self.run(Run { kernel: self, basic_name, cells, go_on }, MeasureAll)
     }
 
-    /// Whether fused multiplication and addition computes a quotient by the period faster than a division. With fewer
-    /// than eight lanes a division takes as long, and in `f32` many displacements are zero, which are divided.
-    fn fuses(&self) -> bool {
-        let many = self.lanes == Lanes::Many && self.along.base.scalar == Width::F64;
-        many && self.instructions.multiplies_and_adds_at_once()
-    }
-
     fn run<W: Watching>(
         &self,
         run: Run<'_>,
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
-        match (self.lanes, self.along.base.scalar) {
-            (Lanes::One, Width::F64) => run.on::<f64, W>(watching),
-            (Lanes::One, Width::F32) => run.on::<f32, W>(watching),
-            (Lanes::Many, Width::F64) => run.on::<Aligned<AutoF64x8>, W>(watching),
-            (Lanes::Many, Width::F32) => run.on::<Aligned<AutoF32x16>, W>(watching),
+        let is_wide = self.along.base.scalar == Width::F64;
+        match (self.lanes, self.instructions) {
+            (Lanes::One, _) if is_wide => run.on::<f64, W>(watching),
+            (Lanes::One, _) => run.on::<f32, W>(watching),
+            (Lanes::Many, Instructions::Base) if is_wide => {
+                run.on::<Aligned<AutoF64x8>, W>(watching)
+            }
+            (Lanes::Many, Instructions::Base) => run.on::<Aligned<AutoF32x16>, W>(watching),
+            #[cfg(target_arch = "x86_64")]
+            (Lanes::Many, Instructions::Avx2(proof)) => {
+                run.on_vectors::<V3, W>(proof, is_wide, watching)
+            }
+            #[cfg(target_arch = "x86_64")]
+            (Lanes::Many, Instructions::Avx512(proof)) => {
+                run.on_vectors::<V4, W>(proof, is_wide, watching)
+            }
         }
     }
+}
+
+/// Vectors of a group: one computes while another waits for a quotient, and together they fit into the registers.
+#[cfg(target_arch = "x86_64")]
+const VECTORS: usize = 2;
+
+/// Lanes of a group on vectors of `S`.
+#[cfg(target_arch = "x86_64")]
+fn lanes_of<S: Proven>(is_wide: bool) -> usize {
+    if is_wide { F64s::<S, VECTORS>::LANES } else { F32s::<S, VECTORS>::LANES }
 }
 
 /// Whether the kernel has all parts of a scene.
@@ -216,7 +244,7 @@ struct Run<'a> {
 /// Meter of rollouts, on lanes of any scalar.
 trait Watching: std::marker::Copy {
     type Reading: std::marker::Copy + Send;
-    type Meter<T: Fuse>: Meter<T, Reading = Self::Reading>;
+    type Meter<T: Batch>: Meter<T, Reading = Self::Reading>;
 
     fn empty(self) -> Self::Reading;
 }
@@ -226,7 +254,7 @@ struct Judge;
 
 impl Watching for Judge {
     type Reading = (Verdict, Yardstick);
-    type Meter<T: Fuse> = Verdicts<T>;
+    type Meter<T: Batch> = Verdicts<T>;
 
     fn empty(self) -> (Verdict, Yardstick) {
         (Verdict::TooShort, Yardstick::Distance)
@@ -238,7 +266,7 @@ struct MeasureAll;
 
 impl Watching for MeasureAll {
     type Reading = Measures;
-    type Meter<T: Fuse> = Everything<T>;
+    type Meter<T: Batch> = Everything<T>;
 
     fn empty(self) -> Measures {
         Measures::default()
@@ -246,8 +274,24 @@ impl Watching for MeasureAll {
 }
 
 impl Run<'_> {
+    /// Runs the rollouts on vectors of proven instructions, `f64` or `f32`.
+    #[cfg(target_arch = "x86_64")]
+    fn on_vectors<S: Proven, W: Watching>(
+        self,
+        proof: S,
+        is_wide: bool,
+        watching: W,
+    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+        proof.prove();
+        if is_wide {
+            self.on::<F64s<S, VECTORS>, W>(watching)
+        } else {
+            self.on::<F32s<S, VECTORS>, W>(watching)
+        }
+    }
+
     /// Runs the rollouts with the type of the stabilizer.
-    fn on<T: Fuse, W: Watching>(
+    fn on<T: Batch, W: Watching>(
         self,
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
@@ -266,14 +310,11 @@ impl Run<'_> {
         }
     }
 
-    fn under<T: Fuse, S: Laned<T>, W: Watching>(
+    fn under<T: Batch, S: Laned<T>, W: Watching>(
         self,
         watching: W,
     ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
         let seats = Seats::new(self.kernel.along(self.basic_name), self.cells);
-        let (empty, fuses) = (watching.empty(), self.kernel.fuses());
-        let rollouts = Rollouts::<T, S, W::Meter<T>>::new(seats, empty, fuses, self.go_on);
-        // One rollout at a time gains nothing from vectors.
-        if T::LANES == 1 { rollouts.call() } else { self.kernel.instructions.run(rollouts) }
+        T::run(Rollouts::<T, S, W::Meter<T>>::new(seats, watching.empty(), self.go_on))
     }
 }

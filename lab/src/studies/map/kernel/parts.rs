@@ -1,24 +1,20 @@
 //! Parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Dissipation, Held, Lolc, LyapunovCandidate, OnePort, ParameterError, PortEnergy, Scalar,
-    Stabilized, Stabilizer,
+    Dissipation, Held, Lolc, LyapunovCandidate, ParameterError, PortEnergy, Scalar, Stabilizer,
     bodies::{Body, Impedance},
     candidates::InContact,
-    effects::{OnePortExt, ZeroOrderHold},
     environments::Wall,
-    stabilizers::NoStabilizer,
+    stabilizers::{Account, NoStabilizer},
 };
 
-use super::backward::{Backward, Fuse, Period};
+use super::backward::Fuse;
+use super::port::StabilizedWall;
 use crate::files::scene::{self, Damping, Draft};
 
 /// Scenes of the lanes, alike in rates and duration; lanes beyond the last scene repeat it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lanes<'a>(pub(super) &'a [Draft]);
-
-/// The port of the kernel: a stabilized wall behind a hold, with velocities from backward differences.
-pub(super) type Watched<T, S> = Backward<Stabilized<ZeroOrderHold<Wall<T>, T>, S, T>, T>;
 
 impl<'a> Lanes<'a> {
     /// A scene for the numbers that all scenes have in common.
@@ -60,16 +56,11 @@ impl<'a> Lanes<'a> {
         self.each(|scene| scene.environment.wall().map_or(0.0, number))
     }
 
-    /// Port with the numbers of each lane; `fuses` as in [`Period::of`].
-    pub(super) fn port<T: Fuse, S: Laned<T>>(
-        self,
-        fuses: bool,
-    ) -> Result<Watched<T, S>, ParameterError> {
+    /// Port with the numbers of each lane.
+    pub(super) fn port<T: Fuse, S: Laned<T>>(self) -> Result<StabilizedWall<T, S>, ParameterError> {
         let wall = self.wall()?;
-        let stabilizer = S::of(self, &wall)?;
-        let ticks = u32::try_from(self.common().environment_ratio()).unwrap_or(u32::MAX);
-        let period = Period::of(self.common().period(), fuses);
-        Ok(Backward::new(wall.held(ticks)?.stabilized(stabilizer), period))
+        let (ticks, period) = (self.common().environment_ratio(), self.common().period());
+        Ok(StabilizedWall::new(wall, ticks, S::of(self, &wall)?, period))
     }
 }
 
@@ -95,26 +86,43 @@ impl<T: Scalar> Bodies<T> {
 }
 
 /// A stabilizer with the numbers of each lane.
-pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Sized {
+pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Copy {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
+
+    /// The same with the account of some `lanes` cleared.
+    fn cleared(self, lanes: T::Mask) -> Self;
 }
 
 impl<T: Scalar> Laned<T> for NoStabilizer {
     fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
     }
+
+    fn cleared(self, _lanes: T::Mask) -> Self {
+        self
+    }
 }
 
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         let damping = |scene: &Draft| scene.damping(scene.damping_cap());
-        let limit = Damping::limit_of_lanes(|lane| damping(lanes.of(lane)))?;
+        let limit = Damping::limit_of_lanes(&|lane| damping(lanes.of(lane)))?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
+    }
+
+    fn cleared(self, lanes: T::Mask) -> Self {
+        let kept = T::choose(lanes, T::zero(), self.observed_energy());
+        let mut cleared = self;
+        cleared.reset();
+        let given = cleared.grant(kept.larger(T::zero()));
+        let owed = cleared.owe((-kept).larger(T::zero()));
+        // Other lanes that are out of range have no account to keep.
+        if given.is_ok() && owed.is_ok() { cleared } else { self }
     }
 }
 
 /// A candidate with the numbers of each lane.
-pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Sized {
+pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Copy {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 }
 

@@ -1,15 +1,13 @@
 //! The loop over the ticks of rollouts on lanes.
 
-use lyapunov::{Mask, OnePort, ParameterError, Plant, PortSample, bodies::Body};
+use lyapunov::{Mask, ParameterError, Plant, PortSample, bodies::Body};
 use pulp::NullaryFnOnce;
 
-use super::backward::Fuse;
-use super::meter::Meter;
-use super::parts::{Bodies, Laned, Watched};
+use super::batch::Batch;
+use super::meter::{Meter, Watch};
+use super::parts::{Bodies, Laned};
+use super::port::StabilizedWall;
 use super::seats::Seats;
-
-/// Groups that run side by side: one computes while another waits for a quotient.
-const BESIDE: usize = 4;
 
 /// Ticks between two checks whether groups are decided.
 const STRETCH: u64 = 64;
@@ -18,20 +16,40 @@ const STRETCH: u64 = 64;
 ///
 /// Every function between here and the arithmetic is always inlined: a function that is called instead is compiled for
 /// the base set of instructions, whatever this is compiled for.
-pub(super) struct Rollouts<'a, T: Fuse, S, M: Meter<T>> {
+pub(super) struct Rollouts<'a, T: Batch, S, M: Meter<T>> {
     seats: Seats<'a>,
     readings: Vec<M::Reading>,
     bodies: Bodies<T>,
-    fuses: bool,
     go_on: &'a (dyn Fn() -> bool + Sync),
     ports: std::marker::PhantomData<S>,
 }
 
-/// A running group of lanes.
-struct Group<T: Fuse, S, M> {
+/// The loop of a group of lanes.
+#[derive(Clone, Copy)]
+struct Loop<T: Batch, S> {
     plant: Body<T>,
-    port: Watched<T, S>,
+    port: StabilizedWall<T, S>,
     sample: PortSample<T>,
+}
+
+impl<T: Batch, S: Laned<T>> Loop<T, S> {
+    #[inline(always)]
+    fn tick(&mut self, watch: &mut impl Watch<T>) {
+        let correction = self.port.respond(&self.sample);
+        watch.add(&self.sample, self.port.answer(), &correction);
+        // The period stays, and a whole sample would be built elsewhere and copied here.
+        let next = self.plant.advance(correction.effort);
+        self.sample.position = next.position;
+        self.sample.velocity = next.velocity;
+        self.sample.displacement = next.displacement;
+        self.sample.applied = next.applied;
+        self.sample.work = next.work;
+    }
+}
+
+/// A running group of lanes.
+struct Group<T: Batch, S, M> {
+    looped: Loop<T, S>,
     meter: M,
     /// The remaining ticks.
     left: u64,
@@ -39,18 +57,39 @@ struct Group<T: Fuse, S, M> {
     count: usize,
 }
 
-impl<T: Fuse, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
+impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
+    /// Runs some ticks in registers.
+    #[inline(always)]
+    fn run(&mut self, ticks: u64) {
+        let mut looped = self.looped;
+        let mut watch = self.meter.watch();
+        for _ in 0..ticks {
+            looped.tick(&mut watch);
+        }
+        watch.end(ticks);
+        self.looped = looped;
+    }
+
+    /// Runs one tick in memory.
     #[inline(always)]
     fn tick(&mut self) {
-        let effort = self.port.respond(&self.sample);
-        self.meter.add(&self.sample, effort, &self.port);
-        // The period stays, and a whole sample would be built elsewhere and copied here.
-        let next = self.plant.advance(effort);
-        self.sample.position = next.position;
-        self.sample.velocity = next.velocity;
-        self.sample.displacement = next.displacement;
-        self.sample.applied = next.applied;
-        self.sample.work = next.work;
+        let mut watch = self.meter.watch();
+        self.looped.tick(&mut watch);
+        watch.end(1);
+    }
+
+    /// Puts lanes that left the range to rest: a stabilizer that rejects their samples takes twice as long for all lanes.
+    #[inline(never)]
+    fn rest(&mut self, lanes: T::Mask) {
+        let Loop { plant, port, sample } = &mut self.looped;
+        let still = |value| T::choose(lanes, T::zero(), value);
+        sample.position = still(sample.position);
+        sample.velocity = still(sample.velocity);
+        sample.displacement = still(sample.displacement);
+        sample.applied = still(sample.applied);
+        sample.work = still(sample.work);
+        *plant = plant.starting(sample.position, sample.velocity);
+        port.clear(lanes);
     }
 
     /// Runs the last tick, after which nothing moves. Returns the lanes whose row is finite.
@@ -58,22 +97,25 @@ impl<T: Fuse, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     /// It runs once and need not be fast.
     #[inline(never)]
     fn finish(&mut self) -> T::Mask {
-        let effort = self.port.respond(&self.sample);
-        self.meter.add(&self.sample, effort, &self.port);
-        self.sample.position.finite() & self.sample.velocity.finite() & effort.finite()
+        self.meter.room();
+        let Loop { port, sample, .. } = &mut self.looped;
+        let correction = port.respond(sample);
+        let mut watch = self.meter.watch();
+        watch.add(sample, port.answer(), &correction);
+        watch.end(1);
+        sample.position.finite() & sample.velocity.finite() & correction.effort.finite()
     }
 }
 
-impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
+impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
     pub(super) fn new(
         seats: Seats<'a>,
         empty: M::Reading,
-        fuses: bool,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Self {
         let readings = vec![empty; seats.len()];
         let (bodies, ports) = (Bodies::none(), std::marker::PhantomData);
-        Self { seats, readings, bodies, fuses, go_on, ports }
+        Self { seats, readings, bodies, go_on, ports }
     }
 
     #[inline(never)]
@@ -81,9 +123,8 @@ impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(None) };
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
         let (meter, plant) = (M::new(lanes)?, lanes.body(&mut self.bodies)?);
-        let port = lanes.port(self.fuses)?;
-        let sample = plant.start();
-        Ok(Some(Group { plant, port, sample, meter, left, first, count }))
+        let (port, sample) = (lanes.port()?, plant.start());
+        Ok(Some(Group { looped: Loop { plant, port, sample }, meter, left, first, count }))
     }
 
     #[inline(never)]
@@ -98,6 +139,9 @@ impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
     fn settle(&mut self, group: &mut Group<T, S, M>) -> bool {
         let is_last = group.left == 1;
         if !is_last && !group.meter.is_decided() {
+            if let Some(lanes) = group.meter.out_of_range() {
+                group.rest(lanes);
+            }
             return false;
         }
         let sound = if is_last { group.finish() } else { Mask::of(true) };
@@ -106,16 +150,14 @@ impl<'a, T: Fuse, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
     }
 }
 
-impl<T: Fuse, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> {
+impl<T: Batch, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> {
     type Output = Result<Option<Vec<M::Reading>>, ParameterError>;
 
     #[inline(always)]
     fn call(mut self) -> Self::Output {
-        // With one lane there is one rollout at a time: the reference for the speed of the lanes.
-        let beside = if T::LANES == 1 { 1 } else { BESIDE };
-        let mut groups = Vec::with_capacity(beside);
+        let mut groups = Vec::with_capacity(T::BESIDE);
         loop {
-            while groups.len() < beside {
+            while groups.len() < T::BESIDE {
                 match self.next()? {
                     Some(group) => groups.push(group),
                     None => break,
@@ -135,16 +177,28 @@ impl<T: Fuse, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> 
             if groups.len() < before {
                 continue;
             }
-            let ticks = groups.iter().map(|group| group.left - 1).min().unwrap_or_default();
-            let stretch = ticks.min(STRETCH);
-            for _ in 0..stretch {
-                for group in &mut groups {
-                    group.tick();
-                }
-            }
-            for group in &mut groups {
-                group.left -= stretch;
+            advance(&mut groups);
+        }
+    }
+}
+
+/// Runs groups side by side until the next check.
+#[inline(always)]
+fn advance<T: Batch, S: Laned<T>, M: Meter<T>>(groups: &mut [Group<T, S, M>]) {
+    let room = |group: &mut Group<T, S, M>| group.meter.room().min(group.left - 1);
+    let ticks = groups.iter_mut().map(room).min().unwrap_or_default().min(STRETCH);
+    if T::IN_REGISTERS {
+        for group in groups.iter_mut() {
+            group.run(ticks);
+        }
+    } else {
+        for _ in 0..ticks {
+            for group in groups.iter_mut() {
+                group.tick();
             }
         }
+    }
+    for group in groups {
+        group.left -= ticks;
     }
 }
