@@ -7,12 +7,19 @@ use std::io::{Write, stdin, stdout};
 
 use lyapunov::{DampingLimit, Dissipation, Lolc, Popc, PortEnergy, Reading, Readings, Stabilizer};
 
-fn answer(period: f64, fastest: f64, mut stabilizer: impl Stabilizer<f64>) -> Result<(), Box<dyn Error>> {
+fn answer(
+    period: f64,
+    fastest: f64,
+    mut stabilizer: impl Stabilizer<f64>,
+) -> Result<(), Box<dyn Error>> {
     let mut readings = Readings::every(period)?.no_faster_than(fastest)?;
     let mut out = stdout().lock();
     for line in stdin().lines() {
-        let bits: Result<Vec<u64>, _> = line?.split_whitespace().map(|word| u64::from_str_radix(word, 16)).collect();
-        let [position, applied, effort] = bits?[..] else { return Err("a line is position, applied, effort".into()) };
+        let bits: Result<Vec<u64>, _> =
+            line?.split_whitespace().map(|word| u64::from_str_radix(word, 16)).collect();
+        let [position, applied, effort] = bits?[..] else {
+            return Err("a line is position, applied, effort".into());
+        };
         let [position, applied, effort] = [position, applied, effort].map(f64::from_bits);
         let read = readings.read(Reading { position, applied });
         let told = stabilizer.stabilize(&read.sample, effort);
@@ -29,12 +36,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (block, numbers) = told.split_first().ok_or("the block's name comes first")?;
     let numbers: Result<Vec<f64>, _> = numbers.iter().map(|number| number.parse()).collect();
     match (block.as_str(), &numbers?[..]) {
-        ("popc", &[period, fastest, limit, budget]) => {
-            answer(period, fastest, Popc::new(PortEnergy, DampingLimit::at(limit)?).budgeted(budget)?)
-        }
+        ("popc", &[period, fastest, limit, budget]) => answer(
+            period,
+            fastest,
+            Popc::new(PortEnergy, DampingLimit::at(limit)?).budgeted(budget)?,
+        ),
         ("lolc", &[period, fastest, limit, damping, budget]) => {
             let candidate = (PortEnergy, Dissipation::of(damping)?);
-            answer(period, fastest, Lolc::new(candidate, DampingLimit::at(limit)?).budgeted(budget)?)
+            answer(
+                period,
+                fastest,
+                Lolc::new(candidate, DampingLimit::at(limit)?).budgeted(budget)?,
+            )
         }
         _ => Err("popc takes four numbers, lolc five".into()),
     }
