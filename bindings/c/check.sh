@@ -103,7 +103,7 @@ bare() { # output, flags of the processor, sources
     local output=$1 flags=$2
     shift 2
     # shellcheck disable=SC2086
-    arm-none-eabi-gcc $flags -mthumb -O2 -std=c11 -Iinclude -ffunction-sections -fdata-sections "$@" -Wl,--gc-sections -o "$output"
+    arm-none-eabi-gcc $flags -mthumb -O2 -std=c11 -Iinclude -ffunction-sections -fdata-sections "$@" -Wl,--gc-sections,-z,noexecstack -o "$output"
 }
 
 no_panic_is_linked() {

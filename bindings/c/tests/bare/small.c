@@ -2,7 +2,7 @@
 #include <lyapunov.h>
 
 lyapunov_popc_f32 popc;
-lyapunov_popc_f32_parameters parameters;
+static const lyapunov_popc_f32_parameters parameters = { 80.0f, 0.0f };
 volatile lyapunov_sample_f32 device;
 volatile float command;
 
