@@ -42,6 +42,18 @@ pub unsafe fn init<K: Kind>(
     }
 }
 
+/// Whether the storage behind a pointer has the tag of its kind.
+///
+/// # Safety
+/// As [`init`].
+#[inline(always)]
+unsafe fn tagged<K: Kind>(storage: *const Storage<K>) -> Result<(), Code> {
+    check::pointer(storage)?;
+    // SAFETY: not null, aligned, and a variable by the caller's word; every pattern of bits is a tag.
+    let tag = unsafe { (&raw const (*storage).tag).read() };
+    if tag == WordOf::<K>::of(u64::from(K::TAG)) { Ok(()) } else { Err(Code::NotInitialised) }
+}
+
 /// The storage behind a pointer, if it has the tag of its kind.
 ///
 /// # Safety
@@ -50,23 +62,17 @@ pub unsafe fn init<K: Kind>(
 pub(crate) unsafe fn open<'a, K: Kind>(
     storage: *mut Storage<K>,
 ) -> Result<&'a mut Storage<K>, Code> {
-    check::pointer(storage)?;
-    // SAFETY: not null, aligned, and a variable by the caller's word; every pattern of bits is a tag.
-    let tag = unsafe { (&raw const (*storage).tag).read() };
-    if tag != WordOf::<K>::of(u64::from(K::TAG)) {
-        return Err(Code::NotInitialised);
-    }
-    // SAFETY: as above, and every pattern of bits is a `Kept`, which is words or `Plain`.
-    Ok(unsafe { &mut *storage })
+    // SAFETY: as the caller says; every pattern of bits is a `Kept`, which is words or `Plain`.
+    unsafe { tagged(storage).map(|()| &mut *storage) }
 }
 
 /// A copy of what is kept behind a pointer, if it has the tag of its kind.
 ///
 /// # Safety
 /// As [`init`].
-unsafe fn copy<K: Kind>(storage: *const Storage<K>) -> Result<K::Kept, Code> {
-    // SAFETY: as the caller says; nothing is written through it.
-    unsafe { open(storage.cast_mut()).map(|storage| storage.kept) }
+pub(crate) unsafe fn copy<K: Kind>(storage: *const Storage<K>) -> Result<K::Kept, Code> {
+    // SAFETY: as for `open`.
+    unsafe { tagged(storage).map(|()| (&raw const (*storage).kept).read()) }
 }
 
 /// Other parameters; the memory stays.

@@ -8,7 +8,7 @@ use crate::kept::{Keep, Kind, NumberOf, Storage};
 use crate::number::Number;
 use crate::port::{CorrectionForm, SampleForm};
 use crate::status::Code;
-use crate::verbs::{no_effort, open};
+use crate::verbs::{copy, no_effort, open};
 
 /// Observer of held work in one number.
 pub type Observing<T, C> = Observer<C, Held, Plain<T>>;
@@ -133,11 +133,10 @@ pub unsafe fn summary<K: Kind<Body = Meter<NumberOf<K>>>>(
     storage: *const Storage<K>,
     summary: *mut SummaryForm<NumberOf<K>>,
 ) -> u32 {
-    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; nothing is
-    // written into the storage.
+    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word.
     let done = unsafe {
         check::pointer(summary).and_then(|()| {
-            let mut kept = open(storage.cast_mut())?.kept;
+            let mut kept = copy(storage)?;
             summary.write(SummaryForm::of(kept.lend(|meter| meter.0.summary())?));
             Ok(())
         })
