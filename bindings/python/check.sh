@@ -27,6 +27,9 @@ pip install --quiet --force-reinstall --no-deps "$target"/wheels/*.whl
 step mypy --strict python/lyapunov
 step mypy --strict tests/typed.py
 step pyright --pythonpath "$venv/bin/python" python/lyapunov tests/typed.py
+# Stubs and the compiled part name the same things with the same arguments, in the wheel.
+stubs() { (cd "$target" && python -m mypy.stubtest lyapunov._lyapunov --concise --allowlist <(echo 'lyapunov\._lyapunov\.__all__')); }
+step stubs
 # From a folder without the sources, so that it is the wheel that is tested.
 tests=$PWD/tests
 cd "$target"

@@ -2,10 +2,11 @@
 
 import os
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, Protocol, overload
+from typing import Any, Literal, Protocol, final, overload
 
 import numpy as np
 import numpy.typing as npt
+from typing_extensions import Self
 
 _Vector = npt.NDArray[np.float64]
 _Signal = float | _Vector | Sequence[float]
@@ -29,11 +30,12 @@ class SceneError(InputError):
     column: int | None
     remedies: list[str]
 
+@final
 class Sample:
     """What the port's other side did since the last call. Signals: float on one axis, else arrays of shape (axes,)."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         period: float,
         position: _Signal,
         velocity: _Signal,
@@ -41,7 +43,7 @@ class Sample:
         applied: _Signal,
         *,
         axes: _Axes = 1,
-    ) -> None: ...
+    ) -> Self: ...
     @property
     def axes(self) -> int: ...
     @property
@@ -70,11 +72,12 @@ class Sample:
     def late(self) -> bool: ...
     def __eq__(self, other: object, /) -> bool: ...
 
+@final
 class Correction:
     """What a stabilizer makes of an effort."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         effort: _Signal,
         *,
         observed_energy: float = 0.0,
@@ -82,7 +85,7 @@ class Correction:
         shortfall: float = 0.0,
         accepted: bool = True,
         axes: _Axes = 1,
-    ) -> None: ...
+    ) -> Self: ...
     @property
     def axes(self) -> int: ...
     @property
@@ -104,11 +107,12 @@ class Correction:
 class _Candidate(Protocol):
     def decrease(self, sample: Sample) -> float: ...
 
+@final
 class Readings:
     """Memory of a port: readings of a device in, samples out."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         period: float,
         *,
         axes: _Axes = 1,
@@ -116,7 +120,7 @@ class Readings:
         cutoff: float | None = None,
         measured: bool = False,
         clocked: bool = False,
-    ) -> None: ...
+    ) -> Self: ...
     def read(
         self,
         position: _Signal | None,
@@ -134,37 +138,38 @@ class Readings:
     def __copy__(self) -> Readings: ...
     def __deepcopy__(self, memo: object, /) -> Readings: ...
 
+@final
 class Stabilizer:
     """Stabilizer of one port, by a name of docs/family.md."""
 
     @overload
-    def __init__(self, name: Literal["none"], *, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["none"], *, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["popc"], *, limit: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["popc"], *, limit: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["lolc"], *, limit: float, damping: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["lolc"], *, limit: float, damping: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["lolc"], *, limit: float, candidate: _Candidate, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["lolc"], *, limit: float, candidate: _Candidate, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["popc-bounded"], *, limit: float, credit: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["popc-bounded"], *, limit: float, credit: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(
-        self,
+    def __new__(
+        cls,
         name: Literal["popc-windowed", "popc-spread", "popc-rising"],
         *,
         limit: float,
         ticks: int,
         axes: _Axes = 1,
-    ) -> None: ...
+    ) -> Self: ...
     @overload
-    def __init__(self, name: Literal["popc-threshold"], *, limit: float, velocity: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["popc-threshold"], *, limit: float, velocity: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["popc-rate-limited"], *, limit: float, rate: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["popc-rate-limited"], *, limit: float, rate: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["force-bound", "force-bounding"], *, damping: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["force-bound", "force-bounding"], *, damping: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(
-        self,
+    def __new__(
+        cls,
         name: Literal["tank"],
         *,
         start: float,
@@ -172,13 +177,13 @@ class Stabilizer:
         ceiling: float = ...,
         power: float = ...,
         axes: _Axes = 1,
-    ) -> None: ...
+    ) -> Self: ...
     @overload
-    def __init__(self, name: Literal["energy-bounding"], *, c1: float, c2: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["energy-bounding"], *, c1: float, c2: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["least-norm"], *, limit: float, decay: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["least-norm"], *, limit: float, decay: float, axes: _Axes = 1) -> Self: ...
     @overload
-    def __init__(self, name: Literal["slope-bound"], *, slope: float, axes: _Axes = 1) -> None: ...
+    def __new__(cls, name: Literal["slope-bound"], *, slope: float, axes: _Axes = 1) -> Self: ...
     @property
     def name(self) -> str: ...
     @property
@@ -188,13 +193,14 @@ class Stabilizer:
     def __copy__(self) -> Stabilizer: ...
     def __deepcopy__(self, memo: object, /) -> Stabilizer: ...
 
+@final
 class Observer:
     """Observed energy of a candidate, without a controller."""
 
     @overload
-    def __init__(self, *, damping: float | None = None) -> None: ...
+    def __new__(cls, *, damping: float | None = None, candidate: None = None) -> Self: ...
     @overload
-    def __init__(self, *, candidate: _Candidate) -> None: ...
+    def __new__(cls, *, candidate: _Candidate) -> Self: ...
     def observe(self, sample: Sample) -> float:
         """The observed energy after the sample, J."""
     @property
@@ -204,6 +210,7 @@ class Observer:
 def damping_limit(mass: float, period: float, *, cap: float = 0.5, delay: int = 0) -> float:
     """The largest damping that a stabilizer may inject, N·s/m: `cap · mass / period`, less with a delay in ticks."""
 
+@final
 class Corrections:
     """Corrections of many ticks or loops."""
 
@@ -223,12 +230,13 @@ class Corrections:
     def accepted(self) -> npt.NDArray[np.bool_]:
         """Like observed_energy."""
 
+@final
 class Batch:
     """Loops that tick together, each with readings and a stabilizer of its own, on lanes and all cores."""
 
-    def __init__(
-        self, stabilizer: Stabilizer, loops: int, period: float, *, no_faster_than: float | None = None
-    ) -> None: ...
+    def __new__(
+        cls, stabilizer: Stabilizer, loops: int, period: float, *, no_faster_than: float | None = None
+    ) -> Self: ...
     @property
     def loops(self) -> int: ...
     def stabilize(self, position: _Vector, applied: _Vector, effort: _Vector) -> Corrections:
@@ -255,12 +263,13 @@ def closed_loop(
 ) -> dict[str, _Vector]:
     """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name."""
 
+@final
 class Scene:
     """A checked scene."""
 
-    def __init__(self, source: dict[str, Any] | str | os.PathLike[str], *, name: str | None = None) -> None: ...
+    def __new__(cls, source: dict[str, Any] | str | os.PathLike[str], *, name: str | None = None) -> Self: ...
     @staticmethod
-    def parse(text: str, *, name: str = "scene") -> Scene:
+    def parse(text: str, *, name: str = ...) -> Scene:
         """The scene that a text in TOML tells."""
     @staticmethod
     def shipped(name: str) -> Scene:
@@ -275,6 +284,7 @@ class Scene:
     def dimensions(self) -> int: ...
     def __eq__(self, other: object, /) -> bool: ...
 
+@final
 class Told:
     """What a study tells, in every form."""
 
