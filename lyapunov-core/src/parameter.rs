@@ -87,10 +87,7 @@ impl Requirement {
     ) -> Result<V, ParameterError> {
         let mut refused = None;
         let _ = signal.map(|axis| {
-            // Not `or`: valgrind sees its compiled form look at the fields of no error.
-            if refused.is_none() {
-                refused = self.check(parameter, axis).err();
-            }
+            refused = refused.or(self.check(parameter, axis).err());
             axis
         });
         match refused {

@@ -35,7 +35,7 @@ impl Columns {
     }
 
     /// A dictionary: numbers as float64 arrays, words as lists.
-    pub(crate) fn to_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    pub(crate) fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let table = PyDict::new(py);
         for (name, column) in self.0 {
             match column {

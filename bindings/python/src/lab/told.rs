@@ -28,6 +28,6 @@ pub(crate) struct Told {
 impl Told {
     /// The table as a dictionary: numbers as float64 arrays of shape (rows,), words as lists.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.columns.clone().to_dict(py)
+        self.columns.clone().into_dict(py)
     }
 }
