@@ -1714,7 +1714,7 @@ typedef struct lyapunov_readings_windowed_f32_parameters {
     float period;
     /* The fastest motion, m/s; infinity: no limit. */
     float fastest;
-    /* How many readings, 1 to 16. */
+    /* The number of readings, 1 to 16. */
     uint32_t ticks;
     /* How far they may lie from a line, m: a count of the encoder, or the noise. */
     float band;
@@ -1764,7 +1764,7 @@ typedef struct lyapunov_readings_windowed_f64_parameters {
     double period;
     /* The fastest motion, m/s; infinity: no limit. */
     double fastest;
-    /* How many readings, 1 to 16. */
+    /* The number of readings, 1 to 16. */
     uint32_t ticks;
     /* How far they may lie from a line, m: a count of the encoder, or the noise. */
     double band;
@@ -1814,7 +1814,7 @@ typedef struct lyapunov_readings_windowed_f32x3_parameters {
     float period;
     /* The fastest motion, m/s; infinity: no limit. */
     float fastest;
-    /* How many readings, 1 to 16. */
+    /* The number of readings, 1 to 16. */
     uint32_t ticks;
     /* How far they may lie from a line, m: a count of the encoder, or the noise. */
     float band;
@@ -1864,7 +1864,7 @@ typedef struct lyapunov_readings_windowed_f64x3_parameters {
     double period;
     /* The fastest motion, m/s; infinity: no limit. */
     double fastest;
-    /* How many readings, 1 to 16. */
+    /* The number of readings, 1 to 16. */
     uint32_t ticks;
     /* How far they may lie from a line, m: a count of the encoder, or the noise. */
     double band;
@@ -1914,7 +1914,7 @@ typedef struct lyapunov_readings_windowed_f32x6_parameters {
     float period;
     /* The fastest motion, m/s; infinity: no limit. */
     float fastest;
-    /* How many readings, 1 to 16. */
+    /* The number of readings, 1 to 16. */
     uint32_t ticks;
     /* How far they may lie from a line, m: a count of the encoder, or the noise. */
     float band;
@@ -1964,7 +1964,7 @@ typedef struct lyapunov_readings_windowed_f64x6_parameters {
     double period;
     /* The fastest motion, m/s; infinity: no limit. */
     double fastest;
-    /* How many readings, 1 to 16. */
+    /* The number of readings, 1 to 16. */
     uint32_t ticks;
     /* How far they may lie from a line, m: a count of the encoder, or the noise. */
     double band;
@@ -10725,7 +10725,7 @@ typedef struct lyapunov_energy_bounding_f32_parameters {
     float damping;
     /* The period, s. */
     float period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f32_parameters) == 12, lyapunov_energy_bounding_f32_parameters_size);
@@ -10774,7 +10774,7 @@ typedef struct lyapunov_energy_bounding_f64_parameters {
     double damping;
     /* The period, s. */
     double period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f64_parameters) == 24, lyapunov_energy_bounding_f64_parameters_size);
@@ -10823,7 +10823,7 @@ typedef struct lyapunov_energy_bounding_f32x3_parameters {
     float damping;
     /* The period, s. */
     float period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f32x3_parameters) == 12, lyapunov_energy_bounding_f32x3_parameters_size);
@@ -10872,7 +10872,7 @@ typedef struct lyapunov_energy_bounding_f64x3_parameters {
     double damping;
     /* The period, s. */
     double period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f64x3_parameters) == 24, lyapunov_energy_bounding_f64x3_parameters_size);
@@ -10921,7 +10921,7 @@ typedef struct lyapunov_energy_bounding_f32x6_parameters {
     float damping;
     /* The period, s. */
     float period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f32x6_parameters) == 12, lyapunov_energy_bounding_f32x6_parameters_size);
@@ -10970,7 +10970,7 @@ typedef struct lyapunov_energy_bounding_f64x6_parameters {
     double damping;
     /* The period, s. */
     double period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f64x6_parameters) == 24, lyapunov_energy_bounding_f64x6_parameters_size);
@@ -11020,7 +11020,7 @@ typedef struct lyapunov_energy_bounding_f32screw_parameters {
     float damping;
     /* The period, s. */
     float period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f32screw_parameters) == 12, lyapunov_energy_bounding_f32screw_parameters_size);
@@ -11070,7 +11070,7 @@ typedef struct lyapunov_energy_bounding_f64screw_parameters {
     double damping;
     /* The period, s. */
     double period;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_energy_bounding_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_bounding_f64screw_parameters) == 24, lyapunov_energy_bounding_f64screw_parameters_size);
@@ -11542,7 +11542,7 @@ LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64screw_owe(lyapunov_least_nor
 typedef struct lyapunov_slope_bound_f32_parameters {
     /* The slope, N/m. */
     float slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
 } lyapunov_slope_bound_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32_parameters) == 8, lyapunov_slope_bound_f32_parameters_size);
@@ -11589,7 +11589,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32_owe(lyapunov_slope_bound_f
 typedef struct lyapunov_slope_bound_f64_parameters {
     /* The slope, N/m. */
     double slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
 } lyapunov_slope_bound_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64_parameters) == 16, lyapunov_slope_bound_f64_parameters_size);
@@ -11636,7 +11636,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64_owe(lyapunov_slope_bound_f
 typedef struct lyapunov_slope_bound_f32x3_parameters {
     /* The slope, N/m. */
     float slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
 } lyapunov_slope_bound_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x3_parameters) == 8, lyapunov_slope_bound_f32x3_parameters_size);
@@ -11683,7 +11683,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x3_owe(lyapunov_slope_bound
 typedef struct lyapunov_slope_bound_f64x3_parameters {
     /* The slope, N/m. */
     double slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
 } lyapunov_slope_bound_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x3_parameters) == 16, lyapunov_slope_bound_f64x3_parameters_size);
@@ -11730,7 +11730,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x3_owe(lyapunov_slope_bound
 typedef struct lyapunov_slope_bound_f32x6_parameters {
     /* The slope, N/m. */
     float slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
 } lyapunov_slope_bound_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x6_parameters) == 8, lyapunov_slope_bound_f32x6_parameters_size);
@@ -11777,7 +11777,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x6_owe(lyapunov_slope_bound
 typedef struct lyapunov_slope_bound_f64x6_parameters {
     /* The slope, N/m. */
     double slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
 } lyapunov_slope_bound_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x6_parameters) == 16, lyapunov_slope_bound_f64x6_parameters_size);
@@ -11824,7 +11824,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x6_owe(lyapunov_slope_bound
 typedef struct lyapunov_slope_bound_f32screw_parameters {
     /* The slope, N/m. */
     float slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
 } lyapunov_slope_bound_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32screw_parameters) == 8, lyapunov_slope_bound_f32screw_parameters_size);
@@ -11871,7 +11871,7 @@ LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32screw_owe(lyapunov_slope_bo
 typedef struct lyapunov_slope_bound_f64screw_parameters {
     /* The slope, N/m. */
     double slope;
-    /* How fast what is held back is let through, N/s; 0: never. */
+    /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
 } lyapunov_slope_bound_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64screw_parameters) == 16, lyapunov_slope_bound_f64screw_parameters_size);
@@ -11920,7 +11920,7 @@ typedef struct lyapunov_memory_based_f32_parameters {
     float surface;
     /* The depth that the cells span, m. */
     float depth;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_memory_based_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_memory_based_f32_parameters) == 12, lyapunov_memory_based_f32_parameters_size);
@@ -11970,7 +11970,7 @@ typedef struct lyapunov_memory_based_f64_parameters {
     double surface;
     /* The depth that the cells span, m. */
     double depth;
-    /* How many ticks late the force acts. */
+    /* The delay of the force in ticks. */
     uint32_t late;
 } lyapunov_memory_based_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_memory_based_f64_parameters) == 24, lyapunov_memory_based_f64_parameters_size);

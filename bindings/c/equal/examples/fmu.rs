@@ -1,4 +1,4 @@
-//! What the units of fmu/ must answer, by the library in Rust alone: a line of inputs in, a line of outputs out, as bits.
+//! The reference for the units of fmu/, by the library in Rust alone: a line of inputs in, a line of outputs out, as bits.
 //!
 //! `fmu popc|lolc PERIOD FASTEST DAMPING_LIMIT [DEVICE_DAMPING] BUDGET`; lines are position, applied, effort.
 

@@ -1,4 +1,4 @@
-//! What tests/c/equal.c prints, by the library in Rust alone: every block over random ticks, as a hash of what came out.
+//! The reference for tests/c/equal.c, by the library in Rust alone: every block over random ticks, as a hash of its answers.
 //!
 //! Nothing here goes through the functions of C. `cargo run --release -p lyapunov-equal --bin lyapunov-equal -- 1000000`
 

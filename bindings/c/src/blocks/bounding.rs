@@ -67,7 +67,7 @@ blocks! {
             damping: T,
             /// The period, s.
             period: T,
-            /// How many ticks late the force acts.
+            /// The delay of the force in ticks.
             late: u32,
         };
         |given| match given.late {
@@ -103,7 +103,7 @@ blocks! {
         {
             /// The slope, N/m.
             slope: T,
-            /// How fast what is held back is let through, N/s; 0: never.
+            /// The rate at which withheld force is let through, N/s; 0: none of it.
             creep: T,
         };
         |given| SlopeBound::new(given.slope)?.creeping(given.creep);
@@ -118,7 +118,7 @@ blocks! {
             surface: T,
             /// The depth that the cells span, m.
             depth: T,
-            /// How many ticks late the force acts.
+            /// The delay of the force in ticks.
             late: u32,
         };
         |given| Ok(MemoryBased::beyond(given.surface, given.depth)?.delayed(given.late));

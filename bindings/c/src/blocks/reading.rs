@@ -67,7 +67,7 @@ blocks! {
             period: T,
             /// The fastest motion, m/s; infinity: no limit.
             fastest: T,
-            /// How many readings, 1 to 16.
+            /// The number of readings, 1 to 16.
             ticks: u32,
             /// How far they may lie from a line, m: a count of the encoder, or the noise.
             band: T,
