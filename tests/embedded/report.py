@@ -162,11 +162,17 @@ def main():
 
 
 def alike(told, new):
-    """Whether the numbers of all rows are within one per cent, and one: the folder of a build moves some by one."""
+    """Whether all numbers are within one per cent and what the folder of a build moves: an instruction, 16 bytes of padding."""
     number = re.compile(r"\b\d+\b")
-    words = [[number.sub("0", line) for line in lines] for lines in (told, new)]
-    pairs = zip(*([int(it) for it in number.findall("\n".join(lines))] for lines in (told, new)))
-    return words[0] == words[1] and all(abs(a - b) <= 1 + b // 100 for a, b in pairs)
+    if [number.sub("0", line) for line in told] != [number.sub("0", line) for line in new]:
+        return False
+    slack = 1
+    for a, b in zip(told, new):
+        slack = 16 if b.startswith("## Bytes") else slack
+        pairs = zip(map(int, number.findall(a)), map(int, number.findall(b)))
+        if any(abs(there - here) > slack + here // 100 for there, here in pairs):
+            return False
+    return True
 
 
 def difference(told, new):
