@@ -10,9 +10,6 @@ use std::time::Duration;
 use crate::cli::place::Place;
 use crate::cli::said::{Said, Start};
 
-/// Moments at which a map is killed.
-const KILLS: u32 = 200;
-
 /// Kills of one map before it may end.
 const IN_A_ROW: u32 = 10;
 
@@ -102,14 +99,20 @@ fn killed(command: fn(&[&'static str]) -> Vec<&'static str>, kills: u32) {
 
 #[test]
 fn a_map_that_is_killed_at_any_moment_is_resumed_to_the_same_bytes() {
-    killed(share, KILLS);
+    killed(share, 30);
     killed(map, 3);
+}
+
+#[test]
+#[ignore = "minutes; its last result is in docs/guarantees.md"]
+fn a_map_that_is_killed_at_200_moments_is_resumed_to_the_same_bytes() {
+    killed(share, 200);
 }
 
 /// No file may become longer than a limit, which stands for a disk that fills up at any place.
 #[test]
 fn a_map_that_runs_out_of_room_is_resumed_to_the_same_bytes() {
-    out_of_room(share, "map-0-of-2.csv", 16);
+    out_of_room(share, "map-0-of-2.csv", 6);
     out_of_room(map, "map.csv", 2);
 }
 
