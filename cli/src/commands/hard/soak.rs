@@ -40,6 +40,12 @@ impl Hard {
 
     /// Holds the promises on random scenes.
     pub(super) fn soak(&self, span: Duration) -> Result<(), End> {
+        let soak = Soak { seed: self.seed, stabilizer: self.stabilizer };
+        if let Some(name) = self.stabilizer.filter(|_| !soak.takes_part()) {
+            return Err(End::input(format_args!(
+                "`{name}` takes part in no random scene: they lack what it is set by\n  = write a scene for it, and give that"
+            )));
+        }
         let out = self.out.as_deref().unwrap_or(Path::new("."));
         let folder = Folder::claim(out, [FOUND], &Inputs::default())?;
         let (start, length) = (Instant::now(), span.as_millis() as u64);
@@ -47,7 +53,6 @@ impl Hard {
             true => ProgressBar::hidden(),
             false => shown(ProgressBar::new(length), BAR),
         };
-        let soak = Soak { seed: self.seed, stabilizer: self.stabilizer };
         let soaked = soak.run(&mut |_| {
             let spent = start.elapsed();
             bar.set_position(length.min(spent.as_millis() as u64));

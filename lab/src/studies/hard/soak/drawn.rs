@@ -77,14 +77,14 @@ fn stabilized(draw: &mut Draw, scene: &Scene, member: StabilizerName) -> Option<
     if let StabilizerName::Basic(basic) = member {
         return observed(draw, scene, basic);
     }
+    if !member.fits(scene) {
+        return None;
+    }
     let numbers: Vec<_> = member
         .parameters(scene)
         .iter()
         .filter_map(|it| Some((it.name(), number(draw, it)?)))
         .collect();
-    if !member.fits(scene) {
-        return None;
-    }
     let written = member.written_in(scene, &numbers);
     written.or_else(|_| member.written_in(scene, &[])).ok()
 }

@@ -71,6 +71,11 @@ impl Soak {
         self.drawn(case, &self.members())
     }
 
+    /// Whether the stabilizer takes part in any random scene.
+    pub fn takes_part(&self) -> bool {
+        (0..BATCH).any(|case| self.scene(case).is_some())
+    }
+
     /// Runs case after case on all cores until one breaks a promise. `watch` is called with the number of cases done,
     /// now and then, and may stop it.
     pub fn run(&self, watch: &mut dyn FnMut(u64) -> ControlFlow<()>) -> Soaked {

@@ -44,7 +44,8 @@ fn on_a_line(scene: &Scene) -> Result<Option<Breach>, ParameterError> {
         return Ok(broken);
     }
     for lane in [0, F64x8::LANES - 1] {
-        if ticks::<f64>(&starts[lane..=lane])?.first() != lanes.get(lane) {
+        let alone = ticks::<f64>(&starts[lane..=lane])?;
+        if alone.iter().any(|ran| ran.bits != lanes[lane].bits) {
             return Ok(Some(Breach::Lane { lane }));
         }
     }

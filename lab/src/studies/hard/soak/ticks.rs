@@ -9,12 +9,12 @@ use crate::studies::hard::tally::Tally;
 use crate::studies::hard::watched::Meters;
 
 /// What a run was.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Ran {
     /// Its measurements.
     pub(super) tally: Tally,
     /// A hash of every number of every tick.
-    bits: u64,
+    pub(super) bits: u64,
 }
 
 /// The runs of `scenes`, one in each lane, to their end even where the motion leaves the range of the scalar.
