@@ -36,17 +36,23 @@ real!(f32 u32, f64 u64);
 #[derive(Clone, Debug)]
 pub struct Bytes<'a> {
     left: &'a [u8],
+    believable: bool,
 }
 
 impl<'a> Bytes<'a> {
     /// All of `bytes`.
     pub fn of(bytes: &'a [u8]) -> Self {
-        Self { left: bytes }
+        Self { left: bytes, believable: true }
     }
 
     /// Whether nothing is left.
     pub fn at_end(&self) -> bool {
         self.left.is_empty()
+    }
+
+    /// Whether every parameter that was read is 0, or of the size of a machine's.
+    pub(crate) fn believable(&self) -> bool {
+        self.believable
     }
 
     /// The next byte.
@@ -65,11 +71,16 @@ impl<'a> Bytes<'a> {
         read.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
     }
 
+    /// The next number of ordinary size: up to 128, in steps of 1/256.
+    pub fn ordinary<T: Real>(&mut self) -> T {
+        T::of(f64::from(self.word(2) as i16) / 256.0)
+    }
+
     /// The next number: of any bits, of ordinary size, of any order of magnitude, or one of the ends of the range.
     pub fn number<T: Real>(&mut self) -> T {
         match self.byte() % 8 {
             0 | 1 => T::of_bits(self.word(T::WIDTH)),
-            2 | 3 => T::of(f64::from(self.word(2) as i16) / 256.0),
+            2 | 3 => self.ordinary(),
             4 => {
                 let mantissa = f64::from(self.byte() as i8) / 64.0;
                 let exponent = i32::from(self.byte() as i8) * if T::WIDTH == 8 { 5 } else { 1 };
@@ -105,14 +116,24 @@ impl<'a> Bytes<'a> {
     /// A number that a constructor may accept: mostly one above 0.
     pub fn parameter<T: Real>(&mut self) -> T {
         let number = self.number::<T>();
-        if self.byte() % 16 == 0 { number } else { number.magnitude() }
+        let number = if self.byte() % 16 == 0 { number } else { number.magnitude() };
+        self.told(number)
+    }
+
+    fn told<T: Real>(&mut self, parameter: T) -> T {
+        let size = parameter.magnitude();
+        let sized = size >= T::of(1e-9) && size <= T::of(1e9);
+        self.believable &= sized || size == T::of(0.0) || !size.finite();
+        parameter
     }
 
     /// A number above 0 and finite, or what was spelled if that is not to be had.
     pub fn positive<T: Real>(&mut self) -> T {
-        let number = self.parameter();
+        let number = self.number::<T>().magnitude();
         let refused = Requirement::Positive.check("", number).is_err();
         // Most of what is drawn shall be driven.
-        if refused && self.byte() % 4 != 0 { T::of(0.25) } else { number }
+        let number = if refused && self.byte() % 4 != 0 { T::of(0.25) } else { number };
+        self.believable &= number.finite();
+        self.told(number)
     }
 }

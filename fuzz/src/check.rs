@@ -16,10 +16,12 @@ pub(crate) enum Manner<T> {
     Reduces,
     /// Rejects with a force of 0, and no more is promised.
     Rejects,
-    /// Holds a force where a sample is rejected.
+    /// Gives a force where a sample is rejected: one that is held, or that of another axis.
     Holds,
     /// Answers by itself: its force is finite.
     Answers,
+    /// Answers by itself, and what is no sample by what is no force; it recovers.
+    Asks,
     /// Passes on what is asked.
     Passes,
 }
@@ -31,14 +33,12 @@ pub(crate) fn fault<V: Signal<Scalar: Real>>(
     told: &Correction<V>,
 ) -> Option<&'static str> {
     let zero = V::Scalar::of(0.0);
-    if manner == Manner::Passes {
-        return None;
-    }
-    if !told.effort.finite() {
-        return Some("the force is not finite");
-    }
-    if manner == Manner::Answers {
-        return None;
+    let finite = told.effort.finite();
+    match manner {
+        Manner::Passes | Manner::Asks => return None,
+        Manner::Answers if finite => return None,
+        _ if !finite => return Some("the force is not finite"),
+        _ => {}
     }
     let numbers = [told.observed_energy, told.alpha, told.shortfall];
     let least = told.alpha >= zero && told.shortfall >= zero;

@@ -18,6 +18,23 @@ impl<V: Signal<Scalar: Real>> Tick<V> {
         Self { sample: PortSample::starting(period, V::zero(), V::zero()), asked: V::zero() }
     }
 
+    /// Whether a device could have done this: what is finite is no larger than any machine, and time is of its scale. What is
+    /// not finite can be told by anyone.
+    pub(crate) fn believable(&self) -> bool {
+        let large = V::Scalar::of(1e6);
+        let PortSample { period, position, velocity, displacement, applied, work } = self.sample;
+        let mut believable = !period.finite()
+            || period <= V::Scalar::of(0.0)
+            || (period >= V::Scalar::of(1e-6) && period <= V::Scalar::of(1e3));
+        for signal in [position, velocity, displacement, applied, work, self.asked] {
+            signal.map(|axis| {
+                believable &= !axis.finite() || axis.magnitude() <= large;
+                axis
+            });
+        }
+        believable
+    }
+
     /// The next tick: a byte tells which fields are new, the others stay.
     pub(crate) fn after(self, bytes: &mut Bytes<'_>) -> Self {
         let changed = bytes.byte();

@@ -9,7 +9,7 @@ use lyapunov_stabilizers::{
 
 use super::{Member, store};
 use crate::Real;
-use crate::check::Manner::{Answers, Reduces, Rejects};
+use crate::check::Manner::{Answers, Asks, Reduces, Rejects};
 use crate::drive::{copied, stored};
 
 /// Cells of the memories.
@@ -133,28 +133,31 @@ fn ports<T: Real>(members: &mut Vec<Member>) {
     members.push(Member {
         name: "iss",
         run: |bytes| {
-            let (spring, slope) = (Spring(bytes.number::<T>()), bytes.positive());
-            let port: InputToState<_, T> = InputToState::new(spring, slope, bytes.parameter())?;
-            copied::<T, _>(bytes, Answers, Ok(Answering(port)))
+            let stiffness = bytes.positive::<T>();
+            // The environment is no steeper than the slope says.
+            let slope = stiffness * T::of(1.0 + f64::from(bytes.byte()) / 16.0);
+            let port: InputToState<_, T> =
+                InputToState::new(Spring(stiffness), slope, bytes.parameter())?;
+            copied::<T, _>(bytes, Asks, Ok(Answering(port)))
         },
     });
     members.push(Member {
         name: "iss-adaptive",
         run: |bytes| {
-            let (spring, share) = (Spring(bytes.number::<T>()), bytes.positive());
+            let (spring, share) = (Spring(bytes.positive::<T>()), bytes.positive());
             let port: InputToState<_, T> =
                 InputToState::adaptive(spring, share, bytes.parameter())?;
-            copied::<T, _>(bytes, Answers, Ok(Answering(port)))
+            copied::<T, _>(bytes, Asks, Ok(Answering(port)))
         },
     });
     members.push(Member {
         name: "virtual-coupling",
         run: |bytes| {
-            let spring = Spring(bytes.number::<T>());
+            let spring = Spring(bytes.positive::<T>());
             let [stiffness, damping, drag] = [(); 3].map(|()| bytes.positive());
             let coupling = VirtualCoupling { stiffness, damping, drag };
             let port: CoupledPort<_, T> = CoupledPort::new(spring, coupling)?;
-            copied::<T, _>(bytes, Answers, Ok(Answering(port)))
+            copied::<T, _>(bytes, Asks, Ok(Answering(port)))
         },
     });
 }

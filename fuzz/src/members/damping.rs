@@ -142,7 +142,7 @@ fn candidates<T: Real>(members: &mut Vec<Member>) {
     members.push(Member {
         name: "lolc-spring",
         run: |bytes| {
-            let (limit, stiffness) = (limit(bytes)?, bytes.number::<T>());
+            let (limit, stiffness) = (limit(bytes)?, bytes.positive::<T>());
             let spring = move |x: T, _v: T| stiffness * x * x;
             let stored = StorageFunction::starting(spring, bytes.number(), bytes.number());
             copied::<T, _>(bytes, Damps(limit.most()), Ok(Lolc::new(stored, limit)))
@@ -151,7 +151,7 @@ fn candidates<T: Real>(members: &mut Vec<Member>) {
     members.push(Member {
         name: "popc-reference",
         run: |bytes| {
-            let (limit, stiffness) = (limit(bytes)?, bytes.number::<T>());
+            let (limit, stiffness) = (limit(bytes)?, bytes.positive::<T>());
             let spring = move |x: T, _v: T| stiffness * x * x;
             let stored = StorageFunction::starting(spring, T::of(0.0), T::of(0.0));
             copied::<T, _>(bytes, Damps(limit.most()), Ok(Lolc::new((PortEnergy, stored), limit)))
@@ -160,7 +160,7 @@ fn candidates<T: Real>(members: &mut Vec<Member>) {
     members.push(Member {
         name: "reference-following",
         run: |bytes| {
-            let (limit, stiffness) = (limit(bytes)?, bytes.number::<T>());
+            let (limit, stiffness) = (limit(bytes)?, bytes.positive::<T>());
             let spring = move |x: T, _v: T| stiffness * x * x;
             let stored = StorageFunction::starting(spring, T::of(0.0), T::of(0.0));
             let depth = |x: T| x.larger(T::of(0.0));
