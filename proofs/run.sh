@@ -21,6 +21,8 @@ fi
 
 # The queries are written anew from the crates' own steps.
 CARGO_TARGET_DIR=$built cargo build --quiet --release --manifest-path proofs/Cargo.toml
+# The tape that they are written from tells what the real steps tell, bit by bit.
+CARGO_TARGET_DIR=$built cargo test --quiet --release --manifest-path proofs/Cargo.toml
 rm -rf "$built/queries"
 "$built/release/lyapunov-proofs" "$built/queries"
 seconds=10

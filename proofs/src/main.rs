@@ -8,6 +8,8 @@ mod loose;
 mod members;
 mod paths;
 mod properties;
+#[cfg(test)]
+mod real;
 mod seen;
 mod smt;
 mod symbolic;

@@ -120,6 +120,8 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         self.booked = V::Scalar::choose(booked, self.received, self.booked);
         // What the sum of the packets rounds to leaves the tank, or rounding would make energy on every tick.
         let sent = self.sent + self.share * self.tank.value().larger(zero);
+        // At the end of the scalar's range nothing more is sent.
+        let sent = V::Scalar::choose(sent.finite(), sent, self.sent);
         self.tank.add(self.sent - sent);
         self.sent = sent;
         let sum = self.tank.value();
@@ -130,7 +132,8 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let most = sum.larger(zero);
         let factor = V::Scalar::choose(asked.above(most), most / asked, one);
         let factor = V::Scalar::choose(most.above(zero), factor, zero);
-        let damping = self.gain * (self.level - sum).larger(zero);
+        // Finite, so that at rest it is no force.
+        let damping = (self.gain * (self.level - sum).larger(zero)).smaller(V::Scalar::largest());
         let felt = effort.scale(factor) + sample.velocity.scale(damping);
         let accepted = booked & asked.finite() & felt.finite() & sample.timed();
         let alpha = V::Scalar::choose(accepted, damping, zero);

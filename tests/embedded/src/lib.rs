@@ -11,3 +11,4 @@ mod port;
 pub use drive::{BLOCK, SEEDS, Ticks};
 pub use hash::{Hash, hash, step};
 pub use members::{Number, Visit, visit};
+pub use port::{Answering, Constrained, Draws, Looped, Reads, Spring, Waves};

@@ -9,7 +9,7 @@ use lyapunov_stabilizers::{
 
 /// Spring of `0` N/m.
 #[derive(Clone, Copy)]
-pub(crate) struct Spring<T>(pub(crate) T);
+pub struct Spring<T>(pub T);
 
 impl<V: Signal> OnePort<V> for Spring<V::Scalar> {
     fn respond(&mut self, sample: &PortSample<V>) -> V {
@@ -19,7 +19,7 @@ impl<V: Signal> OnePort<V> for Spring<V::Scalar> {
 
 /// Port that answers by itself, with the effort added.
 #[derive(Clone, Copy)]
-pub(crate) struct Answering<P>(pub(crate) P);
+pub struct Answering<P>(pub P);
 
 impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Answering<P> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
@@ -29,7 +29,7 @@ impl<V: Signal, P: OnePort<V>> Stabilizer<V> for Answering<P> {
 
 /// Readings before a stabilizer: it is told position and applied effort, and makes the rest.
 #[derive(Clone, Copy)]
-pub(crate) struct Reads<S, V: Signal>(pub(crate) Readings<V>, pub(crate) S);
+pub struct Reads<S, V: Signal>(pub Readings<V>, pub S);
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Reads<S, V> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
@@ -40,7 +40,7 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Reads<S, V> {
 
 /// An end of a channel whose other end it is itself: it receives what it sent on the tick before.
 #[derive(Clone, Copy)]
-pub(crate) struct Looped<S>(pub(crate) S);
+pub struct Looped<S>(pub S);
 
 impl<V: Signal> Stabilizer<V> for Looped<TwoPortSide<V>> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
@@ -58,10 +58,10 @@ impl<V: Signal> Stabilizer<V> for Looped<TwoLayer<V::Scalar>> {
 
 /// A follower's end of a wave channel, with a filter; the effort stands for the wave that comes in.
 #[derive(Clone, Copy)]
-pub(crate) struct Waves<V: Signal> {
-    pub(crate) transform: WaveTransform<V::Scalar>,
-    pub(crate) filter: WaveFilter<V>,
-    pub(crate) follower: WaveFollower<V::Scalar>,
+pub struct Waves<V: Signal> {
+    pub transform: WaveTransform<V::Scalar>,
+    pub filter: WaveFilter<V>,
+    pub follower: WaveFollower<V::Scalar>,
 }
 
 impl<V: Signal> Stabilizer<V> for Waves<V> {
@@ -82,7 +82,7 @@ impl<V: Signal> Stabilizer<V> for Waves<V> {
 
 /// A tank that passes what it can of the effort.
 #[derive(Clone, Copy)]
-pub(crate) struct Draws<T, L>(pub(crate) EnergyTank<T, L>);
+pub struct Draws<T, L>(pub EnergyTank<T, L>);
 
 impl<V: Signal, L: Valve<V::Scalar>> Stabilizer<V> for Draws<V::Scalar, L> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
@@ -94,7 +94,7 @@ impl<V: Signal, L: Valve<V::Scalar>> Stabilizer<V> for Draws<V::Scalar, L> {
 
 /// The inputs of a constraint that says that the effort must not give energy: the least, and Sontag's.
 #[derive(Clone, Copy)]
-pub(crate) struct Constrained;
+pub struct Constrained;
 
 impl<V: Signal> Stabilizer<V> for Constrained {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# The fuzz targets under libFuzzer with the address sanitizer (docs/fuzzing.md).
+#   run.sh TARGET MINUTES [JOBS]   steps or poses; a found case is left in fuzz/artifacts/TARGET
+#   run.sh coverage                which regions of the steps the random test of `cargo test` executes
+# It installs cargo-fuzz where it is missing.
+set -euo pipefail
+cd "$(dirname "$0")"
+target=${1:?"a target, or coverage"}
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/../target}
+
+coverage() {
+    local tools
+    rustup component add llvm-tools >/dev/null 2>&1 || true
+    tools=$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin
+    [ -x "$tools/llvm-cov" ] || { echo "SKIPPED: coverage needs the component llvm-tools"; exit 0; }
+    local out=$CARGO_TARGET_DIR/coverage
+    rm -rf "$out/profiles"
+    # One instance of each generic function counts as covered where any of them is.
+    RUSTFLAGS="-C instrument-coverage" LLVM_PROFILE_FILE="$out/profiles/%p.profraw" \
+        cargo test --quiet --target-dir "$out"
+    "$tools/llvm-profdata" merge -sparse "$out"/profiles/*.profraw -o "$out/all.profdata"
+    local objects=() binary
+    for binary in "$out"/debug/deps/{steps,poses}-*; do
+        if [ -x "$binary" ] && [ ! -d "$binary" ]; then objects+=(-object "$binary"); fi
+    done
+    "$tools/llvm-cov" report "${objects[@]}" -instr-profile "$out/all.profdata" \
+        "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" | tee "$out/report.txt"
+    "$tools/llvm-cov" show "${objects[@]}" -instr-profile "$out/all.profdata" \
+        "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" >"$out/lines.txt"
+}
+
+if [ "$target" = coverage ]; then coverage; exit; fi
+minutes=${2:?"minutes"}
+jobs=${3:-1}
+command -v cargo-fuzz >/dev/null || cargo install --quiet cargo-fuzz
+# The sanitizer is an option that stable compilers hide.
+RUSTC_BOOTSTRAP=1 cargo fuzz run --fuzz-dir . --features libfuzzer "$target" -- \
+    -max_total_time=$((minutes * 60)) -max_len=4096 -print_final_stats=1 -fork="$jobs"
